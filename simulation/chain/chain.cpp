@@ -33,8 +33,8 @@ public:
         : scenario_(scenario), states_(states), diagnostics_(diagnostics) {}
 
     std::vector<ChainAsked> operator()() {
-        for (const Claim& each : scenario_.claims) add_question(each);
-        for (const ChainQuestion& each : scenario_.chain_questions) add_question(each);
+        for (const Claim& claim : scenario_.claims) add_question(claim);
+        for (const ChainQuestion& question : scenario_.chain_questions) add_question(question);
         return std::move(result_);
     }
 
@@ -57,39 +57,39 @@ private:
             return report_refusal(claim.span, fmt::format("the chain has no state at {:g} s", claim.property.time));
         const auto goal = states_.states_satisfying(claim.property.parts.front());
         if (!goal) return report_refusal(claim.span, not_said);
-        ChainAsked& asked = result_.emplace_back();
-        asked.claim = &claim;
-        asked.text = claim.text;
-        asked.confidence = claim.confidence;
-        asked.goal = *goal;
-        asked.steps = static_cast<std::uint64_t>(whole);
+        ChainAsked& chain_question = result_.emplace_back();
+        chain_question.claim = &claim;
+        chain_question.text = claim.text;
+        chain_question.confidence = claim.confidence;
+        chain_question.goal = *goal;
+        chain_question.steps = static_cast<std::uint64_t>(whole);
     }
 
     void add_question(const ChainQuestion& question) {
-        ChainAsked asked;
-        asked.kind = question.time ? ChainAsked::Kind::time : ChainAsked::Kind::average;
-        asked.text = question.text;
-        asked.confidence = question.confidence;
+        ChainAsked chain_question;
+        chain_question.kind = question.time ? ChainAsked::Kind::time : ChainAsked::Kind::average;
+        chain_question.text = question.text;
+        chain_question.confidence = question.confidence;
         if (question.time) {
             const auto goal = states_.states_satisfying(question.condition);
             if (!goal) return report_refusal(question.span, not_said);
-            asked.goal = *goal;
-        } else if (!take_average(question, asked)) {
+            chain_question.goal = *goal;
+        } else if (!take_average(question, chain_question)) {
             return report_refusal(question.span, "the chain does not distinguish the measure of the average");
         }
-        result_.push_back(std::move(asked));
+        result_.push_back(std::move(chain_question));
     }
 
-    bool take_average(const ChainQuestion& question, ChainAsked& asked) {
+    bool take_average(const ChainQuestion& question, ChainAsked& chain_question) {
         const auto& distinctions = scenario_.abstraction->distinctions;
         const auto found = std::ranges::find_if(
-            distinctions, [&](const Distinction& each) { return each.measure == question.measure; });
+            distinctions, [&](const Distinction& distinction) { return distinction.measure == question.measure; });
         if (found == distinctions.end()) return false;
-        asked.distinction = static_cast<std::size_t>(found - distinctions.begin());
+        chain_question.distinction = static_cast<std::size_t>(found - distinctions.begin());
         for (std::size_t state = 0; state < states_.size(); ++state) {
             const auto values = states_.class_of_measure(state, question.measure);
-            asked.low.push_back(values ? values->low : 0);
-            asked.high.push_back(values ? values->high : 0);
+            chain_question.low.push_back(values ? values->low : 0);
+            chain_question.high.push_back(values ? values->high : 0);
         }
         return true;
     }
@@ -108,15 +108,18 @@ std::vector<ChainAsked> find_chain_questions(const Scenario& scenario, const Cha
 }
 
 bool ChainAnswer::is_refuted() const {
-    return of_no_chain || std::ranges::any_of(checks, [](const ChainCheck& each) { return each.contradicts; });
+    return of_no_chain || std::ranges::any_of(checks, [](const ChainCheck& check) { return check.contradicts; });
 }
 
 ClaimVerdict ChainAnswer::claim_verdict() const {
     if (asked.claim == nullptr || asked.claim->estimate) return ClaimVerdict::estimated;
-    const double wanted = asked.claim->probability;
-    const bool least = asked.claim->at_least;
-    if (least ? low >= wanted : high <= wanted) return ClaimVerdict::holds;
-    return (least ? high < wanted : low > wanted) ? ClaimVerdict::fails : ClaimVerdict::open;
+    const double probability = asked.claim->probability;
+    if (asked.claim->at_least) {
+        if (low >= probability) return ClaimVerdict::holds;
+        return high < probability ? ClaimVerdict::fails : ClaimVerdict::open;
+    }
+    if (high <= probability) return ClaimVerdict::holds;
+    return low > probability ? ClaimVerdict::fails : ClaimVerdict::open;
 }
 
 std::vector<statistics::StateSequence> sequences_of(const Scenario& scenario, const ChainStates& states,
@@ -143,12 +146,13 @@ std::vector<statistics::StateSequence> sequences_of(const Scenario& scenario, co
     return result;
 }
 
-std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>& asked, const statistics::Permitted& permitted,
+std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>& questions,
+                                          const statistics::Permitted& permitted,
                                           const std::vector<statistics::StateSequence>& sequences,
                                           diagnostics::Budget* budget) {
-    if (asked.empty()) return std::nullopt;
+    if (questions.empty()) return std::nullopt;
     double confidence = 0;
-    for (const ChainAsked& each : asked) confidence = std::max(confidence, each.confidence);
+    for (const ChainAsked& question : questions) confidence = std::max(confidence, question.confidence);
     const auto found = statistics::order_contradiction(sequences, permitted, 1 - confidence, [budget] {
         if (budget != nullptr) budget->poll();
     });
@@ -160,16 +164,16 @@ namespace {
 
 class Answering {
 public:
-    Answering(const Scenario& scenario, const ChainAsked& asked, const statistics::Permitted& permitted,
+    Answering(const Scenario& scenario, const ChainAsked& question, const statistics::Permitted& permitted,
               const std::vector<statistics::StateSequence>& sequences, const std::vector<TrialResult>& trials,
               diagnostics::Budget* budget)
         : scenario_(scenario),
           sequences_(sequences),
           trials_(trials),
           first_fresh_(sequences.size() / 2),
-          error_((1 - asked.confidence) / 2),
+          error_((1 - question.confidence) / 2),
           budget_(budget) {
-        answer_.asked = asked;
+        answer_.asked = question;
         statistics::TransitionCounts counts(permitted.size());
         for (std::size_t i = 0; i < first_fresh_; ++i) counts.add(sequences[i]);
         const auto intervals = statistics::transition_intervals(counts, permitted, error_);
@@ -222,15 +226,16 @@ private:
 
     void bound_average() {
         const std::uint64_t steps = last_step(scenario_) + 1;
-        const ChainAsked& asked = answer_.asked;
-        const auto least = markov::value_bounds(chain_, asked.low, steps, Direction::minimum, budget_);
-        const auto most = markov::value_bounds(chain_, asked.high, steps, Direction::maximum, budget_);
+        const ChainAsked& question = answer_.asked;
+        const auto least = markov::value_bounds(chain_, question.low, steps, Direction::minimum, budget_);
+        const auto most = markov::value_bounds(chain_, question.high, steps, Direction::maximum, budget_);
         for (std::uint64_t step = 1; step <= steps; ++step)
             check_mean(step, {least[step][ChainStates::start], most[step][ChainStates::start]});
         const std::uint64_t rounds = most_rounds() / 10;
-        answer_.low = markov::average_bound(chain_, ChainStates::start, asked.low, Direction::minimum, rounds, budget_);
+        answer_.low =
+            markov::average_bound(chain_, ChainStates::start, question.low, Direction::minimum, rounds, budget_);
         answer_.high =
-            markov::average_bound(chain_, ChainStates::start, asked.high, Direction::maximum, rounds, budget_);
+            markov::average_bound(chain_, ChainStates::start, question.high, Direction::maximum, rounds, budget_);
     }
 
     [[nodiscard]] double time_of(std::uint64_t step) const {
@@ -276,10 +281,10 @@ private:
 
 }  // namespace
 
-ChainAnswer chain_answer(const Scenario& scenario, const ChainAsked& asked, const statistics::Permitted& permitted,
+ChainAnswer chain_answer(const Scenario& scenario, const ChainAsked& question, const statistics::Permitted& permitted,
                          const std::vector<statistics::StateSequence>& sequences,
                          const std::vector<TrialResult>& trials, diagnostics::Budget* budget) {
-    return Answering(scenario, asked, permitted, sequences, trials, budget)();
+    return Answering(scenario, question, permitted, sequences, trials, budget)();
 }
 
 }  // namespace robochart::simulation

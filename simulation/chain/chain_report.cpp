@@ -16,18 +16,18 @@ namespace robochart::simulation {
 using diagnostics::Json;
 
 bool ChainResult::is_refuted() const {
-    return order || std::ranges::any_of(answers, [](const ChainAnswer& each) { return each.is_refuted(); });
+    return order || std::ranges::any_of(answers, [](const ChainAnswer& answer) { return answer.is_refuted(); });
 }
 
 bool ChainResult::has_failed() const {
-    return is_refuted() || std::ranges::any_of(answers, [](const ChainAnswer& each) {
-               return each.claim_verdict() == ClaimVerdict::fails;
+    return is_refuted() || std::ranges::any_of(answers, [](const ChainAnswer& answer) {
+               return answer.claim_verdict() == ClaimVerdict::fails;
            });
 }
 
 bool ChainResult::is_complete() const {
-    return !interrupted && answers.size() == questions && std::ranges::none_of(answers, [](const ChainAnswer& each) {
-        return each.claim_verdict() == ClaimVerdict::open;
+    return !interrupted && answers.size() == questions && std::ranges::none_of(answers, [](const ChainAnswer& answer) {
+        return answer.claim_verdict() == ClaimVerdict::open;
     });
 }
 
@@ -56,14 +56,14 @@ std::string bounds_text(const ChainAnswer& answer) {
     return fmt::format("between {} and {}", lower_bound_text(answer), upper_bound_text(answer));
 }
 
-std::string interval_text(const statistics::Interval& each) {
-    return fmt::format("between {} and {}", percent_below(each.low), percent_above(each.high));
+std::string interval_text(const statistics::Interval& interval) {
+    return fmt::format("between {} and {}", percent_below(interval.low), percent_above(interval.high));
 }
 
 /// The first check that contradicts the prediction.
 std::string contradiction_text(const ChainAnswer& answer) {
-    const auto found = std::ranges::find_if(answer.checks, [](const ChainCheck& each) { return each.contradicts; });
-    const auto all = std::ranges::count_if(answer.checks, [](const ChainCheck& each) { return each.contradicts; });
+    const auto found = std::ranges::find_if(answer.checks, [](const ChainCheck& check) { return check.contradicts; });
+    const auto all = std::ranges::count_if(answer.checks, [](const ChainCheck& check) { return check.contradicts; });
     if (all == 0) return "the chain is no abstraction here: its order is refuted";
     return fmt::format("the chain is no abstraction here: at {:g} s it says {}, fresh trials {}; so at {} of {} times",
                        found->time, interval_text(found->predicted), interval_text(found->by_trials), all,
@@ -78,11 +78,11 @@ std::string trials_of(std::uint32_t first, std::uint32_t count, std::uint64_t se
 
 std::string answers_text(const ChainResult& result) {
     std::string out;
-    for (const ChainAnswer& each : result.answers)
-        out += fmt::format("  {:<8} {}\n           {}\n", answer_word(each), each.asked.text,
-                           each.is_refuted() ? contradiction_text(each)
-                                             : fmt::format("{}; fresh trials do not contradict the chain at {} times",
-                                                           bounds_text(each), each.checks.size()));
+    for (const ChainAnswer& answer : result.answers)
+        out += fmt::format("  {:<8} {}\n           {}\n", answer_word(answer), answer.asked.text,
+                           answer.is_refuted() ? contradiction_text(answer)
+                                               : fmt::format("{}; fresh trials do not contradict the chain at {} times",
+                                                             bounds_text(answer), answer.checks.size()));
     return out;
 }
 
@@ -101,8 +101,8 @@ std::string order_text(const ChainStates& states, const ChainResult& result) {
     if (!result.order_asked) return "not asked: whether what follows a state depends on the one before it\n";
     if (!result.order) return "nothing shows that what follows a state depends on the one before it\n";
     const statistics::OrderContradiction& found = result.order->found;
-    const auto after = [&](std::size_t before, const statistics::Interval& each) {
-        return fmt::format("after \"{}\" {}", states.state_text(before), interval_text(each));
+    const auto after = [&](std::size_t before, const statistics::Interval& interval) {
+        return fmt::format("after \"{}\" {}", states.state_text(before), interval_text(interval));
     };
     return fmt::format(
         "REFUTED with confidence {}: what follows a state depends on the one before it; on \"{}\" follows \"{}\" {}, "
@@ -113,12 +113,12 @@ std::string order_text(const ChainStates& states, const ChainResult& result) {
 
 std::string chain_summary(const ChainResult& result) {
     const auto refuted =
-        std::ranges::count_if(result.answers, [](const ChainAnswer& each) { return each.is_refuted(); });
-    const auto fails = std::ranges::count_if(result.answers, [](const ChainAnswer& each) {
-        return !each.is_refuted() && each.claim_verdict() == ClaimVerdict::fails;
+        std::ranges::count_if(result.answers, [](const ChainAnswer& answer) { return answer.is_refuted(); });
+    const auto fails = std::ranges::count_if(result.answers, [](const ChainAnswer& answer) {
+        return !answer.is_refuted() && answer.claim_verdict() == ClaimVerdict::fails;
     });
-    const auto open = std::ranges::count_if(result.answers, [](const ChainAnswer& each) {
-        return !each.is_refuted() && each.claim_verdict() == ClaimVerdict::open;
+    const auto open = std::ranges::count_if(result.answers, [](const ChainAnswer& answer) {
+        return !answer.is_refuted() && answer.claim_verdict() == ClaimVerdict::open;
     });
     std::string out;
     if (result.order)
@@ -152,10 +152,10 @@ std::string transitions_csv(const ChainStates& states, const statistics::Permitt
 std::string checks_csv(const ChainResult& result) {
     std::string out = "question,time,chain_low,chain_high,fresh,fresh_low,fresh_high,contradicts\n";
     for (std::size_t q = 0; q < result.answers.size(); ++q)
-        for (const ChainCheck& each : result.answers[q].checks)
-            out +=
-                fmt::format("{},{:g},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", q + 1, each.time, each.predicted.low,
-                            each.predicted.high, each.seen, each.by_trials.low, each.by_trials.high, each.contradicts);
+        for (const ChainCheck& check : result.answers[q].checks)
+            out += fmt::format("{},{:g},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", q + 1, check.time,
+                               check.predicted.low, check.predicted.high, check.seen, check.by_trials.low,
+                               check.by_trials.high, check.contradicts);
     return out;
 }
 
@@ -163,10 +163,10 @@ std::string answer_svg(const ChainAnswer& answer) {
     LinePlot plot{answer.asked.text,
                   "time in s",
                   {{"the chain, at most", {}}, {"the chain, at least", {}}, {"fresh trials", {}}}};
-    for (const ChainCheck& each : answer.checks) {
-        plot.lines[0].points.push_back({each.time, each.predicted.high, each.predicted.high, each.predicted.high});
-        plot.lines[1].points.push_back({each.time, each.predicted.low, each.predicted.low, each.predicted.low});
-        plot.lines[2].points.push_back({each.time, each.seen, each.by_trials.low, each.by_trials.high});
+    for (const ChainCheck& check : answer.checks) {
+        plot.lines[0].points.push_back({check.time, check.predicted.high, check.predicted.high, check.predicted.high});
+        plot.lines[1].points.push_back({check.time, check.predicted.low, check.predicted.low, check.predicted.low});
+        plot.lines[2].points.push_back({check.time, check.seen, check.by_trials.low, check.by_trials.high});
     }
     return line_plot_svg(plot);
 }
@@ -181,19 +181,22 @@ Json chain_number(double value) {
 
 Json checks_json(const ChainAnswer& answer) {
     Json list = Json::array();
-    for (const ChainCheck& each : answer.checks)
-        list.push_back({{"time", chain_number(each.time)},
-                        {"chain", {chain_number(each.predicted.low), chain_number(each.predicted.high)}},
-                        {"fresh", chain_number(each.seen)},
-                        {"interval", {chain_number(each.by_trials.low), chain_number(each.by_trials.high)}},
-                        {"contradicts", each.contradicts}});
+    for (const ChainCheck& check : answer.checks)
+        list.push_back({{"time", chain_number(check.time)},
+                        {"chain", {chain_number(check.predicted.low), chain_number(check.predicted.high)}},
+                        {"fresh", chain_number(check.seen)},
+                        {"interval", {chain_number(check.by_trials.low), chain_number(check.by_trials.high)}},
+                        {"contradicts", check.contradicts}});
     return list;
 }
 
+const char* kind_word(ChainAsked::Kind kind) {
+    if (kind == ChainAsked::Kind::within) return "probability";
+    return kind == ChainAsked::Kind::time ? "time" : "average";
+}
+
 Json answer_json(const ChainAnswer& answer) {
-    const char* const kind = answer.asked.kind == ChainAsked::Kind::within ? "probability"
-                             : answer.asked.kind == ChainAsked::Kind::time ? "time"
-                                                                           : "average";
+    const char* const kind = kind_word(answer.asked.kind);
     std::string verdict = answer.is_refuted() ? "refuted" : verdict_word(answer.claim_verdict());
     return Json{{"question", answer.asked.text},   {"kind", kind},
                 {"verdict", std::move(verdict)},   {"confidence", chain_number(answer.asked.confidence)},
@@ -209,8 +212,8 @@ namespace {
 Json order_json(const ChainStates& states, const ChainResult& result) {
     if (!result.order) return nullptr;
     const statistics::OrderContradiction& found = result.order->found;
-    const auto after = [&](std::size_t before, const statistics::Interval& each) {
-        return Json{{"before", states.state_text(before)}, {"low", each.low}, {"high", each.high}};
+    const auto after = [&](std::size_t before, const statistics::Interval& interval) {
+        return Json{{"before", states.state_text(before)}, {"low", interval.low}, {"high", interval.high}};
     };
     return {{"confidence", result.order->confidence},
             {"state", states.state_text(found.state)},
@@ -224,7 +227,7 @@ Json order_json(const ChainStates& states, const ChainResult& result) {
 std::string chain_json(const Scenario& scenario, const ChainStates& states, const ChainResult& result,
                        const std::vector<std::string>& files, int exit) {
     Json answers = Json::array();
-    for (const ChainAnswer& each : result.answers) answers.push_back(answer_json(each));
+    for (const ChainAnswer& answer : result.answers) answers.push_back(answer_json(answer));
     const Json json{{"schema", "robochart-verify/chain/1"},
                     {"scenario", scenario.name.text},
                     {"component", scenario.component.text},

@@ -20,18 +20,19 @@ double robot_share(std::uint32_t count, std::uint32_t robots) {
 
 std::vector<std::uint32_t> robot_classes(const Scenario& scenario) {
     std::set<std::uint16_t> numbers;
-    std::vector<const Measure*> asked;
-    for (const Distinction& each : scenario.abstraction->distinctions) {
-        const Measure& measure = scenario.measures[each.measure];
+    std::vector<const Measure*> measures;
+    for (const Distinction& distinction : scenario.abstraction->distinctions) {
+        const Measure& measure = scenario.measures[distinction.measure];
         if (measure.kind != MeasureKind::in_state) continue;
-        asked.push_back(&measure);
+        measures.push_back(&measure);
         numbers.insert(measure.states.begin(), measure.states.end());
     }
     std::set<std::uint32_t> classes{0};
     for (const std::uint16_t number : numbers) {
         std::uint32_t bits = 0;
-        for (std::size_t i = 0; i < asked.size(); ++i)
-            if (std::ranges::find(asked[i]->states, number) != asked[i]->states.end()) bits |= std::uint32_t{1} << i;
+        for (std::size_t i = 0; i < measures.size(); ++i)
+            if (std::ranges::find(measures[i]->states, number) != measures[i]->states.end())
+                bits |= std::uint32_t{1} << i;
         classes.insert(bits);
     }
     return {classes.begin(), classes.end()};
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> robot_classes(const Scenario& scenario) {
 
 ChainStates::ChainStates(const Scenario& scenario, std::optional<RobotSteps> steps)
     : scenario_(scenario), steps_(std::move(steps)) {
-    for (const Distinction& each : scenario.abstraction->distinctions) find_classes(each);
+    for (const Distinction& distinction : scenario.abstraction->distinctions) find_classes(distinction);
     find_distributions(steps_ ? steps_->classes : robot_classes(scenario));
     Tuple so_far;
     find_states(0, so_far);
@@ -81,7 +82,8 @@ void ChainStates::find_distributions(const std::vector<std::uint32_t>& classes) 
         throw TooManyStates(fmt::format("{} classes of states of a robot", classes.size()));
     Distribution so_far(classes.size());
     add_distributions(so_far, 0, scenario_.robots);
-    for (const Distribution& each : distributions_) distributed_.push_back(project_distribution(each, classes));
+    for (const Distribution& distribution : distributions_)
+        distributed_.push_back(project_distribution(distribution, classes));
     admitted_ = distributed_;
     std::ranges::sort(admitted_);
     admitted_.erase(std::unique(admitted_.begin(), admitted_.end()), admitted_.end());
@@ -111,8 +113,9 @@ ChainStates::Tuple ChainStates::project_distribution(const Distribution& robots,
         std::uint32_t count = 0;
         for (std::size_t c = 0; c < classes.size(); ++c)
             if ((classes[c] & bit) != 0) count += robots[c];
-        const auto found = std::ranges::find_if(
-            classes_[d], [&](const MeasureClass& each) { return each.least <= count && count <= each.most; });
+        const auto found = std::ranges::find_if(classes_[d], [&](const MeasureClass& candidate) {
+            return candidate.least <= count && count <= candidate.most;
+        });
         result[d] = static_cast<std::size_t>(found - classes_[d].begin());
         bit <<= 1U;
     }
@@ -138,25 +141,39 @@ void ChainStates::find_states(std::size_t at, Tuple& so_far) {
         return;
     }
     so_far.push_back(0);
-    for (std::size_t each = 0; each < classes_[at].size(); ++each) {
-        so_far[at] = each;
+    for (std::size_t class_index = 0; class_index < classes_[at].size(); ++class_index) {
+        so_far[at] = class_index;
         find_states(at + 1, so_far);
     }
     so_far.pop_back();
 }
 
 std::size_t ChainStates::find_state(const std::vector<double>& sample) const {
-    Tuple wanted;
+    Tuple tuple;
     for (std::size_t d = 0; d < classes_.size(); ++d) {
         const auto& classes = classes_[d];
         const auto found =
-            std::ranges::find_if(classes, [&](const MeasureClass& each) { return sample[d] <= each.high; });
+            std::ranges::find_if(classes, [&](const MeasureClass& candidate) { return sample[d] <= candidate.high; });
         if (found == classes.end()) return none;
-        wanted.push_back(static_cast<std::size_t>(found - classes.begin()));
+        tuple.push_back(static_cast<std::size_t>(found - classes.begin()));
     }
-    const auto found = std::ranges::lower_bound(states_, wanted);
-    return found == states_.end() || *found != wanted ? none : static_cast<std::size_t>(found - states_.begin()) + 1;
+    const auto found = std::ranges::lower_bound(states_, tuple);
+    return found == states_.end() || *found != tuple ? none : static_cast<std::size_t>(found - states_.begin()) + 1;
 }
+
+namespace {
+
+std::string class_text(const MeasureClass& values, std::uint32_t robots, std::string_view unit) {
+    if (values.share) {
+        if (values.least == values.most) return fmt::format("{} of {}", values.least, robots);
+        return fmt::format("{} to {} of {}", values.least, values.most, robots);
+    }
+    if (std::isinf(values.low)) return fmt::format("up to {:g}{}", values.high, unit);
+    if (std::isinf(values.high)) return fmt::format("above {:g}{}", values.low, unit);
+    return fmt::format("{:g} to {:g}{}", values.low, values.high, unit);
+}
+
+}  // namespace
 
 std::string ChainStates::state_text(std::size_t state) const {
     if (state == start) return "start";
@@ -165,13 +182,8 @@ std::string ChainStates::state_text(std::size_t state) const {
         const Measure& measure = scenario_.measures[scenario_.abstraction->distinctions[d].measure];
         const MeasureClass& here = classes_[d][states_[state - 1][d]];
         const std::string_view unit = printed_unit(dimension_of(measure.kind));
-        const std::string value = here.share && here.least == here.most
-                                      ? fmt::format("{} of {}", here.least, scenario_.robots)
-                                  : here.share ? fmt::format("{} to {} of {}", here.least, here.most, scenario_.robots)
-                                  : std::isinf(here.low)  ? fmt::format("up to {:g}{}", here.high, unit)
-                                  : std::isinf(here.high) ? fmt::format("above {:g}{}", here.low, unit)
-                                                          : fmt::format("{:g} to {:g}{}", here.low, here.high, unit);
-        result += fmt::format("{}{} {}", result.empty() ? "" : ", ", measure.name.text, value);
+        result += fmt::format("{}{} {}", result.empty() ? "" : ", ", measure.name.text,
+                              class_text(here, scenario_.robots, unit));
     }
     return result;
 }
@@ -216,16 +228,21 @@ std::optional<bool> ChainStates::holds_in(const Formula& formula, std::size_t st
         case Formula::Kind::either: {
             const bool decisive = formula.kind == Formula::Kind::either;
             std::optional<bool> result = !decisive;
-            for (const Formula& each : formula.parts) {
-                const auto part = holds_in(each, state);
+            for (const Formula& operand : formula.parts) {
+                const auto part = holds_in(operand, state);
                 if (part == decisive) return decisive;
                 if (!part) result = std::nullopt;
             }
             return result;
         }
-        default:
-            return std::nullopt;  // the formula refers to the past
+        case Formula::Kind::stays:
+        case Formula::Kind::at:
+        case Formula::Kind::within:
+        case Formula::Kind::until:
+        case Formula::Kind::always:
+            break;
     }
+    return std::nullopt;  // the formula refers to the past
 }
 
 std::optional<std::vector<bool>> ChainStates::states_satisfying(const Formula& condition) const {

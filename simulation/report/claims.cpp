@@ -13,7 +13,7 @@ namespace robochart::simulation {
 
 std::uint64_t ClaimResult::stopped_count() const {
     return static_cast<std::uint64_t>(
-        std::ranges::count_if(outcomes, [](const ClaimOutcome& each) { return each.stopped; }));
+        std::ranges::count_if(outcomes, [](const ClaimOutcome& outcome) { return outcome.stopped; }));
 }
 
 ClaimJudge::ClaimJudge(const Claim& claim, std::uint32_t comparisons)
@@ -72,9 +72,10 @@ std::string verdict_word(ClaimVerdict verdict) {
             return "fails";
         case ClaimVerdict::estimated:
             return "estimated";
-        default:
-            return "open";
+        case ClaimVerdict::open:
+            break;
     }
+    return "open";
 }
 
 std::string evidence_text(const Claim& claim, const ClaimResult& found) {
@@ -146,14 +147,16 @@ std::string placement_text(const Placement& place) {
             return "at random in the arena";
         case Placement::Kind::linked:
             return fmt::format("at random around {}, each within {:g} cm of another", point(place.pose.at), place.link);
-        default:
-            return fmt::format("at random in {} to {}", point(place.region.low), point(place.region.high));
+        case Placement::Kind::region:
+            break;
     }
+    return fmt::format("at random in {} to {}", point(place.region.low), point(place.region.high));
 }
 
 /// " of leaders", if a scenario has several kinds.
 std::string of_whom(const Scenario& scenario, const RobotKind& kind) {
-    return scenario.others.empty() ? "" : kind.kind.text.empty() ? " of the first kind" : " of " + kind.kind.text;
+    if (scenario.others.empty()) return "";
+    return kind.kind.text.empty() ? " of the first kind" : " of " + kind.kind.text;
 }
 
 std::string placements_line(const Scenario& scenario, const RobotKind& kind) {
@@ -167,10 +170,17 @@ std::string placements_line(const Scenario& scenario, const RobotKind& kind) {
 }
 
 const char* failing_part(const Failure& failure) {
-    return failure.kind == FailureKind::motors    ? "motors"
-           : failure.kind == FailureKind::radio   ? "radio"
-           : failure.kind == FailureKind::sensors ? "sensors"
-                                                  : "everything";
+    switch (failure.kind) {
+        case FailureKind::motors:
+            return "motors";
+        case FailureKind::radio:
+            return "radio";
+        case FailureKind::sensors:
+            return "sensors";
+        case FailureKind::whole:
+            break;
+    }
+    return "everything";
 }
 
 std::string failure_line(const Scenario& scenario, const RobotKind& kind, const Failure& failure) {
@@ -233,12 +243,13 @@ std::string drive_differences(const Scenario& scenario, std::size_t kind) {
 
 std::string claims_text(const Scenario& scenario, const std::vector<ClaimResult>& results) {
     std::string out;
-    for (std::size_t c = 0; c < results.size(); ++c)
-        out += fmt::format("  {:<8} {}\n           {}\n",
-                           results[c].verdict == ClaimVerdict::fails       ? "FAILS"
-                           : results[c].verdict == ClaimVerdict::estimated ? "estimate"
-                                                                           : verdict_word(results[c].verdict),
-                           scenario.claims[c].text, evidence_text(scenario.claims[c], results[c]));
+    for (std::size_t c = 0; c < results.size(); ++c) {
+        std::string word = verdict_word(results[c].verdict);
+        if (results[c].verdict == ClaimVerdict::fails) word = "FAILS";
+        if (results[c].verdict == ClaimVerdict::estimated) word = "estimate";
+        out += fmt::format("  {:<8} {}\n           {}\n", word, scenario.claims[c].text,
+                           evidence_text(scenario.claims[c], results[c]));
+    }
     return out;
 }
 

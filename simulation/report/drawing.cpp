@@ -112,13 +112,15 @@ std::string robot_symbols(std::size_t states, double radius, double outline, con
         const std::string body = between ? "class=\"sim-body sim-between\""
                                          : fmt::format("class=\"sim-body\" fill=\"{}\"", series_colour(s));
         const std::size_t mark = between ? 0 : s % marks.size();
+        std::string mark_style = "class=\"sim-one\"";
+        if (!between) {
+            const char* const colour = mark_colours.at(s % mark_colours.size());
+            mark_style = fmt::format("stroke=\"{0}\" fill=\"{1}\"", colour, mark == 1 ? colour : "none");
+        }
         out += fmt::format(
             "<g id=\"{}{}\" transform=\"scale({:g})\"><circle r=\"1\" stroke-width=\"{:.3f}\" {}/><path d=\"{}\" "
             "stroke-width=\".22\" {}/></g>\n",
-            prefix, s, radius, outline, body, marks.at(mark),
-            between ? std::string("class=\"sim-one\"")
-                    : fmt::format("stroke=\"{0}\" fill=\"{1}\"", mark_colours.at(s % mark_colours.size()),
-                                  mark == 1 ? mark_colours.at(s % mark_colours.size()) : "none"));
+            prefix, s, radius, outline, body, marks.at(mark), mark_style);
     }
     return out + "</defs>\n";
 }

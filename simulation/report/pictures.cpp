@@ -45,17 +45,17 @@ View view_with_margins(const WorldDrawing& world, double above) {
 /// Key frames of values that change rarely: repeated values are omitted.
 std::string animate_changes(const char* attribute, const std::vector<std::string>& values,
                             const std::vector<std::string>& times, double seconds) {
-    std::vector<std::string> kept, at;
+    std::vector<std::string> changed_values, at;
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (kept.empty() || kept.back() != values[i]) {
-            kept.push_back(values[i]);
+        if (changed_values.empty() || changed_values.back() != values[i]) {
+            changed_values.push_back(values[i]);
             at.push_back(times[i]);
         }
-    if (kept.size() < 2) return "";
+    if (changed_values.size() < 2) return "";
     return fmt::format(
         "<animate attributeName=\"{}\" calcMode=\"discrete\" dur=\"{:g}s\" repeatCount=\"indefinite\" "
         "keyTimes=\"{}\" values=\"{}\"/>",
-        attribute, seconds, fmt::join(at, ";"), fmt::join(kept, ";"));
+        attribute, seconds, fmt::join(at, ";"), fmt::join(changed_values, ";"));
 }
 
 std::string animate_transform(const char* type, const std::vector<std::string>& values,

@@ -61,10 +61,11 @@ private:
         const bool several = trial_count() > 1;
         for (std::size_t s = 0; s < chart_.series.size(); ++s) {
             const std::string name = chart_.series[s].name;
+            std::string label = several ? "median of the trials" : "the trial";
+            if (!name.empty()) label = several ? name + ", median" : name;
             list.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"{}/>", series_colour(s),
                                         dashes.at(s % dashes.size())),
-                            several ? (name.empty() ? "median of the trials" : name + ", median")
-                                    : (name.empty() ? "the trial" : name)});
+                            label});
         }
         if (several) {
             list.push_back({swatch(0.36), "the middle half"});
@@ -92,8 +93,8 @@ private:
     /// are near.
     [[nodiscard]] Range value_range() const {
         Range found{0, 0};
-        for (const Series& each : chart_.series)
-            for (const Quartiles& at : each.all) {
+        for (const Series& series : chart_.series)
+            for (const Quartiles& at : series.all) {
                 found.low = std::min(found.low, at.least);
                 found.high = std::max(found.high, at.most);
             }
@@ -165,16 +166,16 @@ private:
     }
 
     void draw_lines(std::size_t series) {
-        const Series& each = chart_.series[series];
+        const Series& plotted = chart_.series[series];
         std::vector<double> middles;
-        for (const Quartiles& at : each.all) middles.push_back(at.middle);
+        for (const Quartiles& at : plotted.all) middles.push_back(at.middle);
         out_ += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n",
                             polyline_points(middles), series_colour(series), dashes.at(series % dashes.size()));
         if (!options_.trials || trial_count() < 2) return;
-        for (std::size_t trial = 0; trial < each.trials.size(); ++trial)
+        for (std::size_t trial = 0; trial < plotted.trials.size(); ++trial)
             out_ += fmt::format(
                 "<polyline class=\"sim-one sim-trial\" data-trial=\"{}\" stroke-width=\"1.2\"{} points=\"{}\"/>\n",
-                trial, dashes.at(series % dashes.size()), polyline_points(each.trials[trial]));
+                trial, dashes.at(series % dashes.size()), polyline_points(plotted.trials[trial]));
     }
 
     /// A bracket along values at a time, or along times at a level.

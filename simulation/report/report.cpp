@@ -104,7 +104,7 @@ std::string value_text(const Scenario& scenario, const Band& band, double value)
     if (std::isnan(value)) return "never";
     const Dimension dimension = dimension_of(scenario, band);
     const double factor = dimension == Dimension::share ? 100 : 1;
-    const auto inside = [&](double each) { return band.low <= each && each <= band.high; };
+    const auto inside = [&](double candidate) { return band.low <= candidate && candidate <= band.high; };
     // Enough digits that a value outside of a band is not rounded to one inside.
     constexpr int most_digits = 15;
     int digits = 1;
@@ -120,13 +120,10 @@ std::string bands_text(const Scenario& scenario, const RunResult& result) {
         const Band& band = scenario.bands[i];
         const BandResult& found = result.bands[i];
         const std::string value = value_text(scenario, band, found.value);
-        const std::string said =
-            band.each ? fmt::format("worst {}{}", value,
-                                    found.holds ? ""
-                                                : fmt::format(", {} of {} trials outside", found.trials_outside,
-                                                              result.trials.size()))
-                      : fmt::format("mean {}", value);
-        out += fmt::format("  {:<8} {:<52} {}\n", found.holds ? "holds" : "FAILS", band.text, said);
+        std::string measured = fmt::format("{} {}", band.each ? "worst" : "mean", value);
+        if (band.each && !found.holds)
+            measured += fmt::format(", {} of {} trials outside", found.trials_outside, result.trials.size());
+        out += fmt::format("  {:<8} {:<52} {}\n", found.holds ? "holds" : "FAILS", band.text, measured);
     }
     return out;
 }

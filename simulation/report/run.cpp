@@ -53,12 +53,12 @@ public:
         result_.cpu_seconds = cpu_now() - cpu;
         result_.interrupted = stop_.load();
         result_.stops_are_errors = !scenario_.bands.empty() || scenario_.claims.empty();
-        for (const ClaimJudge& each : judges_) result_.claims.push_back(each.result());
+        for (const ClaimJudge& judge : judges_) result_.claims.push_back(judge.result());
         result_.watched = all_trials_watched();
-        for (Done& each : trials_) {
+        for (Done& done : trials_) {
             const bool whole = result_.trials.size() < whole_;
-            result_.steps += whole ? each.trial.steps : each.needed;
-            if (whole) result_.trials.push_back(std::move(each.trial));
+            result_.steps += whole ? done.trial.steps : done.needed;
+            if (whole) result_.trials.push_back(std::move(done.trial));
         }
         report_problems(diagnostics);
         if (!result_.interrupted && diagnostics.ok() && whole_ > 0)
@@ -92,7 +92,7 @@ private:
     std::vector<bool> still_awaited() {
         const std::lock_guard lock(mutex_);
         std::vector<bool> awaited;
-        for (const ClaimJudge& each : judges_) awaited.push_back(!each.is_done());
+        for (const ClaimJudge& judge : judges_) awaited.push_back(!judge.is_done());
         return awaited;
     }
 
@@ -121,7 +121,7 @@ private:
         trials_[trial].ended = result.complete || result.stop;
         if (trials_[trial].ended) ++done_;
         for (; judged_ < most_ && trials_[judged_].ended; ++judged_) judge_next(trials_[judged_]);
-        const bool decided = std::ranges::all_of(judges_, [](const ClaimJudge& each) { return each.is_done(); });
+        const bool decided = std::ranges::all_of(judges_, [](const ClaimJudge& judge) { return judge.is_done(); });
         if (decided || stop_) enough_ = true;
     }
 
@@ -145,10 +145,12 @@ private:
     /// Returns true if the observers saw everything in the trials that the results are based on. Further trials, which
     /// threads may have started, are ignored.
     [[nodiscard]] bool all_trials_watched() const {
-        std::uint64_t asked = whole_;
-        for (const ClaimResult& each : result_.claims) asked = std::max<std::uint64_t>(asked, each.trial_count());
-        const auto end = trials_.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(asked, trials_.size()));
-        return std::all_of(trials_.begin(), end, [](const Done& each) { return each.trial.watched; });
+        std::uint64_t used_trials = whole_;
+        for (const ClaimResult& claim : result_.claims)
+            used_trials = std::max<std::uint64_t>(used_trials, claim.trial_count());
+        const auto end =
+            trials_.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(used_trials, trials_.size()));
+        return std::all_of(trials_.begin(), end, [](const Done& done) { return done.trial.watched; });
     }
 
     [[nodiscard]] RunProgress current_progress() const {
@@ -202,16 +204,19 @@ double distance_from_band(const Band& band, double value) {
     return std::max({0.0, band.low - value, value - band.high});
 }
 
+/// The finite end of a band; the middle if both ends are finite.
+double middle_of(const Band& band) {
+    if (std::isinf(band.low)) return band.high;
+    return std::isinf(band.high) ? band.low : (band.low + band.high) / 2;
+}
+
 BandResult judge_each(const Band& band, std::size_t index, const std::vector<TrialResult>& trials) {
     BandResult result;
-    const double middle = std::isinf(band.low)    ? band.high
-                          : std::isinf(band.high) ? band.low
-                                                  : (band.low + band.high) / 2;
+    const double middle = middle_of(band);
     const auto rank = [&](double value) {
-        return std::isnan(value)       ? std::numeric_limits<double>::infinity()
-               : std::isinf(band.low)  ? value - middle
-               : std::isinf(band.high) ? middle - value
-                                       : std::abs(value - middle);
+        if (std::isnan(value)) return std::numeric_limits<double>::infinity();
+        if (std::isinf(band.low)) return value - middle;
+        return std::isinf(band.high) ? middle - value : std::abs(value - middle);
     };
     bool first = true;
     for (const TrialResult& trial : trials) {

@@ -148,6 +148,7 @@ private:
                      false, 100.0};
         switch (measure.kind) {
             case MeasureKind::reached:
+            case MeasureKind::time:
                 break;
             case MeasureKind::cluster:
                 chart.title = "Largest cluster";
@@ -184,7 +185,7 @@ private:
                 chart.unit = "cm";
                 chart.definition = "The distance of the robots' centroid to the light.";
                 break;
-            default:
+            case MeasureKind::second_moment:
                 chart.title = "Second moment";
                 chart.definition = fmt::format(
                     "The sum of squared distances to the centroid in units of a robot's diameter squared (Graham "
@@ -246,10 +247,10 @@ std::size_t thinning_factor(std::size_t count, std::size_t most) {
 }
 
 std::vector<std::size_t> kept_indices(std::size_t count, std::size_t every) {
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < count; i += every) kept.push_back(i);
-    if (count > 0 && kept.back() != count - 1) kept.push_back(count - 1);
-    return kept;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < count; i += every) indices.push_back(i);
+    if (count > 0 && indices.back() != count - 1) indices.push_back(count - 1);
+    return indices;
 }
 
 double link_of(const Scenario& scenario) {

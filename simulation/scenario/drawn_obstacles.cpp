@@ -158,14 +158,14 @@ public:
         if (!name.starts_with(space) && name.find('|') != std::string_view::npos) return;
         const std::string_view element = name.starts_with(space) ? name.substr(space.size()) : name;
         if (in_definitions_) throw BadDrawing("the contents of `defs` are not read");
-        const auto attribute = [&](std::string_view wanted) -> std::optional<std::string_view> {
+        const auto attribute = [&](std::string_view attribute_name) -> std::optional<std::string_view> {
             for (const XML_Char** at = attributes; *at != nullptr; at += 2)
-                if (wanted == at[0]) return at[1];
+                if (attribute_name == at[0]) return at[1];
             return std::nullopt;
         };
-        const auto needed = [&](std::string_view wanted) {
-            if (const auto value = attribute(wanted)) return *value;
-            throw BadDrawing(fmt::format("`{}` has no {}", element, wanted));
+        const auto needed = [&](std::string_view attribute_name) {
+            if (const auto value = attribute(attribute_name)) return *value;
+            throw BadDrawing(fmt::format("`{}` has no {}", element, attribute_name));
         };
         if (!root_seen_ && element != "svg") throw BadDrawing("it is not an SVG drawing");
         if (attribute("transform") || attribute("style").value_or("").find("transform") != std::string_view::npos)
@@ -191,7 +191,7 @@ public:
             if (width <= 0 || height <= 0) throw BadDrawing("a `rect` has no size");
             add({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}});
         } else if (element == "path") {
-            for (Polygon& each : Path().read(needed("d"))) add(std::move(each));
+            for (Polygon& polygon : Path().read(needed("d"))) add(std::move(polygon));
         } else if (element == "defs") {
             in_definitions_ = true;
         } else if (!draws_nothing(element)) {

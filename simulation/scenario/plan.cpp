@@ -46,20 +46,30 @@ bool refers_to(const std::string& written, const std::string& full) {
     return full == written || full.ends_with("::" + written);
 }
 
+const char* described(Carries carries) {
+    switch (carries) {
+        case Carries::signal:
+            return "there or not";
+        case Carries::boolean:
+            return "a truth value";
+        case Carries::whole:
+            return "a whole number";
+        case Carries::real:
+            break;
+    }
+    return "a quantity";
+}
+
 std::string described(const Feed& feed) {
-    const char* what = feed.carries == Carries::signal    ? "there or not"
-                       : feed.carries == Carries::boolean ? "a truth value"
-                       : feed.carries == Carries::whole   ? "a whole number"
-                                                          : "a quantity";
-    return fmt::format("a reading that is {}", what);
+    return fmt::format("a reading that is {}", described(feed.carries));
 }
 
 bool accepts_value(Carries carries, const std::vector<Carried>& arguments) {
     if (carries == Carries::signal) return arguments.empty();
-    const Carried wanted = carries == Carries::boolean ? Carried::boolean
-                           : carries == Carries::whole ? Carried::whole
-                                                       : Carried::real;
-    return arguments.size() == 1 && arguments.front() == wanted;
+    Carried expected = Carried::real;
+    if (carries == Carries::boolean) expected = Carried::boolean;
+    if (carries == Carries::whole) expected = Carried::whole;
+    return arguments.size() == 1 && arguments.front() == expected;
 }
 
 class Binder {
@@ -139,7 +149,7 @@ private:
     void report_unused(const Controlled& controlled, const std::vector<Effects>& effects) {
         std::vector<Name> ignored = controlled.ignored;
         const auto report = [&](const diagnostics::Rule& rule, const std::string& name) {
-            if (std::erase_if(ignored, [&](const Name& each) { return each.text == name; }) == 0)
+            if (std::erase_if(ignored, [&](const Name& candidate) { return candidate.text == name; }) == 0)
                 diagnostics_.report(rule, component_.span, {name, component_.text});
         };
         for (std::size_t i = 0; i < emission_.inputs.size(); ++i)
@@ -148,8 +158,8 @@ private:
         for (std::size_t i = 0; i < emission_.outputs.size(); ++i)
             if (effects[i].empty() && emission_.outputs[i].kind == Port::Kind::call)
                 report(rules::not_done, emission_.outputs[i].name);
-        for (const Name& each : ignored)
-            report_unknown(each, "event without a feed, or operation without an effect, named", {});
+        for (const Name& unused : ignored)
+            report_unknown(unused, "event without a feed, or operation without an effect, named", {});
     }
 
     void bind_world_feed(const WorldFeed& feed, std::uint32_t number, WorldPlan& plan) {
@@ -225,11 +235,11 @@ private:
         return std::nullopt;
     }
 
-    template <class Wanted>
-    static std::vector<std::string> port_names(const std::vector<Port>& ports, Wanted wanted) {
+    template <class Accepts>
+    static std::vector<std::string> port_names(const std::vector<Port>& ports, Accepts accepts) {
         std::vector<std::string> result;
         for (const Port& port : ports)
-            if (wanted(port)) result.push_back(port.name);
+            if (accepts(port)) result.push_back(port.name);
         return result;
     }
 
@@ -290,12 +300,12 @@ private:
 
     /// Returns false if the event carries another type.
     static bool take_value(const Stimulus& stimulus, const Port& port, double& value) {
-        value = stimulus.value ? stimulus.value->value : stimulus.truth.value_or(false) ? 1 : 0;
+        value = stimulus.truth.value_or(false) ? 1 : 0;
+        if (stimulus.value) value = stimulus.value->value;
         if (stimulus.value && port.arguments == std::vector{Carried::whole}) return value == std::floor(value);
-        return accepts_value(stimulus.truth   ? Carries::boolean
-                             : stimulus.value ? Carries::real
-                                              : Carries::signal,
-                             port.arguments);
+        Carries carries = stimulus.value ? Carries::real : Carries::signal;
+        if (stimulus.truth) carries = Carries::boolean;
+        return accepts_value(carries, port.arguments);
     }
 
     /// A literal of the event's enumeration, or a constant of the model. Returns false if the type differs; a missing
@@ -312,26 +322,26 @@ private:
         const cpp_emit::DriveConstant* const found = find_constant(name, port);
         if (found == nullptr) return true;
         value = found->value;
-        const Carried wanted = port.arguments.front();
-        if (wanted == Carried::real) return found->carried == Carried::real || found->carried == Carried::whole;
-        return found->carried == wanted && (wanted != Carried::enumeration || found->type == type);
+        const Carried expected = port.arguments.front();
+        if (expected == Carried::real) return found->carried == Carried::real || found->carried == Carried::whole;
+        return found->carried == expected && (expected != Carried::enumeration || found->type == type);
     }
 
     /// Returns null, and reports a finding, if there is no such constant, or if machines have different ones.
     const cpp_emit::DriveConstant* find_constant(const Name& name, const Port& port) {
         const cpp_emit::DriveConstant* found = nullptr;
         std::vector<std::string> known = port.literals.front();
-        for (const cpp_emit::DriveConstant& each : emission_.constants) {
-            known.push_back(each.name);
-            if (!refers_to(name.text, each.owner + "::" + each.name)) continue;
-            if (found != nullptr && (found->value != each.value || found->type != each.type)) {
+        for (const cpp_emit::DriveConstant& constant : emission_.constants) {
+            known.push_back(constant.name);
+            if (!refers_to(name.text, constant.owner + "::" + constant.name)) continue;
+            if (found != nullptr && (found->value != constant.value || found->type != constant.type)) {
                 diagnostics_.report(
                     rules::out_of_range, name.span,
                     {fmt::format("'{}' has different values in {} and {}: write the path of one of them", name.text,
-                                 found->owner, each.owner)});
+                                 found->owner, constant.owner)});
                 return nullptr;
             }
-            found = &each;
+            found = &constant;
         }
         const bool literal = !port.literals.front().empty();
         if (found == nullptr)

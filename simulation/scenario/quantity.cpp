@@ -66,9 +66,14 @@ std::string_view printed_unit(Dimension dimension) {
             return " %";
         case Dimension::length:
             return " cm";
-        default:
-            return "";
+        case Dimension::number:
+        case Dimension::area:
+        case Dimension::angle:
+        case Dimension::speed:
+        case Dimension::turn_rate:
+            break;
     }
+    return "";
 }
 
 std::optional<Unit> unit_named(std::string_view name) {

@@ -17,9 +17,12 @@ bool Formula::of_trial() const {
         case Kind::until:
         case Kind::always:
             return true;
-        default:
-            return parts.front().of_trial();
+        case Kind::negation:
+        case Kind::both:
+        case Kind::either:
+            break;
     }
+    return parts.front().of_trial();
 }
 
 Dimension dimension_of(MeasureKind kind) {
@@ -31,9 +34,14 @@ Dimension dimension_of(MeasureKind kind) {
             return Dimension::number;
         case MeasureKind::time:
             return Dimension::time;
-        default:
-            return Dimension::share;
+        case MeasureKind::cluster:
+        case MeasureKind::reached:
+        case MeasureKind::inside:
+        case MeasureKind::in_state:
+        case MeasureKind::working:
+            break;
     }
+    return Dimension::share;
 }
 
 std::uint64_t Scenario::step_count() const {

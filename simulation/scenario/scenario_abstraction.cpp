@@ -37,15 +37,15 @@ void ScenarioReader::parse_abstraction() {
 
 bool ScenarioReader::parse_distinction(Abstraction& abstraction) {
     const diagnostics::Span begin = in_.current_token().span;
-    Distinction each;
-    each.measure = measure_named();
-    if (in_.has_failed() || each.measure >= scenario_.measures.size()) return false;
-    const std::string name = scenario_.measures[each.measure].name.text;
-    const Dimension dimension = dimension_of(each.measure);
+    Distinction distinction;
+    distinction.measure = measure_named();
+    if (in_.has_failed() || distinction.measure >= scenario_.measures.size()) return false;
+    const std::string name = scenario_.measures[distinction.measure].name.text;
+    const Dimension dimension = dimension_of(distinction.measure);
     bool another = false;
     if (in_.take_word("in")) {
         do {
-            each.levels.push_back(in_.read_quantity(dimension, "a level of this measure").value);
+            distinction.levels.push_back(in_.read_quantity(dimension, "a level of this measure").value);
             another = in_.take_word(",");
         } while (!in_.has_failed() && another && in_.at_number());
     } else {
@@ -53,16 +53,16 @@ bool ScenarioReader::parse_distinction(Abstraction& abstraction) {
     }
     if (in_.has_failed()) return false;
     const diagnostics::Span span = diagnostics::join_spans(begin, in_.last_span());
-    const bool again = std::ranges::any_of(abstraction.distinctions,
-                                           [&](const Distinction& other) { return other.measure == each.measure; });
+    const bool again = std::ranges::any_of(
+        abstraction.distinctions, [&](const Distinction& other) { return other.measure == distinction.measure; });
     if (again) in_.report(rules::said_twice, span, {fmt::format("'{}'", name)});
-    if (each.levels.empty() && dimension != Dimension::share)
+    if (distinction.levels.empty() && dimension != Dimension::share)
         in_.report(rules::missing, span, {fmt::format("the levels of '{}' that the chain distinguishes", name)});
-    if (each.levels.size() > most_levels)
+    if (distinction.levels.size() > most_levels)
         in_.report(rules::out_of_range, span, {fmt::format("a measure has at most {} levels", most_levels)});
-    if (std::ranges::adjacent_find(each.levels, std::greater_equal<>()) != each.levels.end())
+    if (std::ranges::adjacent_find(distinction.levels, std::greater_equal<>()) != distinction.levels.end())
         in_.report(rules::out_of_range, span, {"the levels do not ascend"});
-    abstraction.distinctions.push_back(std::move(each));
+    abstraction.distinctions.push_back(std::move(distinction));
     return another;
 }
 
@@ -89,8 +89,8 @@ void ScenarioReader::chain_question(diagnostics::Span begin) {
 
 void ScenarioReader::check_abstraction() {
     if (!scenario_.abstraction) {
-        for (const ChainQuestion& each : scenario_.chain_questions)
-            in_.report(rules::missing, each.span, {"the states of the chain (abstract by MEASURE every TIME)"});
+        for (const ChainQuestion& question : scenario_.chain_questions)
+            in_.report(rules::missing, question.span, {"the states of the chain (abstract by MEASURE every TIME)"});
         return;
     }
     const Abstraction& abstraction = *scenario_.abstraction;

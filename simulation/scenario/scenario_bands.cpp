@@ -65,7 +65,7 @@ std::size_t ScenarioReader::light_named(const Name& name) {
     for (std::size_t i = 0; i < scenario_.lights.size(); ++i)
         if (scenario_.lights[i].name.text == name.text) return i;
     std::vector<std::string> known;
-    for (const Light& each : scenario_.lights) known.push_back(each.name.text);
+    for (const Light& light : scenario_.lights) known.push_back(light.name.text);
     unknown_part("light", name, known);
     return 0;
 }
@@ -80,7 +80,7 @@ std::size_t ScenarioReader::measure_named() {
     for (std::size_t i = 0; i < scenario_.measures.size(); ++i)
         if (scenario_.measures[i].name.text == name.text) return i;
     std::vector<std::string> known;
-    for (const Measure& each : scenario_.measures) known.push_back(each.name.text);
+    for (const Measure& measure : scenario_.measures) known.push_back(measure.name.text);
     unknown_part("measure", name, known);
     return scenario_.measures.size();
 }

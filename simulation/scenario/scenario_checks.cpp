@@ -28,15 +28,15 @@ void ScenarioReader::check_scenario() {
     check_lights();
     check_abstraction();
     check_failures();
-    for (const Variation& each : scenario_.variations) {
+    for (const Variation& variation : scenario_.variations) {
         const auto varies = [&](const Failure& failure) {
-            return (failure.mean_time > 0) == (each.what == Varied::mean_time);
+            return (failure.mean_time > 0) == (variation.what == Varied::mean_time);
         };
-        if ((each.what == Varied::failed || each.what == Varied::mean_time) &&
+        if ((variation.what == Varied::failed || variation.what == Varied::mean_time) &&
             std::ranges::none_of(scenario_.failures, varies))
-            in_.report(rules::missing, each.span,
-                       {each.what == Varied::failed ? "the failure (failure of KIND at TIME in N robots)"
-                                                    : "the failure (failure of KIND with mean time TIME)"});
+            in_.report(rules::missing, variation.span,
+                       {variation.what == Varied::failed ? "the failure (failure of KIND at TIME in N robots)"
+                                                         : "the failure (failure of KIND with mean time TIME)"});
     }
     for (const auto& [time, span] : times_)
         if (said_.contains("duration") && time > scenario_.duration)
@@ -47,7 +47,8 @@ void ScenarioReader::check_scenario() {
 /// A scenario must not let more robots fail than exist. If the number of robots varies, each point uses its own number.
 void ScenarioReader::check_failures() {
     const auto varied = [&](Varied what) {
-        return std::ranges::find_if(scenario_.variations, [&](const Variation& each) { return each.what == what; });
+        return std::ranges::find_if(scenario_.variations,
+                                    [&](const Variation& variation) { return variation.what == what; });
     };
     const auto none = scenario_.variations.end();
     const auto refuse = [&](diagnostics::Span span, double failing, std::uint32_t robots) {
@@ -57,9 +58,9 @@ void ScenarioReader::check_failures() {
     if (varied(Varied::robots) == none && varied(Varied::failed) != none)
         refuse(varied(Varied::failed)->span, varied(Varied::failed)->values.back(), scenario_.robots);
     for (std::size_t kind = 0; kind < scenario_.kind_count(); ++kind)
-        for (const Failure& each : scenario_.kind_at(kind).failures)
+        for (const Failure& failure : scenario_.kind_at(kind).failures)
             if (kind > 0 || (varied(Varied::robots) == none && varied(Varied::failed) == none))
-                refuse(each.span, each.robots, scenario_.kind_at(kind).robots);
+                refuse(failure.span, failure.robots, scenario_.kind_at(kind).robots);
 }
 
 diagnostics::Span ScenarioReader::span_of_item(std::string_view word) const {
@@ -126,9 +127,12 @@ Region region_of(const Placement& placement, std::size_t robots, const Arena& ar
         }
         case Placement::Kind::arena:
             return region_around({}, arena.width, arena.height);
-        default:
-            return placement.region;
+        case Placement::Kind::pose:
+        case Placement::Kind::region:
+        case Placement::Kind::linked:
+            break;
     }
+    return placement.region;
 }
 
 bool is_beyond(const Region& region, const Arena& arena) {

@@ -71,7 +71,7 @@ void ScenarioReader::parse_item() {
         std::find_if(item_table().begin(), item_table().end(), [&](const ItemRow& r) { return in_.at_word(r.word); });
     if (row == item_table().end()) {
         std::vector<std::string> words;
-        for (const ItemRow& each : item_table()) words.emplace_back(each.word);
+        for (const ItemRow& item : item_table()) words.emplace_back(item.word);
         return in_.fail_expecting("an item of a scenario or '}'", words);
     }
     const diagnostics::Span span = in_.current_token().span;

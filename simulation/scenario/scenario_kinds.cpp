@@ -198,10 +198,10 @@ void ScenarioReader::world_drive() {
     if (in_.has_failed()) return;
     const auto& obstacles = scenario_.obstacles;
     const auto obstacle =
-        std::ranges::find_if(obstacles, [&](const Obstacle& each) { return each.name.text == name.text; });
+        std::ranges::find_if(obstacles, [&](const Obstacle& candidate) { return candidate.name.text == name.text; });
     const bool is_obstacle = obstacle != obstacles.end();
     const bool is_light =
-        std::ranges::any_of(scenario_.lights, [&](const Light& each) { return each.name.text == name.text; });
+        std::ranges::any_of(scenario_.lights, [&](const Light& light) { return light.name.text == name.text; });
     if (!is_obstacle && !is_light) return unknown_subject(name);
     act.what = is_obstacle ? static_cast<std::size_t>(obstacle - obstacles.begin()) : light_named(name);
     in_.expect_word("by");
@@ -235,8 +235,8 @@ void ScenarioReader::world_drive() {
 /// Skips the rest, because its form depends on the unknown subject.
 void ScenarioReader::unknown_subject(const Name& name) {
     std::vector<std::string> known;
-    for (const Light& each : scenario_.lights) known.push_back(each.name.text);
-    for (const Obstacle& each : scenario_.obstacles) known.push_back(each.name.text);
+    for (const Light& light : scenario_.lights) known.push_back(light.name.text);
+    for (const Obstacle& obstacle : scenario_.obstacles) known.push_back(obstacle.name.text);
     unknown_part("light or obstacle", name, known);
     while (!in_.at_word("on") && !in_.at_word("}") && !in_.at_end()) skip_word();
     in_.expect_word("on");

@@ -29,7 +29,7 @@ void ScenarioReader::parse_sensor() {
     const auto known = sensor_kind(kind.text);
     if (!known && !in_.has_failed()) {
         std::vector<std::string> kinds;
-        for (const SensorName& each : sensor_names()) kinds.emplace_back(each.name);
+        for (const SensorName& sensor_name : sensor_names()) kinds.emplace_back(sensor_name.name);
         unknown_part("kind of sensor", kind, kinds);
         unknown_sensors_.push_back(sensor.name.text);
     }
@@ -137,15 +137,15 @@ const ReadingRow* ScenarioReader::find_reading(const Feed& feed, const Name& rea
     const bool reported = std::ranges::find(unknown_sensors_, feed.part.text) != unknown_sensors_.end();
     if (!is_sensor && !is_actuator) {
         std::vector<std::string> known;
-        for (const Sensor& each : scenario_.sensors) known.push_back(each.name.text);
+        for (const Sensor& declared : scenario_.sensors) known.push_back(declared.name.text);
         if (!reported) unknown_part("sensor", feed.part, known);
         return nullptr;
     }
     const ReadingRow* row = is_sensor ? reading_of(sensor->kind, reading.text) : reading_of_actuator(reading.text);
     if (row == nullptr) {
         std::vector<std::string> known;
-        for (const ReadingRow& each : reading_table())
-            if (is_sensor ? each.sensor == sensor->kind : !each.sensor) known.emplace_back(each.name);
+        for (const ReadingRow& candidate : reading_table())
+            if (is_sensor ? candidate.sensor == sensor->kind : !candidate.sensor) known.emplace_back(candidate.name);
         unknown_part(fmt::format("reading of '{}' named", feed.part.text), reading, known);
     }
     return row;
@@ -182,7 +182,7 @@ void ScenarioReader::parse_drive() {
     drive.actuator = in_.name("an actuator");
     if (!in_.has_failed() && !is_actuator_name(drive.actuator.text)) {
         std::vector<std::string> known;
-        for (const Actuator& each : scenario_.actuators) known.push_back(each.name.text);
+        for (const Actuator& actuator : scenario_.actuators) known.push_back(actuator.name.text);
         unknown_part("actuator", drive.actuator, known);
     }
     in_.expect_word("by");

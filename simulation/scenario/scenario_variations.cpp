@@ -44,10 +44,11 @@ void ScenarioReader::parse_variation() {
     variation.span = diagnostics::join_spans(begin, in_.last_span());
     if (in_.has_failed()) return;
     // `pace` is the same as `leaders.pace` if the first kind of robots has this name.
-    const auto subject = [&](const Variation& each) {
+    const auto subject = [&](const Variation& parameter) {
         const auto address =
-            each.what == Varied::constant ? find_constant_address(scenario_, each.constant) : std::nullopt;
-        return address ? std::pair(address->controller, address->constant) : std::pair(std::size_t{0}, each.constant);
+            parameter.what == Varied::constant ? find_constant_address(scenario_, parameter.constant) : std::nullopt;
+        return address ? std::pair(address->controller, address->constant)
+                       : std::pair(std::size_t{0}, parameter.constant);
     };
     const auto same = [&](const Variation& other) {
         return other.what == variation.what && subject(other) == subject(variation) && other.option == variation.option;
@@ -91,9 +92,9 @@ void ScenarioReader::parse_values(Variation& variation) {
     if (in_.take_word("to")) {
         const double high = value_of(variation.what);
         double step = 1;
-        if (variation.what == Varied::robots || variation.what == Varied::failed ? in_.take_word("by")
-                                                                                 : (in_.expect_word("by"), true))
-            step = value_of(variation.what);
+        const bool counts = variation.what == Varied::robots || variation.what == Varied::failed;
+        if (!counts) in_.expect_word("by");
+        if (!counts || in_.take_word("by")) step = value_of(variation.what);
         const double count = step > 0 ? std::floor((high - values[0]) / step + 1e-9) : -1;
         if (!in_.has_failed() && (count < 0 || count >= static_cast<double>(most_values)))
             in_.report(rules::out_of_range, diagnostics::join_spans(begin, in_.last_span()),
@@ -122,9 +123,10 @@ double ScenarioReader::value_of(Varied what) {
         }
         case Varied::noise:
             return in_.not_negative(Dimension::share, "the noise of the wheels");
-        default:
-            return in_.read_quantity(Dimension::number, "the value of a constant").value;
+        case Varied::constant:
+            break;
     }
+    return in_.read_quantity(Dimension::number, "the value of a constant").value;
 }
 
 }  // namespace robochart::simulation

@@ -36,8 +36,8 @@ std::span<const SensorName> sensor_names() {
 }
 
 std::optional<SensorKind> sensor_kind(std::string_view name) {
-    for (const SensorName& each : sensor_names())
-        if (each.name == name) return each.kind;
+    for (const SensorName& sensor : sensor_names())
+        if (sensor.name == name) return sensor.kind;
     return std::nullopt;
 }
 

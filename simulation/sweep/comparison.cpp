@@ -74,7 +74,7 @@ private:
         const auto find = [&](const std::string& name) {
             return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
         };
-        for (const Variation& each : scenario_.variations) point_.push_back(find(name_of(each)));
+        for (const Variation& variation : scenario_.variations) point_.push_back(find(name_of(variation)));
         trials_ = find("trials");
         successes_ = find("successes");
         claim_ = find("claim");
@@ -106,7 +106,7 @@ private:
         const auto count = parse_number<std::size_t>(text);
         if (count && *count > 0) return *count - 1;
         if (text.empty() && scenario_.claims.size() == 1) return 0;
-        const auto same = [&](const Claim& each) { return each.text == text; };
+        const auto same = [&](const Claim& claim) { return claim.text == text; };
         return static_cast<std::size_t>(std::ranges::find_if(scenario_.claims, same) - scenario_.claims.begin());
     }
 
@@ -164,13 +164,14 @@ std::string comparison_text(const Scenario& scenario, const std::vector<Compared
                            scenario.claims.size() > 1 ? fmt::format("{}: ", c + 1) : "", scenario.claims[c].text);
         for (const Variation& variation : scenario.variations) out += fmt::format("{:<9} ", name_of(variation));
         out += fmt::format("{:<13} {:<13} {:<9} {}\n", "here", "in the table", "chance", "jointly");
-        for (const Compared& each : all) {
-            if (each.claim != c) continue;
+        for (const Compared& compared : all) {
+            if (compared.claim != c) continue;
             out += "  ";
-            for (std::size_t v = 0; v < each.point.size(); ++v)
-                out += fmt::format("{:<9} ", value_text(scenario.variations[v], each.point[v]));
-            out += fmt::format("{:<13} {:<13} {:<9.3g} {:.3g}{}\n", sample_text(each.here), sample_text(each.there),
-                               each.chance, each.adjusted, is_rejected(scenario, each) ? "  DIFFERS" : "");
+            for (std::size_t v = 0; v < compared.point.size(); ++v)
+                out += fmt::format("{:<9} ", value_text(scenario.variations[v], compared.point[v]));
+            out += fmt::format("{:<13} {:<13} {:<9.3g} {:.3g}{}\n", sample_text(compared.here),
+                               sample_text(compared.there), compared.chance, compared.adjusted,
+                               is_rejected(scenario, compared) ? "  DIFFERS" : "");
         }
     }
     return out;
@@ -178,22 +179,24 @@ std::string comparison_text(const Scenario& scenario, const std::vector<Compared
 
 diagnostics::Json comparison_json(const Scenario& scenario, const std::vector<Compared>& all) {
     diagnostics::Json list = diagnostics::Json::array();
-    for (const Compared& each : all) {
+    for (const Compared& compared : all) {
         diagnostics::Json values = diagnostics::Json::object();
-        for (std::size_t v = 0; v < each.point.size(); ++v) values[name_of(scenario.variations[v])] = each.point[v];
+        for (std::size_t v = 0; v < compared.point.size(); ++v)
+            values[name_of(scenario.variations[v])] = compared.point[v];
         list.push_back({{"values", std::move(values)},
-                        {"claim", each.claim + 1},
-                        {"here", {each.here.successes, each.here.trials}},
-                        {"there", {each.there.successes, each.there.trials}},
-                        {"chance", each.chance},
-                        {"adjusted", each.adjusted},
-                        {"differs", is_rejected(scenario, each)}});
+                        {"claim", compared.claim + 1},
+                        {"here", {compared.here.successes, compared.here.trials}},
+                        {"there", {compared.there.successes, compared.there.trials}},
+                        {"chance", compared.chance},
+                        {"adjusted", compared.adjusted},
+                        {"differs", is_rejected(scenario, compared)}});
     }
     return list;
 }
 
 std::string comparison_summary(const Scenario& scenario, const std::vector<Compared>& all) {
-    const auto count = std::ranges::count_if(all, [&](const Compared& each) { return is_rejected(scenario, each); });
+    const auto count =
+        std::ranges::count_if(all, [&](const Compared& compared) { return is_rejected(scenario, compared); });
     return count == 0 ? fmt::format("none of {} estimates differs from the table", all.size())
                       : fmt::format("{} of {} estimates differ from the table", count, all.size());
 }

@@ -84,9 +84,10 @@ std::string name_of(const Variation& variation) {
             return "mean time";
         case Varied::sensor:
             return variation.constant + "." + variation.option;
-        default:
-            return variation.constant;
+        case Varied::constant:
+            break;
     }
+    return variation.constant;
 }
 
 std::string value_text(const Variation& variation, double value) {
@@ -106,19 +107,19 @@ std::string point_text(const Scenario& scenario, const Point& point) {
 Least least_value(const std::vector<PointResult>& results, std::size_t claim, std::optional<double> second) {
     Least found;
     bool all_fail = true;
-    for (const PointResult& each : results) {
-        if (second && each.point.at(1) != *second) continue;
-        const bool known = !each.claims.empty();
-        const ClaimVerdict verdict = known ? each.claims.at(claim).verdict : ClaimVerdict::open;
+    for (const PointResult& result : results) {
+        if (second && result.point.at(1) != *second) continue;
+        const bool known = !result.claims.empty();
+        const ClaimVerdict verdict = known ? result.claims.at(claim).verdict : ClaimVerdict::open;
         if (verdict == ClaimVerdict::holds && !found.value) {
-            found.value = each.point.at(0);
+            found.value = result.point.at(0);
             found.certain = all_fail;
             found.ended = true;
         }
         all_fail = all_fail && verdict == ClaimVerdict::fails;
     }
-    const bool tried = std::ranges::all_of(results, [&](const PointResult& each) {
-        return (second && each.point.at(1) != *second) || !each.claims.empty();
+    const bool tried = std::ranges::all_of(results, [&](const PointResult& result) {
+        return (second && result.point.at(1) != *second) || !result.claims.empty();
     });
     found.ended = found.ended || tried;
     return found;
@@ -132,7 +133,8 @@ std::optional<statistics::Interval> pointwise_interval(const Claim& claim, const
 
 std::vector<statistics::Duration> durations_of(const ClaimResult& found) {
     std::vector<statistics::Duration> durations;
-    for (const ClaimOutcome& each : found.outcomes) durations.push_back({each.time, each.holds && !each.stopped});
+    for (const ClaimOutcome& outcome : found.outcomes)
+        durations.push_back({outcome.time, outcome.holds && !outcome.stopped});
     return durations;
 }
 
@@ -140,9 +142,9 @@ std::string claims_to_text(const std::vector<ClaimResult>& claims) {
     Json list = Json::array();
     for (const ClaimResult& claim : claims) {
         Json outcomes = Json::array();
-        for (const ClaimOutcome& each : claim.outcomes) {
-            outcomes.push_back((each.holds ? 1 : 0) + (each.stopped ? 2 : 0));
-            outcomes.push_back(each.time);
+        for (const ClaimOutcome& outcome : claim.outcomes) {
+            outcomes.push_back((outcome.holds ? 1 : 0) + (outcome.stopped ? 2 : 0));
+            outcomes.push_back(outcome.time);
         }
         list.push_back({static_cast<int>(claim.verdict), claim.successes, claim.error, claim.interval.low,
                         claim.interval.high, claim.looked, claim.steps, std::move(outcomes)});
@@ -154,10 +156,10 @@ namespace {
 
 bool is_stored(const Json& claim) {
     const auto numbers = [](const Json& list) {
-        return std::ranges::all_of(list, [](const Json& each) { return each.is_number(); });
+        return std::ranges::all_of(list, [](const Json& value) { return value.is_number(); });
     };
     if (!claim.is_array() || claim.size() != 8 || !claim[7].is_array() || !numbers(claim[7])) return false;
-    return std::all_of(claim.begin(), claim.end() - 1, [](const Json& each) { return each.is_number(); });
+    return std::all_of(claim.begin(), claim.end() - 1, [](const Json& value) { return value.is_number(); });
 }
 
 }  // namespace
@@ -166,18 +168,18 @@ std::optional<std::vector<ClaimResult>> claims_from_text(std::string_view text, 
     const Json list = Json::parse(text, nullptr, false);
     if (!list.is_array() || list.size() != claims) return std::nullopt;
     std::vector<ClaimResult> results;
-    for (const Json& each : list) {
-        if (!is_stored(each)) return std::nullopt;
+    for (const Json& stored : list) {
+        if (!is_stored(stored)) return std::nullopt;
         ClaimResult claim;
-        claim.verdict = static_cast<ClaimVerdict>(each[0].get<int>());
-        claim.successes = each[1].get<std::uint64_t>();
-        claim.error = each[2].get<double>();
-        claim.interval = {each[3].get<double>(), each[4].get<double>()};
-        claim.looked = each[5].get<std::uint64_t>();
-        claim.steps = each[6].get<std::uint64_t>();
-        for (std::size_t i = 0; i + 1 < each[7].size(); i += 2) {
-            const int bits = each[7][i].get<int>();
-            claim.outcomes.push_back({(bits & 1) != 0, each[7][i + 1].get<double>(), (bits & 2) != 0});
+        claim.verdict = static_cast<ClaimVerdict>(stored[0].get<int>());
+        claim.successes = stored[1].get<std::uint64_t>();
+        claim.error = stored[2].get<double>();
+        claim.interval = {stored[3].get<double>(), stored[4].get<double>()};
+        claim.looked = stored[5].get<std::uint64_t>();
+        claim.steps = stored[6].get<std::uint64_t>();
+        for (std::size_t i = 0; i + 1 < stored[7].size(); i += 2) {
+            const int bits = stored[7][i].get<int>();
+            claim.outcomes.push_back({(bits & 1) != 0, stored[7][i + 1].get<double>(), (bits & 2) != 0});
         }
         results.push_back(std::move(claim));
     }

@@ -237,9 +237,9 @@ private:
         double end = 0;
         double last = 0;
         std::string lost;
-        for (const ClaimOutcome& each : found.outcomes) {
-            end = std::max(end, each.time);
-            if (!each.holds || each.stopped) last = std::max(last, each.time);
+        for (const ClaimOutcome& outcome : found.outcomes) {
+            end = std::max(end, outcome.time);
+            if (!outcome.holds || outcome.stopped) last = std::max(last, outcome.time);
         }
         if (last > 0) {
             const double share = steps.empty() ? 1 : steps.back().share;

@@ -58,14 +58,14 @@ std::string runs_text(const Scenario& scenario, const SweepResult& result, std::
         runs.push_back(*from == last ? begin : begin + " to " + value_text(first, last));
         from.reset();
     };
-    for (const PointResult& each : result.points) {
-        if (second && each.point.at(1) != *second) continue;
-        if (point_word(each, claim) != word) {
+    for (const PointResult& point : result.points) {
+        if (second && point.point.at(1) != *second) continue;
+        if (point_word(point, claim) != word) {
             close();
             continue;
         }
-        if (!from) from = each.point[0];
-        last = each.point[0];
+        if (!from) from = point.point[0];
+        last = point.point[0];
     }
     close();
     return runs.empty() ? "none" : fmt::format("{}", fmt::join(runs, ", "));
@@ -90,14 +90,14 @@ std::string table_text(const Scenario& scenario, const SweepResult& result, std:
     std::string out = "  ";
     for (const Variation& variation : scenario.variations) out += fmt::format("{:<9} ", name_of(variation));
     out += fmt::format("{:<9} {:>7} {:>9}  {:<22} {}\n", "answer", "trials", "successes", "jointly", "median time");
-    for (const PointResult& each : result.points) {
-        if (each.claims.empty()) continue;
-        const ClaimResult& found = each.claims[claim];
+    for (const PointResult& point : result.points) {
+        if (point.claims.empty()) continue;
+        const ClaimResult& found = point.claims[claim];
         out += "  ";
-        for (std::size_t v = 0; v < each.point.size(); ++v)
-            out += fmt::format("{:<9} ", value_text(scenario.variations[v], each.point[v]));
+        for (std::size_t v = 0; v < point.point.size(); ++v)
+            out += fmt::format("{:<9} ", value_text(scenario.variations[v], point.point[v]));
         std::string line =
-            fmt::format("{:<9} {:>7} {:>9}  {:<22} {}", point_word(each, claim), found.trial_count(), found.successes,
+            fmt::format("{:<9} {:>7} {:>9}  {:<22} {}", point_word(point, claim), found.trial_count(), found.successes,
                         interval_text(scenario.claims[claim], found), median_text(scenario.claims[claim], found));
         if (found.stopped_count() > 0) line += fmt::format(" ({} stopped)", found.stopped_count());
         out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
@@ -146,9 +146,10 @@ std::string point_word(const PointResult& point, std::size_t claim) {
             return "refuted";
         case ClaimVerdict::estimated:
             return "estimated";
-        default:
-            return "open";
+        case ClaimVerdict::open:
+            break;
     }
+    return "open";
 }
 
 std::string median_text(const Claim& claim, const ClaimResult& found) {
@@ -164,9 +165,13 @@ std::vector<std::string> least_lines(const Scenario& scenario, const SweepResult
         for (const auto& second : scenario.claims[c].estimate ? Seconds{} : seconds_of(scenario)) {
             const Least found = least_value(result.points, c, second);
             const std::string name = "least " + name_of(first);
-            std::string line = !found.value    ? fmt::format("{}: none is proved", name)
-                               : found.certain ? fmt::format("{}: {}", name, value_text(first, *found.value))
-                                               : fmt::format("{}: at most {}", name, value_text(first, *found.value));
+            std::string line;
+            if (!found.value)
+                line = fmt::format("{}: none is proved", name);
+            else if (found.certain)
+                line = fmt::format("{}: {}", name, value_text(first, *found.value));
+            else
+                line = fmt::format("{}: at most {}", name, value_text(first, *found.value));
             if (second)
                 line += fmt::format(", with {} {}", name_of(scenario.variations[1]),
                                     value_text(scenario.variations[1], *second));
@@ -214,9 +219,9 @@ std::string sweep_trials_csv(const Scenario& scenario, const SweepResult& result
     for (const PointResult& point : result.points)
         for (std::size_t c = 0; c < point.claims.size(); ++c)
             for (std::size_t trial = 0; trial < point.claims[c].outcomes.size(); ++trial) {
-                const ClaimOutcome& each = point.claims[c].outcomes[trial];
+                const ClaimOutcome& outcome = point.claims[c].outcomes[trial];
                 out += fmt::format("{}{},{},{},{:.10g},{}\n", csv_point(scenario, point.point), c + 1,
-                                   scenario.seed + trial, each.holds ? 1 : 0, each.time, each.stopped ? 1 : 0);
+                                   scenario.seed + trial, outcome.holds ? 1 : 0, outcome.time, outcome.stopped ? 1 : 0);
             }
     return out;
 }

@@ -57,9 +57,15 @@ bool Condition::holds_after(const Formula& formula, std::uint64_t step, const Me
             else if (since_[own] == never)
                 since_[own] = step;
             return all && step - since_[own] >= step_at(formula.time, control_step_, 0);
-        default:
-            return all;
+        case Kind::compare:
+        case Kind::at:
+        case Kind::within:
+        case Kind::until:
+        case Kind::always:
+        case Kind::both:
+            break;
     }
+    return all;
 }
 
 Property::Property(const Formula& formula, double control_step, std::uint64_t end) : formula_(formula) {
@@ -112,9 +118,15 @@ void Property::evaluate_at(Timed& timed, std::uint64_t step, const MeasureNow& n
             if (reached || !first || last) timed.holds = reached;
             return;
         }
-        default:
-            if (last) timed.holds = first;
+        case Kind::compare:
+        case Kind::stays:
+        case Kind::at:
+        case Kind::negation:
+        case Kind::both:
+        case Kind::either:
+            break;
     }
+    if (last) timed.holds = first;
 }
 
 /// Three-valued logic (Kleene).

@@ -50,8 +50,8 @@ void TraceLog::begin(std::size_t robot) {
     text = fmt::format("robochart-trace {}\n", cpp_emit::trace_version);
     if (!options_.run.empty()) text += fmt::format("// run: {}\n", options_.run);
     if (!options_.model.empty()) text += fmt::format("model {}\n", diagnostics::escape_for_display(options_.model));
-    for (const std::string& each : options_.constants)
-        text += fmt::format("const {}\n", diagnostics::escape_for_display(each));
+    for (const std::string& constant : options_.constants)
+        text += fmt::format("const {}\n", diagnostics::escape_for_display(constant));
     text += fmt::format("component {}\ncycle {}\nunit {} s\nrobot {}\nscenario {} seed {} trial {}\n",
                         options_.component, scenario_.units_per_step, scenario_.time_unit, options_.first + robot,
                         diagnostics::escape_for_display(options_.scenario), scenario_.seed, trial_ + 1);

@@ -308,7 +308,7 @@ private:
 
     [[nodiscard]] std::vector<LightNow> lights_now() const {
         std::vector<LightNow> now;
-        for (const MovingLight& each : lights_) now.push_back({each.position_at(time()), each.on});
+        for (const MovingLight& light : lights_) now.push_back({light.position_at(time()), light.on});
         return now;
     }
 
@@ -365,8 +365,8 @@ private:
     }
 
     void fill_input(std::size_t robot, const BoundFeed& bound) {
-        const bool asked = bound.request == no_slot || (requests_[robot] >> bound.request & 1U) != 0;
-        if (!asked) return;
+        const bool requested = bound.request == no_slot || (requests_[robot] >> bound.request & 1U) != 0;
+        if (!requested) return;
         if (is_blind(robot, bound)) return fill_blind(bound);
         rc_signal& signal = signals_[bound.input];
         switch (bound.feed->carries) {
@@ -435,7 +435,13 @@ private:
                 return turns_[robot].left == 0;
             case Reading::on:
                 return draw_detection(sensor_of_feed(bound), is_at_light(robot, bound));
-            default:
+            case Reading::distance:
+            case Reading::near:
+            case Reading::away:
+            case Reading::towards:
+            case Reading::count:
+            case Reading::message:
+            case Reading::lit:
                 break;
         }
         const double distance = argument_value(robot, bound);
@@ -450,10 +456,10 @@ private:
     }
 
     [[nodiscard]] bool is_at_light(std::size_t robot, const BoundFeed& bound) const {
-        for (const MovingLight& each : lights_)
-            if (each.light.name.text == sensor_of_feed(bound).source.text)
-                return each.on &&
-                       length(stage_.pose(robot).at - each.position_at(time())) <= argument_value(robot, bound);
+        for (const MovingLight& light : lights_)
+            if (light.light.name.text == sensor_of_feed(bound).source.text)
+                return light.on &&
+                       length(stage_.pose(robot).at - light.position_at(time())) <= argument_value(robot, bound);
         return false;
     }
 
@@ -528,7 +534,8 @@ private:
                 return;
             case Motion::turn:
                 return begin_turn(robot, drive, action.argument[0].real * drive.angular_factor);
-            default:
+            case Motion::speeds:
+            case Motion::stop:
                 return set_wheels(robot, {});
         }
     }
@@ -580,10 +587,10 @@ private:
 
     void observe_world() {
         const bool keep = options_.record && is_record_due();
-        const bool asked =
+        const bool due =
             std::ranges::any_of(properties_, [&](const Property& property) { return property.is_due(result_.steps); });
         const bool sampled = scenario_.abstraction && result_.steps % scenario_.steps_between_samples() == 0;
-        if (!keep && !asked && !sampled && !statistics_.is_due(result_.steps)) return;
+        if (!keep && !due && !sampled && !statistics_.is_due(result_.steps)) return;
         Frame frame = frame_now(keep || states_are_measured());
         const MeasureNow now = measures_now(scenario_, frame);
         statistics_.take_samples(result_.steps, now);
@@ -594,7 +601,8 @@ private:
 
     void add_sample(const MeasureNow& now) {
         std::vector<double>& values = result_.samples.emplace_back();
-        for (const Distinction& each : scenario_.abstraction->distinctions) values.push_back(now(each.measure));
+        for (const Distinction& distinction : scenario_.abstraction->distinctions)
+            values.push_back(now(distinction.measure));
     }
 
     [[nodiscard]] bool states_are_measured() const {

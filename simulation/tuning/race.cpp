@@ -21,7 +21,7 @@ std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, 
     std::vector<statistics::Block> blocks;
     for (const std::uint64_t seed : seeds) {
         blocks.emplace_back();
-        for (const std::size_t each : alive) blocks.back().push_back(entries[each].costs[seed].value());
+        for (const std::size_t candidate : alive) blocks.back().push_back(entries[candidate].costs[seed].value());
     }
     return blocks;
 }
@@ -46,25 +46,25 @@ std::vector<double> cost_differences(const std::vector<statistics::Block>& block
 std::vector<bool> kept_by_ranks(const std::vector<statistics::Block>& blocks) {
     const std::size_t candidates = blocks.front().size();
     const statistics::Friedman found = statistics::friedman_test(blocks);
-    std::vector<bool> kept(candidates, true);
+    std::vector<bool> remains(candidates, true);
     const auto best = static_cast<std::size_t>(std::ranges::min_element(found.sums) - found.sums.begin());
     if (candidates == 2) {
-        kept[1 - best] = statistics::signed_rank(cost_differences(blocks, 1 - best, best)) >= elimination_error;
-        return kept;
+        remains[1 - best] = statistics::signed_rank(cost_differences(blocks, 1 - best, best)) >= elimination_error;
+        return remains;
     }
-    if (found.chance >= elimination_error) return kept;
+    if (found.chance >= elimination_error) return remains;
     const double most = found.critical_difference(elimination_error);
-    for (std::size_t c = 0; c < candidates; ++c) kept[c] = found.sums[c] - found.sums[best] <= most;
-    return kept;
+    for (std::size_t c = 0; c < candidates; ++c) remains[c] = found.sums[c] - found.sums[best] <= most;
+    return remains;
 }
 
 std::vector<bool> kept_by_means(const std::vector<statistics::Block>& blocks) {
     const std::vector<double> sums = sum_by_candidate(blocks, false);
     const auto best = static_cast<std::size_t>(std::ranges::min_element(sums) - sums.begin());
-    std::vector<bool> kept(sums.size(), true);
+    std::vector<bool> remains(sums.size(), true);
     for (std::size_t c = 0; c < sums.size(); ++c)
-        kept[c] = c == best || statistics::paired_t(cost_differences(blocks, c, best)) >= elimination_error;
-    return kept;
+        remains[c] = c == best || statistics::paired_t(cost_differences(blocks, c, best)) >= elimination_error;
+    return remains;
 }
 
 }  // namespace
@@ -101,20 +101,20 @@ bool Race::run_iteration() {
     const std::uint64_t number = iterations_.size() + 1;
     const std::uint64_t planned = planned_iterations();
     const std::uint64_t share = left / (number < planned ? planned - number + 1 : 1);
-    const std::uint64_t wanted = share / (first_test + std::min<std::uint64_t>(first_test, number));
+    const std::uint64_t candidate_count = share / (first_test + std::min<std::uint64_t>(first_test, number));
     const std::uint64_t elites = elites_.size();
     // A race is useless if the number of its candidates is at most the number that may survive.
-    if (wanted <= std::max(elites, number == 1 ? std::uint64_t{1} : survivor_count())) return false;
+    if (candidate_count <= std::max(elites, number == 1 ? std::uint64_t{1} : survivor_count())) return false;
     const double progress = std::min(1.0, static_cast<double>(number - 1) / static_cast<double>(planned));
     RaceIteration now;
-    const std::vector<std::size_t> fresh = sample_candidates(wanted - elites, progress);
+    const std::vector<std::size_t> fresh = sample_candidates(candidate_count - elites, progress);
     now.fresh = fresh.size();
     iterations_.push_back(now);
     std::vector<std::size_t> alive = elites_;
-    for (const std::size_t each : fresh) {
-        entries_[each].usable = subject_.is_usable(entries_[each].candidate);
-        if (entries_[each].usable)
-            alive.push_back(each);
+    for (const std::size_t candidate : fresh) {
+        entries_[candidate].usable = subject_.is_usable(entries_[candidate].candidate);
+        if (entries_[candidate].usable)
+            alive.push_back(candidate);
         else
             ++iterations_.back().unusable;
     }
@@ -164,8 +164,8 @@ RaceEntry Race::near_an_elite() {
 }
 
 std::uint64_t Race::missing_trials(const std::vector<std::size_t>& alive, std::uint64_t seed) const {
-    return static_cast<std::uint64_t>(std::ranges::count_if(alive, [&](std::size_t each) {
-        const auto& costs = entries_[each].costs;
+    return static_cast<std::uint64_t>(std::ranges::count_if(alive, [&](std::size_t candidate) {
+        const auto& costs = entries_[candidate].costs;
         return seed >= costs.size() || !costs[seed];
     }));
 }
@@ -175,9 +175,9 @@ void Race::run_missing_trials(const std::vector<std::size_t>& alive, const std::
     std::vector<RaceTrial> trials;
     for (const std::uint64_t seed : seeds) {
         seeds_ = std::max(seeds_, seed + 1);
-        for (const std::size_t each : alive) {
-            entries_[each].costs.resize(std::max<std::size_t>(entries_[each].costs.size(), seed + 1));
-            if (!entries_[each].costs[seed]) trials.push_back({each, seed});
+        for (const std::size_t candidate : alive) {
+            entries_[candidate].costs.resize(std::max<std::size_t>(entries_[candidate].costs.size(), seed + 1));
+            if (!entries_[candidate].costs[seed]) trials.push_back({candidate, seed});
         }
     }
     const std::vector<double> costs = subject_.trial_costs(trials);
@@ -209,11 +209,11 @@ void Race::run_competition(std::vector<std::size_t> alive, std::uint64_t share) 
         run_missing_trials(alive, next);
         done.insert(done.end(), next.begin(), next.end());
         if (!find_admitted_leader(alive, done)) break;
-        const std::vector<std::size_t> kept = not_worse(alive, done);
-        std::erase_if(alive, [&](std::size_t each) {
-            const bool elite = std::ranges::find(elites_, each) != elites_.end();
+        const std::vector<std::size_t> remaining = not_worse(alive, done);
+        std::erase_if(alive, [&](std::size_t candidate) {
+            const bool elite = std::ranges::find(elites_, candidate) != elites_.end();
             const bool shielded = elite && done.size() <= known;
-            return !shielded && std::ranges::find(kept, each) == kept.end();
+            return !shielded && std::ranges::find(remaining, candidate) == remaining.end();
         });
         if (alive.size() <= survivor_count()) break;
     }
@@ -244,20 +244,20 @@ std::vector<std::size_t> Race::not_worse(const std::vector<std::size_t>& alive,
                                          const std::vector<std::uint64_t>& seeds) const {
     if (alive.size() < 2) return alive;
     const std::vector<statistics::Block> blocks = blocks_of(entries_, alive, seeds);
-    const std::vector<bool> kept =
+    const std::vector<bool> remains =
         options_.elimination == Elimination::friedman ? kept_by_ranks(blocks) : kept_by_means(blocks);
     std::vector<std::size_t> result;
     for (std::size_t c = 0; c < alive.size(); ++c)
-        if (kept[c]) result.push_back(alive[c]);
+        if (remains[c]) result.push_back(alive[c]);
     return result;
 }
 
 /// Candidates are eliminated because they are worse than the best one, so the best one must be admitted. This function
 /// first removes candidates that rank higher but are not admitted. Returns false if no candidate is left.
 bool Race::find_admitted_leader(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
-    for (const std::size_t each : rank_candidates(alive, seeds)) {
-        if (is_admitted(each)) return true;
-        std::erase(alive, each);
+    for (const std::size_t candidate : rank_candidates(alive, seeds)) {
+        if (is_admitted(candidate)) return true;
+        std::erase(alive, candidate);
     }
     return false;
 }
@@ -274,9 +274,9 @@ bool Race::is_admitted(std::size_t candidate) {
 /// Selects the best candidates that are admitted.
 void Race::choose_elites(const std::vector<std::size_t>& best) {
     std::vector<std::size_t> chosen;
-    for (const std::size_t each : best) {
+    for (const std::size_t candidate : best) {
         if (chosen.size() == survivor_count()) break;
-        if (is_admitted(each)) chosen.push_back(each);
+        if (is_admitted(candidate)) chosen.push_back(candidate);
     }
     elites_ = std::move(chosen);
 }

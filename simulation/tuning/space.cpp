@@ -59,10 +59,13 @@ std::optional<Parameter> read_range(Parameter parameter, std::string_view low_te
                                     ParameterKind kind, std::string& error) {
     const auto low = read_decimal(low_text);
     const auto high = read_decimal(high_text);
-    error = !low || !high ? "a range is LOW..HIGH, two numbers of at most 12 digits, 6 of them decimals"
-            : kind == ParameterKind::other ? "a range is of numbers; values of this constant are listed: A,B,C"
-            : kind == ParameterKind::whole && low->decimals + high->decimals > 0 ? "the constant takes whole numbers"
-                                                                                 : "";
+    error.clear();
+    if (!low || !high)
+        error = "a range is LOW..HIGH, two numbers of at most 12 digits, 6 of them decimals";
+    else if (kind == ParameterKind::other)
+        error = "a range is of numbers; values of this constant are listed: A,B,C";
+    else if (kind == ParameterKind::whole && low->decimals + high->decimals > 0)
+        error = "the constant takes whole numbers";
     if (!error.empty()) return std::nullopt;
     int decimals = std::max(low->decimals, high->decimals);
     // The range has at least a hundred steps, if the number of digits allows it.
@@ -140,7 +143,7 @@ std::optional<Parameter> read_parameter(const std::string& name, const std::stri
     }
     std::vector<std::string> sorted = parameter.listed;
     std::ranges::sort(sorted);
-    if (std::ranges::any_of(sorted, [](const std::string& each) { return each.empty(); }))
+    if (std::ranges::any_of(sorted, [](const std::string& value) { return value.empty(); }))
         error = "a value of the list is empty";
     else if (std::ranges::adjacent_find(sorted) != sorted.end())
         error = "a value is listed twice";
@@ -162,9 +165,9 @@ std::string candidate_text(const std::vector<Parameter>& parameters, const Candi
 
 Neighbourhood whole_space(const std::vector<Parameter>& parameters) {
     Neighbourhood result;
-    for (const Parameter& each : parameters) {
-        result.deviations.push_back(each.is_ordered() ? start_deviation(each) : 0);
-        result.probabilities.emplace_back(each.listed.size(), 1 / static_cast<double>(each.listed.size()));
+    for (const Parameter& parameter : parameters) {
+        result.deviations.push_back(parameter.is_ordered() ? start_deviation(parameter) : 0);
+        result.probabilities.emplace_back(parameter.listed.size(), 1 / static_cast<double>(parameter.listed.size()));
     }
     return result;
 }
@@ -184,16 +187,16 @@ void widen_neighbourhood(Neighbourhood& near, const std::vector<Parameter>& para
     for (std::size_t p = 0; p < parameters.size(); ++p) {
         if (parameters[p].is_ordered())
             near.deviations[p] = std::min(start_deviation(parameters[p]), std::max(0.5, 2 * near.deviations[p]));
-        for (double& each : near.probabilities[p])
-            each = (each + 1 / static_cast<double>(near.probabilities[p].size())) / 2;
+        for (double& probability : near.probabilities[p])
+            probability = (probability + 1 / static_cast<double>(near.probabilities[p].size())) / 2;
     }
 }
 
 Candidate draw_candidate(const std::vector<Parameter>& parameters, Random& random) {
     Candidate result;
-    for (const Parameter& each : parameters) {
-        const double size = static_cast<double>(each.size());
-        result.push_back(std::min(static_cast<std::uint64_t>(random.uniform() * size), each.size() - 1));
+    for (const Parameter& parameter : parameters) {
+        const double size = static_cast<double>(parameter.size());
+        result.push_back(std::min(static_cast<std::uint64_t>(random.uniform() * size), parameter.size() - 1));
     }
     return result;
 }

@@ -76,11 +76,11 @@ void World::build_obstacles() {
     Arena& arena = options_.arena;
     arena.walls.resize(fixed_walls_);
     arena.obstacles.resize(fixed_obstacles_);
-    for (const Changing& each : changing_) {
-        if (!each.there) continue;
-        for (std::size_t i = 0; i < each.corners.size(); ++i)
-            arena.walls.push_back({each.corners[i], each.corners[(i + 1) % each.corners.size()]});
-        arena.obstacles.push_back(each.corners);
+    for (const Changing& obstacle : changing_) {
+        if (!obstacle.there) continue;
+        for (std::size_t i = 0; i < obstacle.corners.size(); ++i)
+            arena.walls.push_back({obstacle.corners[i], obstacle.corners[(i + 1) % obstacle.corners.size()]});
+        arena.obstacles.push_back(obstacle.corners);
     }
 }
 
