@@ -142,7 +142,7 @@ WatchedCopy offer_watch(const Project& project, NameManager& names, Emitted& emi
 ExprPtr missing_process(const WatchedCopy& watch, const Emitted& emitted, const std::string& event, std::int64_t units,
                         const std::vector<ExprPtr>& arguments, const std::string& name,
                         std::vector<DeclPtr>& preparation) {
-    const auto own = [&](const char* each) { return b::name(watch.event_of_copy(each)); };
+    const auto own = [&](const char* event_name) { return b::name(watch.event_of_copy(event_name)); };
     const ExprPtr taken = b::dot({b::name(watch.event_of_copy(event)), b::name("in")});
     const ExprPtr left = b::name("k__");
     const auto counting = [&](const ExprPtr& value) { return b::call(name, {value}); };

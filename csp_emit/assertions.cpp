@@ -222,17 +222,17 @@ ExprPtr Asserter::alphabet_of(const ir::ComponentRef& ref) const {
 /// does.
 std::string Asserter::missing_alphabet(const ir::ComponentRef& ref, const ir::ComponentRef& other) const {
     if (ref.kind != ir::ComponentKind::process) return "";
-    const std::string wanted = ref.path + "__sem__events";
+    const std::string alphabet = ref.path + "__sem__events";
     const auto& blocks = project_.system.csp_blocks;
     const bool defined = std::ranges::any_of(blocks, [&](const ir::CspBlock& block) {
-        return project_.block_applies(block) && block.text.find(wanted) != std::string::npos;
+        return project_.block_applies(block) && block.text.find(alphabet) != std::string::npos;
     });
     if (defined) return "";
     const bool between_blocks = other.kind == ir::ComponentKind::process;
     return fmt::format(
         "{} is not defined: the tick-tock model records refused events, so the csp block of {} must define the events "
         "of the process: `{} = {}`",
-        wanted, ref.path, wanted, between_blocks ? "{| P::E, P::F |}" : path_of(other) + "::sem__events");
+        alphabet, ref.path, alphabet, between_blocks ? "{| P::E, P::F |}" : path_of(other) + "::sem__events");
 }
 
 /// The events of both sides, except events of the subject that are renamed to events of the other side.

@@ -24,16 +24,16 @@ using cspm::ExprKind;
 using cspm::ExprPtr;
 
 void each_part(const cspm::Expr& expr, const std::function<void(const ExprPtr&)>& visit) {
-    for (const ExprPtr& each : expr.args) visit(each);
-    for (const cspm::Field& each : expr.fields)
-        if (each.value) visit(each.value);
-    for (const cspm::Clause& each : expr.clauses) visit(each.value);
-    for (const cspm::Link& each : expr.links) {
-        visit(each.from);
-        visit(each.to);
+    for (const ExprPtr& argument : expr.args) visit(argument);
+    for (const cspm::Field& field : expr.fields)
+        if (field.value) visit(field.value);
+    for (const cspm::Clause& clause : expr.clauses) visit(clause.value);
+    for (const cspm::Link& link : expr.links) {
+        visit(link.from);
+        visit(link.to);
     }
-    for (const DeclPtr& each : expr.decls)
-        if (each->body) visit(each->body);
+    for (const DeclPtr& decl : expr.decls)
+        if (decl->body) visit(decl->body);
 }
 
 /// The definitions in the blocks of a file that matter for claims about processes.
@@ -106,8 +106,8 @@ private:
     }
     /// Adds all inputs of the components in the process except those in the set.
     void note_projected(const ExprPtr& process, const ExprPtr& set) {
-        std::set<std::string> kept, inside;
-        collect_names(set, kept);
+        std::set<std::string> visible, inside;
+        collect_names(set, visible);
         collect_names(process, inside);
         for (const std::string& name : inside) {
             const std::size_t end = name.rfind("::");
@@ -117,7 +117,7 @@ private:
             for (auto at = events.lower_bound(prefix); at != events.end() && at->first.starts_with(prefix); ++at) {
                 const std::string& event = at->first;
                 if (!decided_outside(at->second.kind) || event.find("::", prefix.size()) != std::string::npos) continue;
-                if (!kept.contains(event) && !kept.contains(event.substr(0, event.find('.', prefix.size()))))
+                if (!visible.contains(event) && !visible.contains(event.substr(0, event.find('.', prefix.size()))))
                     hidden_.insert(event);
             }
         }

@@ -69,9 +69,9 @@ private:
             return std::nullopt;
         const auto left = evaluate_number(expr->args[0]), right = evaluate_number(expr->args[1]);
         if (!left || !right) return std::nullopt;
-        return expr->kind == ExprKind::plus    ? ir::checked_add(*left, *right)
-               : expr->kind == ExprKind::minus ? ir::checked_subtract(*left, *right)
-                                               : ir::checked_multiply(*left, *right);
+        if (expr->kind == ExprKind::plus) return ir::checked_add(*left, *right);
+        if (expr->kind == ExprKind::minus) return ir::checked_subtract(*left, *right);
+        return ir::checked_multiply(*left, *right);
     }
 
     const DefinitionsByName& definitions_;

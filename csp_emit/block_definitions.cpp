@@ -12,8 +12,9 @@ namespace {
 /// The place in the user's file; blocks are parsed from copies.
 diagnostics::Span in_file(const Project& project, const std::string& file, diagnostics::Span span) {
     const auto& blocks = project.system.csp_blocks;
-    const auto block = std::ranges::find_if(
-        blocks, [&](const ir::CspBlock& each) { return each.file == file && each.text_span.is_known(); });
+    const auto block = std::ranges::find_if(blocks, [&](const ir::CspBlock& candidate) {
+        return candidate.file == file && candidate.text_span.is_known();
+    });
     if (block != blocks.end()) span.source = block->text_span.source;
     return span;
 }

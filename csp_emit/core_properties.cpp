@@ -104,8 +104,8 @@ private:
         FiringQuestion question{default_process(project_, path_, component_, "VS__"), {}};
         each_machine_inside([&](const std::string& path, const ir::Machine& machine) {
             const std::string owner = path == path_ ? "" : path.substr(path_.size() + 2) + ": ";
-            for (const ir::Transition& each : machine.transitions)
-                question.transitions.push_back({path, owner + ir::text_of(machine, each), each.origin});
+            for (const ir::Transition& transition : machine.transitions)
+                question.transitions.push_back({path, owner + ir::text_of(machine, transition), transition.origin});
         });
         if (question.transitions.empty()) return;
         Obligation& obligation = add_information(PropertyKind::reachable, "every transition fires", nullptr);
@@ -137,9 +137,9 @@ std::vector<Obligation> core_properties(const Project& project, NameManager& nam
     const auto ask = [&](const std::string& package, const std::string& path, const char* kind) {
         const std::string name = qualified_name(package, path);
         if (!emitted.components.contains(name)) return;
-        for (Obligation& each :
+        for (Obligation& obligation :
              CoreProperties(project, names, emitted, name, fmt::format("{} {}", kind, name)).make_obligations())
-            result.push_back(std::move(each));
+            result.push_back(std::move(obligation));
     };
     for (const ir::Module& module : project.system.modules) ask(module.package, module.name, "module");
     for (const ir::Controller& controller : project.system.controllers)

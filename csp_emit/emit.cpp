@@ -170,9 +170,9 @@ std::vector<DeclPtr> declared_once(const std::vector<DeclPtr>& blocks, const std
             result.push_back(decl);
             continue;
         }
-        cspm::Decl kept = *decl;
-        std::erase_if(kept.names, [&](const std::string& name) { return !known.insert(name).second; });
-        if (!kept.names.empty()) result.push_back(std::make_shared<const cspm::Decl>(std::move(kept)));
+        cspm::Decl remaining = *decl;
+        std::erase_if(remaining.names, [&](const std::string& name) { return !known.insert(name).second; });
+        if (!remaining.names.empty()) result.push_back(std::make_shared<const cspm::Decl>(std::move(remaining)));
     }
     return result;
 }

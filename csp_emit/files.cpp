@@ -21,12 +21,12 @@ std::string script_name(const std::string& model) {
 /// Lists the claims that no assertion expresses.
 std::string list_missing_claims(const Emission& emission) {
     std::string claims;
-    for (const Obligation& each : emission.obligations) {
-        const std::string title = diagnostics::escape_for_display(each.title);
-        if (each.recurrence)
+    for (const Obligation& obligation : emission.obligations) {
+        const std::string title = diagnostics::escape_for_display(obligation.title);
+        if (obligation.recurrence)
             claims += fmt::format("--   {}\n", title);
-        else if (each.premise != nullptr)
-            claims += fmt::format("--   {}: that {}\n", title, each.premise->text);
+        else if (obligation.premise != nullptr)
+            claims += fmt::format("--   {}: that {}\n", title, obligation.premise->text);
     }
     return claims.empty() ? "" : "\n-- not said by an assertion; `check --swarm` decides it:\n" + claims;
 }

@@ -82,15 +82,15 @@ public:
     }
 
 private:
-    void check_expression(const cspm::Expr& each) {
-        if (each.kind == cspm::ExprKind::name) check_name(each);
-        if (each.kind == cspm::ExprKind::prefix && left_out(each)) return check_expression(*each.args.at(1));
-        for (const cspm::DeclPtr& decl : each.decls)
+    void check_expression(const cspm::Expr& expr) {
+        if (expr.kind == cspm::ExprKind::name) check_name(expr);
+        if (expr.kind == cspm::ExprKind::prefix && left_out(expr)) return check_expression(*expr.args.at(1));
+        for (const cspm::DeclPtr& decl : expr.decls)
             if (decl->body) check_expression(*decl->body);
-        for (const cspm::Link& link : each.links)
+        for (const cspm::Link& link : expr.links)
             for (const cspm::ExprPtr& end : {link.from, link.to})
                 if (end) check_expression(*end);
-        for_each_part(each, [&](const cspm::Expr& part) { check_expression(part); });
+        for_each_part(expr, [&](const cspm::Expr& part) { check_expression(part); });
     }
 
     /// Whether the prefix has the form `S::moveRet -> P`, which current scripts write as P.
@@ -105,21 +105,21 @@ private:
         return true;
     }
 
-    void check_name(const cspm::Expr& each) {
-        if (const std::optional<OldName> old = old_name(each.text)) {
+    void check_name(const cspm::Expr& name) {
+        if (const std::optional<OldName> old = old_name(name.text)) {
             if (old->now.empty()) {
-                report_name(each, old->instead);
+                report_name(name, old->instead);
                 return;
             }
-            report_name(each, fmt::format("belongs to an older generator; its name is now {}", old->now))
-                .fixes.push_back({each.span, old->now, "today's name"});
+            report_name(name, fmt::format("belongs to an older generator; its name is now {}", old->now))
+                .fixes.push_back({name.span, old->now, "today's name"});
             return;
         }
-        const auto component = component_around(each.text);
+        const auto component = component_around(name.text);
         if (component == components_.end()) return;
-        const std::string last = last_of(each.text);
+        const std::string last = last_of(name.text);
         if (!is_any(component->second.visible, last) && std::ranges::find(inner, last) != inner.end())
-            report_name(each,
+            report_name(name,
                         "is inside a machine there; in this script each machine is one sequential process, which shows "
                         "only its events, calls, writes and entered states");
     }
@@ -195,8 +195,8 @@ private:
         return depth;
     }
 
-    diagnostics::Diagnostic& report_name(const cspm::Expr& each, const std::string& what) {
-        return project_.diagnostics.report(rules::name_of_robotool, each.span, {each.text, what});
+    diagnostics::Diagnostic& report_name(const cspm::Expr& name, const std::string& what) {
+        return project_.diagnostics.report(rules::name_of_robotool, name.span, {name.text, what});
     }
 
     const Project& project_;

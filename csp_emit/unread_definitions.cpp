@@ -45,11 +45,12 @@ void check_instantiations_read(const Project& project,
         const bool old = std::ranges::find(left_out, carrier) != left_out.end();
         const std::string meant = old ? carrier : diagnostics::nearest_spelling(name, left_out);
         if ((meant.empty() && !is_of_instantiations(name)) || is_known(project, place)) continue;
-        diagnostics::Diagnostic& finding =
-            project.diagnostics.report(rules::definition_unread, place,
-                                       {name, old             ? fmt::format("; its name is now '{}'", carrier)
-                                              : meant.empty() ? std::string()
-                                                              : fmt::format("; did you mean '{}'?", meant)});
+        std::string hint;
+        if (old)
+            hint = fmt::format("; its name is now '{}'", carrier);
+        else if (!meant.empty())
+            hint = fmt::format("; did you mean '{}'?", meant);
+        diagnostics::Diagnostic& finding = project.diagnostics.report(rules::definition_unread, place, {name, hint});
         if (old) finding.fixes.push_back({name_in(project, place, name), carrier, "today's name"});
     }
 }

@@ -159,11 +159,11 @@ bool relied_on(const std::string& name) {
 std::string NameManager::unique_name(const std::string& name) {
     // Identifiers in CSPM begin with a letter.
     const bool begins = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0;
-    const std::string wanted = begins ? name : "n" + name;
-    if (taken_.insert(wanted).second) return wanted;
-    int& suffix = last_suffix_.try_emplace(wanted, 1).first->second;
+    const std::string proposed = begins ? name : "n" + name;
+    if (taken_.insert(proposed).second) return proposed;
+    int& suffix = last_suffix_.try_emplace(proposed, 1).first->second;
     for (;;) {
-        const std::string result = wanted + "_" + std::to_string(++suffix);
+        const std::string result = proposed + "_" + std::to_string(++suffix);
         if (taken_.insert(result).second) return result;
     }
 }

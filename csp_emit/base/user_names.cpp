@@ -25,8 +25,8 @@ UserNames user_names(const std::vector<DeclPtr>& blocks) {
         if (decl->kind == DeclKind::channel) result.constructors.insert(decl->names.begin(), decl->names.end());
         if (decl->kind == DeclKind::module || decl->kind == DeclKind::instance)
             result.modules.insert(decl->names.begin(), decl->names.end());
-        for (const cspm::Constructor& each : decl->constructors)
-            if (decl->kind == DeclKind::datatype) result.constructors.insert(each.name);
+        for (const cspm::Constructor& constructor : decl->constructors)
+            if (decl->kind == DeclKind::datatype) result.constructors.insert(constructor.name);
     }
     return result;
 }

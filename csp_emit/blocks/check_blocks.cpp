@@ -76,11 +76,11 @@ public:
         if (!copy.good) return read_alone(files);
         for (const Time time : {Time::untimed, Time::timed}) {
             const AssertionTime other = time == Time::timed ? AssertionTime::untimed : AssertionTime::timed;
-            const bool asked = std::ranges::any_of(files, [&](std::size_t file) {
+            const bool needed = std::ranges::any_of(files, [&](std::size_t file) {
                 return std::ranges::any_of(model_.files[file]->csp_blocks,
                                            [&](const CspBlock& block) { return block.time != other; });
             });
-            if (asked) check_emission(copy, time);
+            if (needed) check_emission(copy, time);
         }
     }
 
@@ -117,12 +117,12 @@ private:
             const Span span = original_span(copy, finding.span);
             if (!span.is_known() || !files_.at(sources_.path(span.source))->is_assertions) continue;
             if (!said_.emplace(finding.rule, span.source, span.begin, finding.message()).second) continue;
-            diagnostics::Diagnostic& said = out_.report(*finding.rule, span, finding.arguments);
+            diagnostics::Diagnostic& reported = out_.report(*finding.rule, span, finding.arguments);
             for (const diagnostics::Note& note : finding.notes)
-                said.notes.push_back({original_span(copy, note.span), note.message});
+                reported.notes.push_back({original_span(copy, note.span), note.message});
             for (const diagnostics::FixIt& fix : finding.fixes)
                 if (const Span place = original_span(copy, fix.span); place.is_known())
-                    said.fixes.push_back({place, fix.replacement, fix.title});
+                    reported.fixes.push_back({place, fix.replacement, fix.title});
         }
     }
 

@@ -20,7 +20,7 @@ cspm::ExprPtr with_span(const cspm::ExprPtr& expr, diagnostics::Span span) {
     if (expr == nullptr || expr->span.is_known()) return expr;
     cspm::Expr result = *expr;
     result.span = span;
-    for (cspm::ExprPtr& each : result.args) each = with_span(each, span);
+    for (cspm::ExprPtr& argument : result.args) argument = with_span(argument, span);
     return std::make_shared<const cspm::Expr>(std::move(result));
 }
 
@@ -57,20 +57,21 @@ void check_script(const Emission& emission, const ir::System& system, diagnostic
     (void)cspm::check_types(with_places(emission, system), found);
     std::optional<ScriptNames> names;
     for (const diagnostics::Diagnostic& finding : found.sorted_findings()) {
-        diagnostics::Diagnostic& said = out.report(*finding.rule, finding.span, finding.arguments);
-        said.notes = finding.notes;
-        said.fixes = finding.fixes;
+        diagnostics::Diagnostic& reported = out.report(*finding.rule, finding.span, finding.arguments);
+        reported.notes = finding.notes;
+        reported.fixes = finding.fixes;
         if (finding.rule != &cspm::types::rules::not_in_scope || finding.arguments.empty()) continue;
         if (!names) names.emplace(emission.definitions);
         const std::vector<std::string> meant = names->suggest_names(finding.arguments.front());
         if (meant.empty()) continue;
-        said.notes.push_back({{},
-                              fmt::format("the script has `{}`: write the name of the component before the name of its "
-                                          "element (docs/claims-in-csp.md)",
-                                          fmt::join(meant, "`, `"))});
+        reported.notes.push_back(
+            {{},
+             fmt::format("the script has `{}`: write the name of the component before the name of its "
+                         "element (docs/claims-in-csp.md)",
+                         fmt::join(meant, "`, `"))});
         const diagnostics::Span span = finding.span;
-        if (span.is_known() && said.fixes.empty())
-            said.fixes.push_back({span, meant.front(), std::string(diagnostics::suggestion_title)});
+        if (span.is_known() && reported.fixes.empty())
+            reported.fixes.push_back({span, meant.front(), std::string(diagnostics::suggestion_title)});
     }
 }
 

@@ -73,7 +73,12 @@ void ScriptNames::add(const std::vector<cspm::DeclPtr>& decls, const std::string
                 for (const cspm::Constructor& constructor : decl->constructors)
                     names_.push_back({qualifier, constructor.name, decl->kind, false});
                 break;
-            default:
+            case cspm::DeclKind::transparent:
+            case cspm::DeclKind::external:
+            case cspm::DeclKind::annotation:
+            case cspm::DeclKind::print:
+            case cspm::DeclKind::assertion:
+            case cspm::DeclKind::include:
                 break;
         }
     }

@@ -136,8 +136,8 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
         constant.source = source.name;
         // RoboTool sets the part's constant to the machine's own. If a CSP block defines only the part's constant, the
         // block's value applies.
-        const auto given = [&](const std::string& each) {
-            return context_.given != nullptr && context_.given->contains(each);
+        const auto given = [&](const std::string& constant_name) {
+            return context_.given != nullptr && context_.given->contains(constant_name);
         };
         const bool of_part = provided || given(source.name);
         const bool of_machine = !of_part && given(constant.value);

@@ -241,12 +241,12 @@ namespace {
 /// The names that the script declares at its top, except those for records.
 std::set<std::string> names_at_top(const ir::System& system) {
     std::set<std::string> names;
-    const auto component = [&](const auto& each) {
-        names.insert(each.package.empty() ? each.name : flatten_name(each.package));
+    const auto add_component = [&](const auto& component) {
+        names.insert(component.package.empty() ? component.name : flatten_name(component.package));
     };
-    for (const ir::Machine& machine : system.machines) component(machine);
-    for (const ir::Controller& controller : system.controllers) component(controller);
-    for (const ir::Module& module : system.modules) component(module);
+    for (const ir::Machine& machine : system.machines) add_component(machine);
+    for (const ir::Controller& controller : system.controllers) add_component(controller);
+    for (const ir::Module& module : system.modules) add_component(module);
     for (const ir::Function& function : system.functions) names.insert(function_name(function));
     for (const ir::NamedConstant& constant : ir::named_constants(system)) names.insert(constant.name);
     for (const ir::Type& type : system.types) {

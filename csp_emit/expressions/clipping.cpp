@@ -16,8 +16,8 @@ constexpr std::array operators{Operator{"Plus", "+"},     Operator{"Minus", "-"}
                                Operator{"RealMult", "*"}, Operator{"RealDiv", "/"}};
 
 const Operator* find_operator(const std::string& function) {
-    for (const Operator& each : operators)
-        if (function == each.function) return &each;
+    for (const Operator& candidate : operators)
+        if (function == candidate.function) return &candidate;
     return nullptr;
 }
 

@@ -54,10 +54,10 @@ ExprPtr Translator::trigger_value(const ir::Expr& expr) const {
                                 : report_unsupported("a trigger's value outside its transition", expr);
 }
 
-ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId wanted) const {
+ExprPtr Translator::as_type(const ir::Expr& expr, ir::TypeId type) const {
     ExprPtr value = translate(expr);
     const bool timed = expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
-    if (scale() == 1 || !is_real(wanted) || !(timed || is_whole(expr.type))) return value;
+    if (scale() == 1 || !is_real(type) || !(timed || is_whole(expr.type))) return value;
     if (value->kind == Op::integer) return b::number(value->number * scale());
     return b::binary(Op::times, value, b::number(scale()));
 }
@@ -83,8 +83,8 @@ constexpr Clipping clippings[] = {{ExprKind::plus, "Plus", "Plus"},          {Ex
                                   {ExprKind::modulus, "Modulus", "Modulus"}, {ExprKind::negate, "Neg", "Neg"}};
 
 const char* clipping_function(ExprKind kind, bool scaled_real) {
-    for (const Clipping& each : clippings)
-        if (each.kind == kind) return scaled_real ? each.real : each.whole;
+    for (const Clipping& clipping : clippings)
+        if (clipping.kind == kind) return scaled_real ? clipping.real : clipping.whole;
     throw std::logic_error("an operation on numbers without a function that clips its result");
 }
 
@@ -134,17 +134,17 @@ ExprPtr Translator::translate_cast(const ir::Expr& expr) const {
 
 /// `member(v,T)`; a real must also be a whole number.
 ExprPtr Translator::type_test(const ir::Expr& expr) const {
-    const ir::TypeId wanted = expr.bound_types.at(0);
+    const ir::TypeId tested = expr.bound_types.at(0);
     const ir::TypeId own = expr.args.at(0)->type;
     const ExprPtr value = translate_operand(expr, 0);
-    if (!is_real(own) || !is_whole(wanted) || scale() == 1)
-        return b::call("member", {convert_value(value, own, wanted), type_set(project_, wanted)});
+    if (!is_real(own) || !is_whole(tested) || scale() == 1)
+        return b::call("member", {convert_value(value, own, tested), type_set(project_, tested)});
     const ExprPtr units = b::name("elem__");
     const ExprPtr rest = b::binary(Op::modulus, units, b::number(scale()));
     const ExprPtr number = b::binary(Op::divide, units, b::number(scale()));
     return b::apply(
         b::lambda({b::variable("elem__")}, b::binary(Op::logical_and, b::binary(Op::equal, rest, b::number(0)),
-                                                     b::call("member", {number, type_set(project_, wanted)}))),
+                                                     b::call("member", {number, type_set(project_, tested)}))),
         {value});
 }
 
@@ -391,8 +391,8 @@ ExprPtr translate_expression(const Project& project, const Scope& scope, const i
     return scope.placed ? with_place(result, expr.span) : result;
 }
 
-ExprPtr expression_as(const Project& project, const Scope& scope, const ir::Expr& expr, ir::TypeId wanted) {
-    const ExprPtr result = Translator(project, scope).as_type(expr, wanted);
+ExprPtr expression_as(const Project& project, const Scope& scope, const ir::Expr& expr, ir::TypeId type) {
+    const ExprPtr result = Translator(project, scope).as_type(expr, type);
     return scope.placed ? with_place(result, expr.span) : result;
 }
 

@@ -24,7 +24,7 @@ struct Scope {
 /// Translates the expression; constructs that CSP cannot express are reported by name (RC-C01).
 [[nodiscard]] cspm::ExprPtr translate_expression(const Project&, const Scope&, const ir::Expr&);
 /// The expression converted to another numeric type: integers become reals in units of 1/scale.
-[[nodiscard]] cspm::ExprPtr expression_as(const Project&, const Scope&, const ir::Expr&, ir::TypeId wanted);
+[[nodiscard]] cspm::ExprPtr expression_as(const Project&, const Scope&, const ir::Expr&, ir::TypeId type);
 /// The value of an event, converted to the type of the variable that receives it. If the scale is not 1, a variable of
 /// whole numbers cannot receive a real, and the reception is rejected by name (RC-C01).
 [[nodiscard]] cspm::ExprPtr received_as(const Project&, const cspm::ExprPtr& value, ir::TypeId event,

@@ -15,7 +15,7 @@ public:
     Translator(const Project& project, const Scope& scope) : project_(project), scope_(scope) {}
 
     cspm::ExprPtr translate(const ir::Expr& expr) const;
-    cspm::ExprPtr as_type(const ir::Expr& expr, ir::TypeId wanted) const;
+    cspm::ExprPtr as_type(const ir::Expr& expr, ir::TypeId type) const;
     cspm::build::Exprs preconditions(const ir::Expr& expr) const;
     /// Returns `whole` with the part at `path[from..]` replaced by `value`.
     cspm::ExprPtr replace_part(ir::TypeId type, const cspm::ExprPtr& whole, const cspm::build::Exprs& path,

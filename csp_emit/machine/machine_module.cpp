@@ -59,7 +59,7 @@ Candidates parameter_candidates(const MachineTables& tables) {
             result.ticking[cell.name] = b::call("clock_step", {b::name(cell.name), cell.limit});
     }
     if (tables.project().options.whole_states) {
-        for (const CellId cell : tables.frames.root_frame().variables) result.kept.push_back(tables.cells[cell].name);
+        for (const CellId cell : tables.frames.root_frame().variables) result.fixed.push_back(tables.cells[cell].name);
         result.read = weights_read(tables);
     }
     tables.sharing.describe_stack(result);

@@ -56,15 +56,22 @@ void DefinitionMeanings::add_parameters(const Function& function, DefinitionMean
         const Cell* cell = id ? &tables_.cells[*id] : nullptr;
         const auto constant =
             std::ranges::find_if(constants, [&](const ConstantParameter& c) { return c.inside == parameter; });
-        const bool known = cell == nullptr && constant != constants.end();
-        const bool watching = id && tables_.watch.reset_cell() == id;
-        meaning.parameters.push_back(cell != nullptr ? cell->meaning : known ? constant->constant : "");
-        meaning.types.push_back(cell != nullptr ? cell->type : known ? constant->type : ir::TypeId{});
+        std::string name;
+        ir::TypeId type;
+        ParameterKind kind = ParameterKind::temporary;
+        if (cell != nullptr) {
+            name = cell->meaning;
+            type = cell->type;
+            if (tables_.watch.reset_cell() != id) kind = kind_of(cell->kind);
+        } else if (constant != constants.end()) {
+            name = constant->constant;
+            type = constant->type;
+            kind = ParameterKind::constant;
+        }
+        meaning.parameters.push_back(std::move(name));
+        meaning.types.push_back(type);
         meaning.deadlines.push_back(cell != nullptr ? cell->deadline : ir::Origin{});
-        meaning.kinds.push_back(watching          ? ParameterKind::temporary
-                                : cell != nullptr ? kind_of(cell->kind)
-                                : known           ? ParameterKind::constant
-                                                  : ParameterKind::temporary);
+        meaning.kinds.push_back(kind);
     }
 }
 

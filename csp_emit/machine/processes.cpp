@@ -80,8 +80,9 @@ std::vector<Function> Processes::make_functions() {
         if (functions.size() < points.size()) {
             const Point point = points[functions.size()];  // a copy, because others are added while its body is made
             // if there are too many points, no bodies are made
-            const bool wanted = !point.returns && !tables_.points.has_overflowed();
-            functions.push_back({point.name, {}, wanted ? body_of(point.config) : point.returns ? nullptr : b::stop()});
+            ExprPtr body;
+            if (!point.returns) body = tables_.points.has_overflowed() ? b::stop() : body_of(point.config);
+            functions.push_back({point.name, {}, body});
         } else {
             const Continuation continuation = continuations[behind_calls.size()];
             behind_calls.push_back({continuation.name, {}, body_after_call(continuation)});

@@ -83,7 +83,7 @@ private:
 
     ExprPtr named_set(const ExprPtr& events) {
         const auto same =
-            std::ranges::find_if(known_, [&](const NamedSet& each) { return cspm::equal(each.events, events); });
+            std::ranges::find_if(known_, [&](const NamedSet& known) { return cspm::equal(known.events, events); });
         if (same != known_.end()) return b::name(same->name);
         known_.push_back({names_.unique_name("alike__"), events});
         return b::name(known_.back().name);

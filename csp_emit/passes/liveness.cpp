@@ -45,7 +45,7 @@ private:
     void names_in(const Expr& expr, std::set<std::size_t>& result) const;
     Names names_in(const Expr& expr) const;
     const Expr* ticking_value(std::size_t parameter) const;
-    const Names& passed_names(const Call& call, std::size_t parameter, Names& kept) const;
+    const Names& passed_names(const Call& call, std::size_t parameter, Names& storage) const;
     void mark_live(Live& live, std::size_t function, const Names& names);
     void spread_liveness();
     void spread_liveness(const Call& call, std::size_t parameter);
@@ -81,7 +81,7 @@ Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, c
         number_.emplace(name, number_.size());
         read_.push_back(b::name(name));
     }
-    for (const std::string& name : candidates.kept)
+    for (const std::string& name : candidates.fixed)
         for (std::size_t i = 0; i < functions.size(); ++i) used_[i].push_back(number_.at(name));
     for (std::size_t i = 0; i < candidates.read.size(); ++i)
         for (const std::string& name : candidates.read[i]) used_[i].push_back(number_.at(name));
@@ -142,11 +142,11 @@ const Expr* Family::ticking_value(std::size_t parameter) const {
 }
 
 /// The parameters that the caller must have in order to pass this parameter.
-const Names& Family::passed_names(const Call& call, std::size_t parameter, Names& kept) const {
+const Names& Family::passed_names(const Call& call, std::size_t parameter, Names& storage) const {
     if (const auto found = call.given.find(parameter); found != call.given.end()) return found->second;
     const Expr* counting = call.after_tock ? ticking_value(parameter) : nullptr;
-    kept = counting != nullptr ? names_in(*counting) : Names{parameter};
-    return kept;
+    storage = counting != nullptr ? names_in(*counting) : Names{parameter};
+    return storage;
 }
 
 void Family::mark_live(Live& live, std::size_t function, const Names& names) {
@@ -176,8 +176,8 @@ void Family::spread_liveness(const Call& call, std::size_t parameter) {
     bool within = !returns && within_[call.target].count(parameter) != 0;
     for (const std::size_t function : call.behind) within = within || within_[function].count(parameter) != 0;
     if (!within && !is_needed(call, parameter)) return;
-    Names kept;
-    const Names& names = passed_names(call, parameter, kept);
+    Names storage;
+    const Names& names = passed_names(call, parameter, storage);
     mark_live(live_, call.caller, names);
     // The caller evaluates an expression for a changed parameter before the operation returns, even if the parameter is
     // read only later.

@@ -92,7 +92,7 @@ private:
 struct Candidates {
     std::vector<std::string> names;                ///< in the order in which they become parameters
     std::map<std::string, cspm::ExprPtr> ticking;  ///< the value after a tock of each parameter that counts time
-    std::vector<std::string> kept;  ///< parameters that every function has, even if the function does not read them
+    std::vector<std::string> fixed;  ///< parameters that every function has, even if the function does not read them
     std::vector<std::vector<std::string>> read;  ///< by function: parameters that it needs although its body does not
                                                  ///< read them; may be shorter than the family
     std::string returns;                         ///< the parameter that holds return addresses; may be empty

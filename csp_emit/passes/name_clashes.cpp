@@ -49,8 +49,8 @@ public:
         for (const FileBlocks& file : files) {
             UserNames given = user_names(file.instantiations);
             UserNames own = user_names(file.others);
-            for (const auto* each : {&given.constructors, &own.constructors})
-                constructors.insert(each->begin(), each->end());
+            for (const auto* declared : {&given.constructors, &own.constructors})
+                constructors.insert(declared->begin(), declared->end());
             for (const std::string& name : own.all) ++files_that_declare_[name];
             given_.merge(given.all);
             modules_.merge(given.modules);
@@ -104,10 +104,10 @@ public:
     /// Visits the declarations at the top of the script. Predefined names are forbidden there; the names of the library
     /// are declared there.
     void visit_top(const std::vector<DeclPtr>& decls) {
-        for (const DeclPtr& each : decls) {
-            for (const std::string& name : names_of(*each))
+        for (const DeclPtr& decl : decls) {
+            for (const std::string& name : names_of(*decl))
                 if (is_predefined(name)) found.insert(name);
-            visit_declaration(*each);
+            visit_declaration(*decl);
         }
     }
 
@@ -162,37 +162,37 @@ private:
         Around around(around_);
         around.add_names(decl.parameters);
         for (const auto* parts : {&decl.decls, &decl.exports})
-            for (const DeclPtr& each : *parts)
-                if (decl.kind == DeclKind::module) around.add_names(names_of(*each));
+            for (const DeclPtr& part : *parts)
+                if (decl.kind == DeclKind::module) around.add_names(names_of(*part));
         for (const auto& group : decl.patterns)
             for (const auto& pattern : group) around.add_names(pattern);
         for (const auto* parts : {&decl.decls, &decl.exports})
-            for (const DeclPtr& each : *parts) this->visit_declaration(*each);
+            for (const DeclPtr& part : *parts) this->visit_declaration(*part);
         visit_expression(decl.body);
-        for (const cspm::Constructor& each : decl.constructors) visit_expression(each.fields);
-        for (const cspm::ExprPtr& each : decl.arguments) visit_expression(each);
+        for (const cspm::Constructor& constructor : decl.constructors) visit_expression(constructor.fields);
+        for (const cspm::ExprPtr& argument : decl.arguments) visit_expression(argument);
     }
 
     void visit_expression(const cspm::ExprPtr& expr) {
         if (!expr) return;
         Around around(around_);
-        for (const cspm::Field& each : expr->fields) around.add_names(each.pattern);
-        for (const cspm::Clause& each : expr->clauses) around.add_names(each.pattern);
-        for (const cspm::PatternPtr& each : expr->patterns) around.add_names(each);
-        for (const DeclPtr& each : expr->decls) around.add_names(names_of(*each));
+        for (const cspm::Field& field : expr->fields) around.add_names(field.pattern);
+        for (const cspm::Clause& clause : expr->clauses) around.add_names(clause.pattern);
+        for (const cspm::PatternPtr& pattern : expr->patterns) around.add_names(pattern);
+        for (const DeclPtr& decl : expr->decls) around.add_names(names_of(*decl));
         if (expr->kind == cspm::ExprKind::apply && expr->args.front()->kind == cspm::ExprKind::name &&
             around_.contains(expr->args.front()->text))
             found.insert(expr->args.front()->text);
         if (expr->kind == cspm::ExprKind::name && around_.contains(expr->text) && is_value(expr->text))
             found.insert(expr->text);
-        for (const cspm::ExprPtr& each : expr->args) this->visit_expression(each);
-        for (const cspm::Field& each : expr->fields) this->visit_expression(each.value);
-        for (const cspm::Clause& each : expr->clauses) this->visit_expression(each.value);
-        for (const cspm::Link& each : expr->links) {
-            this->visit_expression(each.from);
-            this->visit_expression(each.to);
+        for (const cspm::ExprPtr& argument : expr->args) this->visit_expression(argument);
+        for (const cspm::Field& field : expr->fields) this->visit_expression(field.value);
+        for (const cspm::Clause& clause : expr->clauses) this->visit_expression(clause.value);
+        for (const cspm::Link& link : expr->links) {
+            this->visit_expression(link.from);
+            this->visit_expression(link.to);
         }
-        for (const DeclPtr& each : expr->decls) visit_declaration(*each);
+        for (const DeclPtr& decl : expr->decls) visit_declaration(*decl);
     }
 
     std::multiset<std::string> around_;  ///< predefined and library names that surrounding declarations or bindings

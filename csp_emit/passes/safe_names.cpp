@@ -102,11 +102,11 @@ struct NewNames {
     NamesForBlocks for_blocks;
 
     [[nodiscard]] bool empty() const {
-        const auto kept = [](const std::string& name) { return name.empty(); };
-        const auto all_kept = [](const auto& names) { return names.empty(); };
-        return std::ranges::all_of(labels, all_kept) && all.empty() && states.empty() && operations.empty() &&
-               std::ranges::all_of(types, kept) && std::ranges::all_of(functions, kept) &&
-               std::ranges::all_of(machines, kept);
+        const auto unchanged = [](const std::string& name) { return name.empty(); };
+        const auto all_unchanged = [](const auto& names) { return names.empty(); };
+        return std::ranges::all_of(labels, all_unchanged) && all.empty() && states.empty() && operations.empty() &&
+               std::ranges::all_of(types, unchanged) && std::ranges::all_of(functions, unchanged) &&
+               std::ranges::all_of(machines, unchanged);
     }
 };
 
@@ -269,7 +269,12 @@ private:
         visit_elements(system, [&](Bearer bearer, const std::string& name, bool top, diagnostics::Span) {
             const auto found = names_.all.find(name);
             if (bearer == Bearer::operation || found == names_.all.end()) return;
-            (top ? recorded.first : bearer == Bearer::event ? recorded.last : recorded.inside).insert(*found);
+            if (top)
+                recorded.first.insert(*found);
+            else if (bearer == Bearer::event)
+                recorded.last.insert(*found);
+            else
+                recorded.inside.insert(*found);
         });
         for (const auto& [before, after] : names_.states) recorded.inside[before] = after;
         for (auto* parts : {&recorded.first, &recorded.inside})

@@ -130,8 +130,8 @@ b::Exprs shared_events(const Remembered& variable) {
 Evaluations::Evaluations(const std::vector<Function>& functions, const std::set<std::string>& parameters)
     : functions_(functions), parameters_(parameters), index_(index_of(functions)), uses_(functions.size()) {
     for (const Function& function : functions) {
-        std::vector<bool>& asked = asked_.emplace_back();
-        for (const std::string& parameter : function.parameters) asked.push_back(parameters.count(parameter) != 0);
+        std::vector<bool>& selected = selected_.emplace_back();
+        for (const std::string& parameter : function.parameters) selected.push_back(parameters.count(parameter) != 0);
     }
     for (std::size_t i = 0; i < functions.size(); ++i) survey_expression(*functions[i].body, uses_[i]);
 }
@@ -150,7 +150,7 @@ void Evaluations::survey_expression(const Expr& expr, Use& use) const {
 void Evaluations::survey_call(const Expr& expr, std::size_t target, Use& use) const {
     for (std::size_t i = 1; i < expr.args.size(); ++i) {
         const std::string& parameter = functions_[target].parameters[i - 1];
-        if (asked_[target][i - 1] && passes_on(*expr.args[i], parameter)) continue;
+        if (selected_[target][i - 1] && passes_on(*expr.args[i], parameter)) continue;
         Changed changed{target, parameter, {}};
         collect_mentions(*expr.args[i], changed.names);
         if (!changed.names.empty()) use.changed.push_back(std::move(changed));

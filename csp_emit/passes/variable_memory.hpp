@@ -56,7 +56,7 @@ private:
     const std::vector<Function>& functions_;
     const std::set<std::string>& parameters_;
     FamilyIndex index_;
-    std::vector<std::vector<bool>> asked_;  ///< for each function and each of its parameters: is it in `parameters_`?
+    std::vector<std::vector<bool>> selected_;  ///< for each function and parameter of it: is it in `parameters_`?
     std::vector<Use> uses_;
 };
 

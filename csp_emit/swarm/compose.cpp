@@ -48,11 +48,11 @@ std::map<std::string, Port> ports_of(const Provenance& provenance, const std::st
 /// The component that a name in a swarm denotes: "P::M", or "M" if it is unique.
 const ComponentProcesses* component_named(const Emission& emission, const std::string& name) {
     const ComponentProcesses* found = nullptr;
-    for (const ComponentProcesses& each : emission.components) {
-        if (each.path == name) return &each;
-        if (!each.path.ends_with("::" + name)) continue;
+    for (const ComponentProcesses& component : emission.components) {
+        if (component.path == name) return &component;
+        if (!component.path.ends_with("::" + name)) continue;
         if (found != nullptr) return nullptr;
-        found = &each;
+        found = &component;
     }
     return found;
 }
@@ -74,7 +74,7 @@ public:
         component_ = component_named(emission_, swarm_.component.text);
         if (component_ == nullptr) {
             std::vector<std::string> known;
-            for (const ComponentProcesses& each : emission_.components) known.push_back(each.path);
+            for (const ComponentProcesses& component : emission_.components) known.push_back(component.path);
             report_unknown("the model", "component", swarm_.component, known);
             return "";
         }
@@ -123,7 +123,7 @@ private:
     const Port* find_port(const Word& word, const std::string& ending, const char* what) {
         if (const auto found = ports_.find(word.text + ending); found != ports_.end()) return &found->second;
         std::vector<std::string> known;
-        for (const auto& [name, each] : ports_)
+        for (const auto& [name, port] : ports_)
             if (name.ends_with(ending)) known.push_back(name.substr(0, name.size() - ending.size()));
         report_unknown(swarm_.component.text, what, word, known);
         return nullptr;
@@ -135,8 +135,8 @@ private:
         const Port* const call = find_port(word, "Call", "operation");
         if (call == nullptr) return "";
         const std::string channel = fmt::format("operation_{}", operations_.size() + 1);
-        const bool turns = std::ranges::any_of(swarm_.drives, [&](const SwarmDrive& each) {
-            return each.motion == SwarmMotion::turn && each.operation.text == word.text;
+        const bool turns = std::ranges::any_of(swarm_.drives, [&](const SwarmDrive& drive) {
+            return drive.motion == SwarmMotion::turn && drive.operation.text == word.text;
         });
         channels_ += fmt::format("channel {} : Robots{}\n", channel, turns ? ".Headings" : "");
         const std::int64_t scale = turns ? scale_of(*call) : 1;
@@ -195,8 +195,8 @@ private:
         own_.push_back(channel);
         if (near && swarm_.grid) sensed_.push_back({channel, feed.distance});
         if (!feed.on) return;
-        const std::string asked = operation_channel(*feed.on);
-        if (!asked.empty()) answers_.push_back({asked, channel});
+        const std::string request = operation_channel(*feed.on);
+        if (!request.empty()) answers_.push_back({request, channel});
     }
     void add_sensing(const SwarmFeed& feed, const Port& event, const std::string& channel) {
         channels_ += fmt::format("channel {} : Robots.Set(Robots)\n", channel);
@@ -266,37 +266,37 @@ private:
     /// The constants that the component's process takes as parameters, by their names in the model.
     [[nodiscard]] std::vector<ir::NamedConstant> parameter_constants() const {
         std::set<std::string> arguments;
-        for (const cspm::ExprPtr& each : component_->compressed->args)
-            if (each->kind == cspm::ExprKind::name) arguments.insert(each->text);
+        for (const cspm::ExprPtr& argument : component_->compressed->args)
+            if (argument->kind == cspm::ExprKind::name) arguments.insert(argument->text);
         std::vector<ir::NamedConstant> result = ir::named_constants(system_);
-        std::erase_if(result, [&](const ir::NamedConstant& each) { return !arguments.contains(each.name); });
+        std::erase_if(result, [&](const ir::NamedConstant& constant) { return !arguments.contains(constant.name); });
         return result;
     }
     /// Sets the constant to the robot's number in the arguments of the process.
     void set_robot_number(const SwarmConstant& constant) {
-        const std::string& wanted = constant.name.text;
+        const std::string& name = constant.name.text;
         const std::vector<ir::NamedConstant> all = parameter_constants();
         std::vector<ir::NamedConstant> meant;
         std::vector<std::string> known;
-        for (const ir::NamedConstant& each : all) {
-            if (ir::is_named_by(each.path, wanted)) meant.push_back(each);
-            if (!each.has_value) known.push_back(each.path.substr(each.path.rfind(':') + 1));
+        for (const ir::NamedConstant& candidate : all) {
+            if (ir::is_named_by(candidate.path, name)) meant.push_back(candidate);
+            if (!candidate.has_value) known.push_back(candidate.path.substr(candidate.path.rfind(':') + 1));
         }
         if (meant.empty()) return report_unknown(swarm_.component.text, "constant that is open", constant.name, known);
         if (meant.size() > 1) {
             std::vector<std::string> paths;
-            for (const ir::NamedConstant& each : meant) paths.push_back(each.path);
-            return report_unfit(constant.name, fmt::format("'{}' may be any of {}: write a longer path", wanted,
-                                                           fmt::join(paths, ", ")));
+            for (const ir::NamedConstant& candidate : meant) paths.push_back(candidate.path);
+            return report_unfit(
+                constant.name, fmt::format("'{}' may be any of {}: write a longer path", name, fmt::join(paths, ", ")));
         }
         if (meant.front().has_value)
-            return report_unfit(constant.name, fmt::format("the model gives '{}' a value", wanted));
+            return report_unfit(constant.name, fmt::format("the model gives '{}' a value", name));
         const std::string value = own_number(meant.front().type);
         if (value.empty())
             return report_unfit(constant.name,
                                 fmt::format("'{}' is of a type that has no numbers from 0 to {}: give it more "
                                             "values with `range`, or with --range",
-                                            wanted, swarm_.robots - 1));
+                                            name, swarm_.robots - 1));
         numbered_[meant.front().name] = value;
     }
     /// The number of robot i__ as a value of this type; "" if the type does not have a value for each robot.
@@ -334,9 +334,10 @@ private:
         std::vector<std::string> arguments;
         const cspm::Expr& call = *component_->compressed;
         std::string function;
-        for (const cspm::ExprPtr& each : call.args) {
-            const auto numbered = each->kind == cspm::ExprKind::name ? numbered_.find(each->text) : numbered_.end();
-            const std::string text = numbered != numbered_.end() ? numbered->second : cspm::print(each);
+        for (const cspm::ExprPtr& argument : call.args) {
+            const auto numbered =
+                argument->kind == cspm::ExprKind::name ? numbered_.find(argument->text) : numbered_.end();
+            const std::string text = numbered != numbered_.end() ? numbered->second : cspm::print(argument);
             if (function.empty())
                 function = text;
             else
@@ -350,7 +351,7 @@ private:
     }
     static std::vector<std::string> of_robot(const std::vector<std::string>& channels, const char* robot) {
         std::vector<std::string> result;
-        for (const std::string& each : channels) result.push_back(each + "." + robot);
+        for (const std::string& channel : channels) result.push_back(channel + "." + robot);
         return result;
     }
 
@@ -368,7 +369,7 @@ private:
         for (std::size_t k = 0; k < swarm_.claims.size(); ++k)
             if (swarm_.claims[k].question != SwarmQuestion::deadlock_free)
                 observations_.emplace_back(swarm_.claims[k].condition, fmt::format("observe_{}", k + 1));
-        for (const Observation& each : observations_) text += each.channel_declaration();
+        for (const Observation& observation : observations_) text += observation.channel_declaration();
         text += world_text();
         text += processes_text();
         return text + "endmodule\n";
@@ -388,14 +389,14 @@ private:
         alphabet.push_back("acts.i__");
         if (timed_) alphabet.push_back("tock");
         std::string events = productions_of(alphabet);
-        for (const Sensed& each : messages_)
+        for (const Sensed& message : messages_)
             events = fmt::format(
                 "union({0}, union({{| {1}.i__ |}}, {{| {1}.j__.s__ | j__ <- others(i__), s__ <- Set(others(j__)), "
                 "member(i__,s__) |}}))",
-                events, each.channel);
+                events, message.channel);
         // in the timed semantics these events are not hidden, because the observer of activity needs them
         std::vector<std::string> own{"acts.i__"};
-        for (const std::string& each : lazy_) own.push_back(each + ".i__");
+        for (const std::string& channel : lazy_) own.push_back(channel + ".i__");
         return fmt::format("Robot(i__) = dbisim((({}{}){}){})\nAllRobots = || i__ : Robots @ [ {} ] Robot(i__)\n",
                            robot_process(), blocked_, renamings_, timed_ ? std::string() : " \\ " + productions_of(own),
                            events);
@@ -419,17 +420,17 @@ private:
                 parts.push_back({fmt::format("Way({},{})", place_of(0).x, place_of(0).y), way_alphabet()});
         }
         for (std::size_t k = 0; k < answers_.size(); ++k) {
-            const auto& [asked, answer] = answers_[k];
+            const auto& [request, answer] = answers_[k];
             text += fmt::format(
                 "Asked_{0}(i__) = {1} -> Answer_{0}(i__)\n"
                 "Answer_{0}(i__) = {2} -> Asked_{0}(i__) [] {1} -> Answer_{0}(i__)\n",
-                k + 1, asked + ".i__" + input_pattern(asked), answer_event(answer));
+                k + 1, request + ".i__" + input_pattern(request), answer_event(answer));
             parts.push_back(
-                {fmt::format("(||| i__ : Robots @ Asked_{}(i__))", k + 1), productions_of({asked, answer})});
+                {fmt::format("(||| i__ : Robots @ Asked_{}(i__))", k + 1), productions_of({request, answer})});
         }
         // A single robot has no receivers, so its messages are blocked.
         if (swarm_.robots == 1)
-            for (const Sensed& each : messages_) parts.push_back({"STOP", productions_of({each.channel})});
+            for (const Sensed& message : messages_) parts.push_back({"STOP", productions_of({message.channel})});
         if (parts.empty()) return text + "World = SKIP\nshared = {}\n";
         std::string together = parts.front().process;
         std::string alphabet = parts.front().alphabet;
@@ -450,13 +451,14 @@ private:
         return channel + ".i__" + (set ? "?s__" : "");
     }
     [[nodiscard]] std::vector<std::string> with_observations(std::vector<std::string> channels) const {
-        for (const Observation& each : observations_) channels.push_back(each.channel());
+        for (const Observation& observation : observations_) channels.push_back(observation.channel());
         return channels;
     }
 
     [[nodiscard]] bool observes_away() const {
-        return std::ranges::any_of(observations_,
-                                   [](const Observation& each) { return each.has_atom(SwarmCondition::Kind::away); });
+        return std::ranges::any_of(observations_, [](const Observation& observation) {
+            return observation.has_atom(SwarmCondition::Kind::away);
+        });
     }
 
     [[nodiscard]] std::vector<std::string> driving_channels() const {
@@ -471,17 +473,17 @@ private:
     }
     [[nodiscard]] std::string pairs_alphabet() const {
         std::vector<std::string> channels{"go"};
-        for (const Sensed& each : sensed_) channels.push_back(each.channel);
-        for (const Sensed& each : messages_)
-            if (each.distance > 0) channels.push_back(each.channel);
-        for (const Observation& each : observations_)
-            if (each.asks_pairs()) channels.push_back(each.channel());
+        for (const Sensed& sensed : sensed_) channels.push_back(sensed.channel);
+        for (const Sensed& message : messages_)
+            if (message.distance > 0) channels.push_back(message.channel);
+        for (const Observation& observation : observations_)
+            if (observation.asks_pairs()) channels.push_back(observation.channel());
         return productions_of(channels);
     }
     [[nodiscard]] std::vector<std::string> phase_channels() const {
         std::vector<std::string> channels = driving_channels();
-        for (const Sensed& each : sensed_) channels.push_back(each.channel);
-        for (const Sensed& each : messages_) channels.push_back(each.channel);
+        for (const Sensed& sensed : sensed_) channels.push_back(sensed.channel);
+        for (const Sensed& message : messages_) channels.push_back(message.channel);
         return with_observations(channels);
     }
     [[nodiscard]] std::string phase_alphabet() const {
@@ -491,8 +493,8 @@ private:
     }
     [[nodiscard]] std::string way_alphabet() const {
         std::vector<std::string> channels{"go.0"};
-        for (const Observation& each : observations_)
-            if (each.has_atom(SwarmCondition::Kind::away)) channels.push_back(each.channel());
+        for (const Observation& observation : observations_)
+            if (observation.has_atom(SwarmCondition::Kind::away)) channels.push_back(observation.channel());
         return productions_of(channels);
     }
 
@@ -556,30 +558,31 @@ private:
             "go.i__?h__ -> Pair(i__,j__,column(x__-chosen(along_x,h__)),row(y__-chosen(along_y,h__)))\n"
             "[] go.j__?h__ -> Pair(i__,j__,column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
         std::vector<std::string> alphabet{"go.i__", "go.j__"};
-        for (const Sensed& each : sensed_)
+        for (const Sensed& sensed : sensed_)
             for (const auto& [robot, other] : {std::pair{"i__", "j__"}, std::pair{"j__", "i__"}}) {
                 text += fmt::format(
                     "[] {0}.{1}?s__:{{s__ | s__ <- Set(others({1})), member({2},s__) == near(x__,y__,{3})}} -> "
                     "Pair(i__,j__,x__,y__)\n",
-                    each.channel, robot, other, each.distance);
-                alphabet.push_back(each.channel + "." + robot);
+                    sensed.channel, robot, other, sensed.distance);
+                alphabet.push_back(sensed.channel + "." + robot);
             }
-        for (const Sensed& each : messages_) {
-            if (each.distance == 0) continue;
-            const std::string value =
-                channels_.find("channel " + each.channel + " : Robots.Set(Robots).") != std::string::npos ? "?v__" : "";
+        for (const Sensed& message : messages_) {
+            if (message.distance == 0) continue;
+            const bool carries =
+                channels_.find("channel " + message.channel + " : Robots.Set(Robots).") != std::string::npos;
+            const std::string value = carries ? "?v__" : "";
             for (const auto& [robot, other] : {std::pair{"i__", "j__"}, std::pair{"j__", "i__"}}) {
                 text += fmt::format(
                     "[] {0}.{1}?s__:{{s__ | s__ <- Set(others({1})), not member({2},s__) or near(x__,y__,{3})}}{4} -> "
                     "Pair(i__,j__,x__,y__)\n",
-                    each.channel, robot, other, each.distance, value);
-                alphabet.push_back(each.channel + "." + robot);
+                    message.channel, robot, other, message.distance, value);
+                alphabet.push_back(message.channel + "." + robot);
             }
         }
-        for (const Observation& each : observations_) {
-            if (!each.asks_pairs()) continue;
-            text += "[] " + each.seen_by_pair() + " -> Pair(i__,j__,x__,y__)\n";
-            alphabet.push_back(each.channel());
+        for (const Observation& observation : observations_) {
+            if (!observation.asks_pairs()) continue;
+            text += "[] " + observation.seen_by_pair() + " -> Pair(i__,j__,x__,y__)\n";
+            alphabet.push_back(observation.channel());
         }
         text += fmt::format("pair_events(i__,j__) = {}\n", productions_of(alphabet));
         std::string together;
@@ -611,23 +614,24 @@ private:
         std::string text =
             "Way(x__,y__) = go.0?h__ -> Way(column(x__+chosen(along_x,h__)),row(y__+chosen(along_y,h__)))\n";
         const SwarmPlace from = place_of(0);
-        for (const Observation& each : observations_)
-            if (each.has_atom(SwarmCondition::Kind::away))
-                text += "[] " + each.seen_on_way(from.x, from.y) + " -> Way(x__,y__)\n";
+        for (const Observation& observation : observations_)
+            if (observation.has_atom(SwarmCondition::Kind::away))
+                text += "[] " + observation.seen_on_way(from.x, from.y) + " -> Way(x__,y__)\n";
         return text;
     }
 
     [[nodiscard]] std::string processes_text() const {
         std::vector<std::string> hidden = own_;
-        std::erase_if(hidden, [&](const std::string& each) { return std::ranges::find(lazy_, each) != lazy_.end(); });
-        for (const Sensed& each : messages_) hidden.push_back(each.channel);
+        std::erase_if(hidden,
+                      [&](const std::string& channel) { return std::ranges::find(lazy_, channel) != lazy_.end(); });
+        for (const Sensed& message : messages_) hidden.push_back(message.channel);
         std::vector<std::string> moves;
         if (swarm_.grid) moves = {"go", "stay"};
         std::string text = "Together = AllRobots [| shared |] World\n";
-        const auto without = [&](const std::string& kept) {
+        const auto without = [&](const std::string& allowed_channel) {
             std::vector<std::string> others;
-            for (const Observation& each : observations_)
-                if (each.channel() != kept) others.push_back(each.channel());
+            for (const Observation& observation : observations_)
+                if (observation.channel() != allowed_channel) others.push_back(observation.channel());
             return others.empty() ? std::string("Together")
                                   : fmt::format("(Together [| {} |] STOP)", productions_of(others));
         };
@@ -640,10 +644,10 @@ private:
         if (timed_)
             text += fmt::format("Alone = prioritise({} \\ {}, <{{}}, {{tock}}>)\nPassing = Alone \\ {}\n", without(""),
                                 productions_of(hidden), productions_of(lazy_));
-        for (const Observation& each : observations_) {
-            text += fmt::format("Seen_{0} = prioritise({1} \\ {2}, <{{}}, {{tock}}>) \\ {3}\n", each.channel(),
-                                without(each.channel()), productions_of(hidden), productions_of(lazy_));
-            text += each.define_meaning();
+        for (const Observation& observation : observations_) {
+            text += fmt::format("Seen_{0} = prioritise({1} \\ {2}, <{{}}, {{tock}}>) \\ {3}\n", observation.channel(),
+                                without(observation.channel()), productions_of(hidden), productions_of(lazy_));
+            text += observation.define_meaning();
         }
         return text;
     }
@@ -781,14 +785,14 @@ void make_swarm(Emission& emission, const Swarm& swarm, Time time, const ir::Sys
     const auto read = [&](const std::string& name, const std::string& text, const std::string& title = "") {
         cspm::Script script = cspm::read(sources, sources.add(name, text), diagnostics);
         if (!title.empty())
-            for (cspm::DeclPtr& each : script.decls) each = with_title(each, title);
+            for (cspm::DeclPtr& decl : script.decls) decl = with_title(decl, title);
         emission.script.decls.insert(emission.script.decls.end(), script.decls.begin(), script.decls.end());
         return script.decls;
     };
     (void)read("the swarm's CSP", module);
     const bool premise = time == Time::timed && std::ranges::any_of(swarm.claims, has_premise);
     const bool waits =
-        std::ranges::any_of(swarm.feeds, [](const SwarmFeed& each) { return each.reading == SwarmReading::any; });
+        std::ranges::any_of(swarm.feeds, [](const SwarmFeed& feed) { return feed.reading == SwarmReading::any; });
     std::shared_ptr<const Premise> passing;
     if (premise)
         passing = time_can_pass(waits ? read("the swarm's time",

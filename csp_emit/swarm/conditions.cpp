@@ -22,12 +22,12 @@ void Observation::collect_atoms(const SwarmCondition& condition) {
 
 std::size_t Observation::atom_index(const SwarmCondition& condition) const {
     const auto found = std::ranges::find_if(
-        atoms_, [&](const Atom& each) { return each.kind == condition.kind && each.distance == condition.distance; });
+        atoms_, [&](const Atom& atom) { return atom.kind == condition.kind && atom.distance == condition.distance; });
     return static_cast<std::size_t>(found - atoms_.begin());
 }
 
 bool Observation::has_atom(Kind kind) const {
-    return std::ranges::any_of(atoms_, [&](const Atom& each) { return each.kind == kind; });
+    return std::ranges::any_of(atoms_, [&](const Atom& atom) { return atom.kind == kind; });
 }
 
 bool Observation::asks_pairs() const {
@@ -36,8 +36,8 @@ bool Observation::asks_pairs() const {
 
 std::string Observation::channel_declaration() const {
     std::string fields;
-    for (const Atom& each : atoms_)
-        fields += fmt::format("{}{}", fields.empty() ? "" : ".", each.kind == Kind::away ? "Bool" : "Set(Pairs)");
+    for (const Atom& atom : atoms_)
+        fields += fmt::format("{}{}", fields.empty() ? "" : ".", atom.kind == Kind::away ? "Bool" : "Set(Pairs)");
     return fmt::format("channel {} : {}\n", channel_, fields);
 }
 

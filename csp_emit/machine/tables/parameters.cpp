@@ -23,10 +23,11 @@ CellId ParameterTable::of_statement(std::uint32_t frame, const ir::Stmt& stmt, s
     Cell cell;
     cell.kind = kind;
     cell.name = name;
-    cell.meaning = kind == CellKind::waiting    ? "wait left"
-                   : kind == CellKind::deadline ? "deadline left"
-                                                : "value read";
-    if (kind == CellKind::deadline) cell.deadline = stmt.origin;
+    cell.meaning = kind == CellKind::waiting ? "wait left" : "value read";
+    if (kind == CellKind::deadline) {
+        cell.meaning = "deadline left";
+        cell.deadline = stmt.origin;
+    }
     return of_statements_[key] = add_cell(std::move(cell));
 }
 
