@@ -28,7 +28,7 @@ public:
         model_.kind = file_.kind;
         model_.formulas = expand_formulas(file_.formulas, formulas_, diagnostics_);
         expand_declarations();
-        for (const Module& each : file_.modules) add_module(each);
+        for (const Module& module : file_.modules) add_module(module);
         collect_variables();
         declare();
         if (diagnostics_.error_count() == errors) check();
@@ -51,31 +51,31 @@ private:
 
     void expand_declarations() {
         model_.constants = file_.constants;
-        for (Constant& each : model_.constants) each.value = expand_if_manageable(each.value);
+        for (Constant& constant : model_.constants) constant.value = expand_if_manageable(constant.value);
         model_.labels = file_.labels;
-        for (Definition& each : model_.labels) each.body = expand_if_manageable(each.body);
+        for (Definition& label : model_.labels) label.body = expand_if_manageable(label.body);
         model_.rewards = file_.rewards;
-        for (RewardStructure& each : model_.rewards)
-            for (RewardItem& item : each.items) {
+        for (RewardStructure& structure : model_.rewards)
+            for (RewardItem& item : structure.items) {
                 item.guard = expand_if_manageable(item.guard);
                 item.value = expand_if_manageable(item.value);
             }
         model_.variables = file_.globals;
-        for (Variable& each : model_.variables) expand_variable(each);
+        for (Variable& variable : model_.variables) expand_variable(variable);
         model_.initial = expand_if_manageable(file_.initial);
     }
 
     void add_module(const Module& written) {
         if (written.base.text.empty()) {
             Module module = written;
-            for (Variable& each : module.variables) expand_variable(each);
-            for (Command& each : module.commands) expand_command(each);
+            for (Variable& variable : module.variables) expand_variable(variable);
+            for (Command& command : module.commands) expand_command(command);
             model_.modules.push_back(std::move(module));
             return;
         }
         // The base may be declared before or after the renamed module. A base that is itself renamed must be declared
         // before.
-        const auto named = [&](const Module& each) { return each.name.text == written.base.text; };
+        const auto named = [&](const Module& module) { return module.name.text == written.base.text; };
         const auto above = std::ranges::find_if(model_.modules, named);
         if (above != model_.modules.end()) return add_renamed(written, *above);
         const auto below = std::ranges::find_if(file_.modules, named);
@@ -88,8 +88,8 @@ private:
                  fmt::format("its base '{}' is a renamed module that is not declared before it", written.base.text)});
         } else {
             Module base = *below;
-            for (Variable& each : base.variables) expand_variable(each);
-            for (Command& each : base.commands) expand_command(each);
+            for (Variable& variable : base.variables) expand_variable(variable);
+            for (Command& command : base.commands) expand_command(command);
             add_renamed(written, base);
         }
     }
@@ -98,7 +98,7 @@ private:
         command.guard = expand_if_manageable(command.guard);
         for (Branch& branch : command.branches) {
             branch.probability = expand_if_manageable(branch.probability);
-            for (Assignment& each : branch.assignments) each.value = expand_if_manageable(each.value);
+            for (Assignment& assignment : branch.assignments) assignment.value = expand_if_manageable(assignment.value);
         }
     }
 
@@ -106,37 +106,37 @@ private:
     void add_renamed(const Module& written, Module base) {
         std::map<std::string, std::string, std::less<>> names;
         Rewriter rewriter;
-        for (const Renaming& each : written.renamings) {
-            if (!names.emplace(each.from.text, each.to.text).second)
-                diagnostics_.report(rules::bad_renaming, each.from.span,
-                                    {written.name.text, fmt::format("'{}' is renamed twice", each.from.text)});
-            rewriter.expressions[each.from.text] = make_expr(Op::name, each.to.span, {}, each.to.text);
-            rewriter.functions[each.from.text] = each.to.text;
+        for (const Renaming& renaming : written.renamings) {
+            if (!names.emplace(renaming.from.text, renaming.to.text).second)
+                diagnostics_.report(rules::bad_renaming, renaming.from.span,
+                                    {written.name.text, fmt::format("'{}' is renamed twice", renaming.from.text)});
+            rewriter.expressions[renaming.from.text] = make_expr(Op::name, renaming.to.span, {}, renaming.to.text);
+            rewriter.functions[renaming.from.text] = renaming.to.text;
         }
-        for (const Variable& each : base.variables)
-            if (!names.contains(each.name.text))
+        for (const Variable& variable : base.variables)
+            if (!names.contains(variable.name.text))
                 diagnostics_.report(
                     rules::bad_renaming, written.name.span,
                     {written.name.text, fmt::format("the variable '{}' of its base '{}' has no new name",
-                                                    each.name.text, base.name.text)});
+                                                    variable.name.text, base.name.text)});
         const auto rename = [&](Name& name) {
             if (const auto found = names.find(name.text); found != names.end()) name.text = found->second;
         };
-        std::erase_if(base.variables, [&](const Variable& each) { return !names.contains(each.name.text); });
+        std::erase_if(base.variables, [&](const Variable& variable) { return !names.contains(variable.name.text); });
         base.name = written.name;
         base.base = written.base;
-        for (Variable& each : base.variables) {
-            rename(each.name);
-            for (ExprPtr* expr : {&each.low, &each.high, &each.initial}) *expr = rewriter(*expr);
+        for (Variable& variable : base.variables) {
+            rename(variable.name);
+            for (ExprPtr* expr : {&variable.low, &variable.high, &variable.initial}) *expr = rewriter(*expr);
         }
         for (Command& command : base.commands) {
             rename(command.action);
             command.guard = rewriter(command.guard);
             for (Branch& branch : command.branches) {
                 branch.probability = rewriter(branch.probability);
-                for (Assignment& each : branch.assignments) {
-                    rename(each.variable);
-                    each.value = rewriter(each.value);
+                for (Assignment& assignment : branch.assignments) {
+                    rename(assignment.variable);
+                    assignment.value = rewriter(assignment.value);
                 }
             }
         }
@@ -144,11 +144,11 @@ private:
     }
 
     void collect_variables() {
-        for (const Variable& each : model_.variables) writer_[each.name.text] = {};
+        for (const Variable& variable : model_.variables) writer_[variable.name.text] = {};
         for (const Module& module : model_.modules)
-            for (const Variable& each : module.variables) {
-                model_.variables.push_back(each);
-                writer_[each.name.text] = module.name.text;
+            for (const Variable& variable : module.variables) {
+                model_.variables.push_back(variable);
+                writer_[variable.name.text] = module.name.text;
             }
         const Span place = file_.modules.empty() ? file_.end : file_.modules.front().name.span;
         if (model_.variables.empty()) diagnostics_.report(rules::no_module, place);
@@ -157,34 +157,35 @@ private:
     void declare() {
         declare_names(model_, scope_, diagnostics_);
         std::set<std::string> modules;
-        for (const Module& each : model_.modules)
-            if (!modules.insert(each.name.text).second)
-                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+        for (const Module& module : model_.modules)
+            if (!modules.insert(module.name.text).second)
+                diagnostics_.report(rules::declared_twice, module.name.span, {module.name.text});
         std::set<std::string> labels;
-        for (const Definition& each : model_.labels) {
-            if (each.name.text == "deadlock" || each.name.text == "init")
-                diagnostics_.report(rules::own_label, each.name.span, {each.name.text});
-            if (!labels.insert(each.name.text).second)
-                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+        for (const Definition& label : model_.labels) {
+            if (label.name.text == "deadlock" || label.name.text == "init")
+                diagnostics_.report(rules::own_label, label.name.span, {label.name.text});
+            if (!labels.insert(label.name.text).second)
+                diagnostics_.report(rules::declared_twice, label.name.span, {label.name.text});
         }
         std::set<std::string> rewards;
-        for (const RewardStructure& each : model_.rewards)
-            if (!each.name.text.empty() && !rewards.insert(each.name.text).second)
-                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
+        for (const RewardStructure& structure : model_.rewards)
+            if (!structure.name.text.empty() && !rewards.insert(structure.name.text).second)
+                diagnostics_.report(rules::declared_twice, structure.name.span, {structure.name.text});
         std::vector<Defined> constants;
-        for (const Constant& each : model_.constants) constants.push_back({each.name, each.value});
+        for (const Constant& constant : model_.constants) constants.push_back({constant.name, constant.value});
         (void)definition_order(constants, diagnostics_);
     }
 
     void check() {
         TypeChecker types(scope_, diagnostics_);
-        for (const Definition& each : model_.formulas) (void)types.type(each.body);
-        for (const Constant& each : model_.constants) types.expect_type(each.value, each.type, true, "a constant");
-        for (const Definition& each : model_.labels) types.expect_type(each.body, Type::boolean);
-        for (const Variable& each : model_.variables) check_variable(each, types);
+        for (const Definition& formula : model_.formulas) (void)types.type(formula.body);
+        for (const Constant& constant : model_.constants)
+            types.expect_type(constant.value, constant.type, true, "a constant");
+        for (const Definition& label : model_.labels) types.expect_type(label.body, Type::boolean);
+        for (const Variable& variable : model_.variables) check_variable(variable, types);
         if (model_.initial) types.expect_type(model_.initial, Type::boolean);
-        for (const RewardStructure& each : model_.rewards)
-            for (const RewardItem& item : each.items) {
+        for (const RewardStructure& structure : model_.rewards)
+            for (const RewardItem& item : structure.items) {
                 types.expect_type(item.guard, Type::boolean);
                 types.expect_type(item.value, Type::real);
             }
@@ -212,18 +213,18 @@ private:
         if (file_.system) add_new_names(*file_.system, actions);
         const std::vector<std::string> known(actions.begin(), actions.end());
         if (file_.system) check_actions(*file_.system, known);
-        for (const RewardStructure& each : model_.rewards)
-            for (const RewardItem& item : each.items) check_action(item.action, known);
+        for (const RewardStructure& structure : model_.rewards)
+            for (const RewardItem& item : structure.items) check_action(item.action, known);
     }
 
     static void add_new_names(const Composition& system, std::set<std::string>& actions) {
-        for (const Renaming& each : system.renamings) actions.insert(each.to.text);
+        for (const Renaming& renaming : system.renamings) actions.insert(renaming.to.text);
         for (const CompositionPtr& part : system.parts) add_new_names(*part, actions);
     }
 
     void check_actions(const Composition& system, const std::vector<std::string>& known) {
         for (const Name& action : system.actions) check_action(action, known);
-        for (const Renaming& each : system.renamings) check_action(each.from, known);
+        for (const Renaming& renaming : system.renamings) check_action(renaming.from, known);
         for (const CompositionPtr& part : system.parts) check_actions(*part, known);
     }
 
@@ -253,10 +254,10 @@ private:
         for (const Branch& branch : command.branches) {
             if (branch.probability) types.expect_type(branch.probability, Type::real);
             std::set<std::string_view> written;
-            for (const Assignment& each : branch.assignments) {
-                if (!written.insert(each.variable.text).second)
-                    diagnostics_.report(rules::assigned_twice, each.variable.span, {each.variable.text});
-                check_assignment(module, command, each, types);
+            for (const Assignment& assignment : branch.assignments) {
+                if (!written.insert(assignment.variable.text).second)
+                    diagnostics_.report(rules::assigned_twice, assignment.variable.span, {assignment.variable.text});
+                check_assignment(module, command, assignment, types);
             }
         }
     }

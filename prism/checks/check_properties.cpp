@@ -25,10 +25,11 @@ public:
     CheckedProperties operator()() {
         diagnostics::Diagnostics of_the_model;  // reported already
         declare_names(model_, scope_, of_the_model);
-        for (const Definition& each : model_.formulas) formulas_.expressions.emplace(each.name.text, each.body);
+        for (const Definition& formula : model_.formulas)
+            formulas_.expressions.emplace(formula.name.text, formula.body);
         scope_.labels = {"deadlock", "init"};
-        for (const Definition& each : model_.labels) scope_.labels.insert(each.name.text);
-        for (const RewardStructure& each : model_.rewards) scope_.rewards.push_back(each.name.text);
+        for (const Definition& label : model_.labels) scope_.labels.insert(label.name.text);
+        for (const RewardStructure& structure : model_.rewards) scope_.rewards.push_back(structure.name.text);
         constants();
         labels();
         scope_.properties = true;
@@ -45,28 +46,29 @@ private:
 
     void constants() {
         std::vector<Defined> defined;
-        for (const Constant& each : file_.constants) {
-            if (formulas_.expressions.contains(each.name.text))
-                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
-            declare_constant(each, scope_, diagnostics_);
-            Constant constant = each;
-            constant.value = expand_if_manageable(each.value);
+        for (const Constant& written : file_.constants) {
+            if (formulas_.expressions.contains(written.name.text))
+                diagnostics_.report(rules::declared_twice, written.name.span, {written.name.text});
+            declare_constant(written, scope_, diagnostics_);
+            Constant constant = written;
+            constant.value = expand_if_manageable(written.value);
             defined.push_back({constant.name, constant.value});
             result_.constants.push_back(std::move(constant));
         }
         (void)definition_order(defined, diagnostics_);
         TypeChecker types(scope_, diagnostics_);
-        for (const Constant& each : result_.constants) types.expect_type(each.value, each.type, true, "a constant");
+        for (const Constant& constant : result_.constants)
+            types.expect_type(constant.value, constant.type, true, "a constant");
     }
 
     void labels() {
         TypeChecker types(scope_, diagnostics_);
-        for (const Definition& each : file_.labels) {
-            if (each.name.text == "deadlock" || each.name.text == "init")
-                diagnostics_.report(rules::own_label, each.name.span, {each.name.text});
-            else if (!scope_.labels.insert(each.name.text).second)
-                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
-            Definition label{each.name, expand_if_manageable(each.body)};
+        for (const Definition& written : file_.labels) {
+            if (written.name.text == "deadlock" || written.name.text == "init")
+                diagnostics_.report(rules::own_label, written.name.span, {written.name.text});
+            else if (!scope_.labels.insert(written.name.text).second)
+                diagnostics_.report(rules::declared_twice, written.name.span, {written.name.text});
+            Definition label{written.name, expand_if_manageable(written.body)};
             types.expect_type(label.body, Type::boolean);
             result_.labels.push_back(std::move(label));
         }
@@ -75,12 +77,12 @@ private:
     /// Checks properties; those to which others refer come first.
     void properties() {
         std::vector<Defined> defined;
-        for (const Property& each : file_.properties) {
-            result_.properties.push_back({each.name, expand_if_manageable(each.expression)});
-            if (!each.name.text.empty() &&
-                (scope_.labels.contains(each.name.text) || !names_.insert(each.name.text).second))
-                diagnostics_.report(rules::declared_twice, each.name.span, {each.name.text});
-            defined.push_back({each.name, references(result_.properties.back().expression)});
+        for (const Property& property : file_.properties) {
+            result_.properties.push_back({property.name, expand_if_manageable(property.expression)});
+            if (!property.name.text.empty() &&
+                (scope_.labels.contains(property.name.text) || !names_.insert(property.name.text).second))
+                diagnostics_.report(rules::declared_twice, property.name.span, {property.name.text});
+            defined.push_back({property.name, references(result_.properties.back().expression)});
         }
         result_.types.assign(file_.properties.size(), Type::boolean);
         for (const std::size_t i : definition_order(defined, diagnostics_)) {

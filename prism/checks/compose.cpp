@@ -112,8 +112,8 @@ private:
 
     static Part rename_actions(Part part, const std::vector<Renaming>& renamings) {
         const auto renamed_action = [&](const std::string& action) {
-            for (const Renaming& each : renamings)
-                if (each.from.text == action) return each.to.text;
+            for (const Renaming& renaming : renamings)
+                if (renaming.from.text == action) return renaming.to.text;
             return action;
         };
         for (Synchronisation& act : part.acts)

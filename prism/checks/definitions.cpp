@@ -107,7 +107,7 @@ bool is_manageable(const ExprPtr& expr, Span place, diagnostics::Diagnostics& di
 std::vector<Definition> expand_formulas(const std::vector<Definition>& formulas, Rewriter& rewriter,
                                         diagnostics::Diagnostics& diagnostics) {
     std::vector<Defined> definitions;
-    for (const Definition& each : formulas) definitions.push_back({each.name, each.body});
+    for (const Definition& formula : formulas) definitions.push_back({formula.name, formula.body});
     std::vector<Definition> result = formulas;
     bool grown = false;
     for (const std::size_t i : definition_order(definitions, diagnostics)) {

@@ -22,12 +22,12 @@ void declare_constant(const Constant& constant, Scope& scope, diagnostics::Diagn
 
 void declare_names(const CheckedModel& model, Scope& scope, diagnostics::Diagnostics& diagnostics) {
     scope.kind = model.kind;
-    for (const Constant& each : model.constants) declare_constant(each, scope, diagnostics);
-    for (const Variable& each : model.variables) declare(each.name, {each.type, true}, scope, diagnostics);
+    for (const Constant& constant : model.constants) declare_constant(constant, scope, diagnostics);
+    for (const Variable& variable : model.variables) declare(variable.name, {variable.type, true}, scope, diagnostics);
     std::set<std::string_view> formulas;
-    for (const Definition& each : model.formulas)
-        if (scope.symbols.contains(each.name.text) || !formulas.insert(each.name.text).second)
-            diagnostics.report(rules::declared_twice, each.name.span, {each.name.text});
+    for (const Definition& formula : model.formulas)
+        if (scope.symbols.contains(formula.name.text) || !formulas.insert(formula.name.text).second)
+            diagnostics.report(rules::declared_twice, formula.name.span, {formula.name.text});
 }
 
 }  // namespace robochart::prism

@@ -41,8 +41,8 @@ constexpr std::array<std::string_view, 17> filters{"min",   "max",    "count",  
 
 }  // namespace
 
-void TypeChecker::expect_type(const ExprPtr& expr, Type wanted, bool constant_wanted, const char* what) {
-    if (!expr || !check_operand(expr, wanted)) return;
+void TypeChecker::expect_type(const ExprPtr& expr, Type expected, bool constant_wanted, const char* what) {
+    if (!expr || !check_operand(expr, expected)) return;
     if (constant_wanted) check_constant(expr, what);
 }
 
@@ -132,16 +132,16 @@ TypeChecker::Result TypeChecker::compute_type(const Expr& expr, bool path) {
     return std::nullopt;
 }
 
-TypeChecker::Result TypeChecker::report_wrong_type(const Expr& expr, const std::string& wanted, Type found) {
-    diagnostics_.report(rules::wrong_type, expr.span, {wanted, type_name(found)});
+TypeChecker::Result TypeChecker::report_wrong_type(const Expr& expr, const std::string& expected, Type found) {
+    diagnostics_.report(rules::wrong_type, expr.span, {expected, type_name(found)});
     return std::nullopt;
 }
 
-bool TypeChecker::check_operand(const ExprPtr& expr, Type wanted, bool path) {
+bool TypeChecker::check_operand(const ExprPtr& expr, Type expected, bool path) {
     const Result found = type(expr, path);
     if (!found) return false;
-    if (*found == wanted || (wanted == Type::real && *found == Type::integer)) return true;
-    (void)report_wrong_type(*expr, type_name(wanted), *found);
+    if (*found == expected || (expected == Type::real && *found == Type::integer)) return true;
+    (void)report_wrong_type(*expr, type_name(expected), *found);
     return false;
 }
 
@@ -214,7 +214,7 @@ TypeChecker::Result TypeChecker::type_of_arithmetic(const Expr& expr) {
 
 TypeChecker::Result TypeChecker::type_of_call(const Expr& expr) {
     const auto* function =
-        std::ranges::find_if(functions_known, [&](const Function& each) { return each.name == expr.text; });
+        std::ranges::find_if(functions_known, [&](const Function& candidate) { return candidate.name == expr.text; });
     if (function == functions_known.end()) {
         diagnostics_.report(rules::wrong_function, expr.span, {fmt::format("there is no function '{}'", expr.text)});
         return std::nullopt;

@@ -37,7 +37,7 @@ public:
 
     std::optional<Type> type(const ExprPtr& expr) { return type(expr, false); }
     /// Reports an error if the type differs; an int is accepted as a double. Null is accepted.
-    void expect_type(const ExprPtr& expr, Type wanted, bool constant = false, const char* what = "");
+    void expect_type(const ExprPtr& expr, Type expected, bool constant = false, const char* what = "");
 
 private:
     using Result = std::optional<Type>;
@@ -57,10 +57,10 @@ private:
     Result type_of_reward(const Expr& expr);
     Result type_of_filter(const Expr& expr);
     Result type_of_path_operator(const Expr& expr);
-    bool check_operand(const ExprPtr& expr, Type wanted, bool path = false);
+    bool check_operand(const ExprPtr& expr, Type expected, bool path = false);
     /// All operands must be numbers; the result is int if all are int.
     Result type_of_numbers(const std::vector<ExprPtr>& parts);
-    Result report_wrong_type(const Expr& expr, const std::string& wanted, Type found);
+    Result report_wrong_type(const Expr& expr, const std::string& expected, Type found);
     void check_constant(const ExprPtr& expr, const char* what);
 
     const Scope& scope_;

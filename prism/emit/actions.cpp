@@ -56,7 +56,7 @@ Channel* MachineEmitter::channel_of(const Part& part, ir::EventId event, Directi
     // the events of an operation are those of the machine that calls it
     const std::string& name = part.machine->events[event.index].name;
     const ir::Machine& host = context_.system.machine(instance_.machine);
-    const auto found = std::ranges::find_if(host.events, [&](const auto& each) { return each.name == name; });
+    const auto found = std::ranges::find_if(host.events, [&](const auto& candidate) { return candidate.name == name; });
     if (found != host.events.end()) return channels_.find_channel(seat_, *found, direction, span);
     context_.diagnostics.report(rules::unsupported_event, span,
                                 {name, part.element, "the state machine that calls the operation has no such event"});
@@ -78,9 +78,8 @@ void MachineEmitter::emit_communication(Part& part, std::size_t place, const std
     const bool in = what.kind == ir::CommKind::input;
     const Channel* const found = channel_of(part, what.event, in ? Direction::in : Direction::out, stmt.origin.span);
     if (found == nullptr) return;
-    const bool typed = found->carrier.has_value();
-    const bool fits =
-        typed ? (in ? what.variable.is_valid() : what.value != nullptr) : what.kind == ir::CommKind::simple;
+    bool fits = what.kind == ir::CommKind::simple;
+    if (found->carrier) fits = in ? what.variable.is_valid() : what.value != nullptr;
     if (!fits || what.predicate) {
         context_.diagnostics.report(rules::unsupported_construct, stmt.origin.span,
                                     {"a communication of this form", where});

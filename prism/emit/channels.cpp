@@ -47,13 +47,13 @@ std::string Channels::describe_end(const End& end) const {
 
 void Channels::add_hops(const std::vector<ir::Connection>& connections, const End& from, Direction direction,
                         const std::function<End(const ir::ConnectionEnd&)>& place, std::vector<Hop>& result) const {
-    for (const ir::Connection& each : connections) {
-        const End first = place(each.from);
-        const End second = place(each.to);
+    for (const ir::Connection& connection : connections) {
+        const End first = place(connection.from);
+        const End second = place(connection.to);
         const bool forwards = direction == Direction::out;
         // a connection with [mult] connects both directions
-        if ((forwards || each.multiple) && first == from) result.push_back({second, each.async});
-        if ((!forwards || each.multiple) && second == from) result.push_back({first, each.async});
+        if ((forwards || connection.multiple) && first == from) result.push_back({second, connection.async});
+        if ((!forwards || connection.multiple) && second == from) result.push_back({first, connection.async});
     }
 }
 
@@ -125,8 +125,8 @@ Channel* Channels::find_channel(Seat seat, const ir::Event& event, Direction dir
     Channel*& channel = found_[key];
     if (channel == nullptr) {
         Channel made;
-        const bool platform = route->end.level == End::Level::platform;
-        made.kind = platform ? Channel::Kind::platform : route->async ? Channel::Kind::buffer : Channel::Kind::joint;
+        made.kind = route->async ? Channel::Kind::buffer : Channel::Kind::joint;
+        if (route->end.level == End::Level::platform) made.kind = Channel::Kind::platform;
         if (event.type) {
             made.carrier = context_.find_carrier(*event.type, describe_end(own) + "::" + event.name, span);
             if (made.kind == Channel::Kind::joint)
@@ -204,9 +204,9 @@ void Channels::emit_platform() {
             continue;
         }
         module.variables.push_back(Context::declare_variable(value, carrier, nullptr));
-        for (std::int64_t each = carrier.low; each <= carrier.high; ++each) {
+        for (std::int64_t number = carrier.low; number <= carrier.high; ++number) {
             context_.diagnostics.poll();
-            const prism::ExprPtr written = carrier.boolean ? tree::truth(each != 0) : tree::number(each);
+            const prism::ExprPtr written = carrier.boolean ? tree::truth(number != 0) : tree::number(number);
             module.commands.push_back(
                 tree::command(channel->out_label(), tree::truth(true), {tree::set(value, written)}));
         }

@@ -37,7 +37,7 @@ private:
         switch (stmt->kind) {
             case ir::StmtKind::sequence:
             case ir::StmtKind::deadline:
-                for (const ir::StmtPtr& each : stmt->body) flatten_statement(each, where, result);
+                for (const ir::StmtPtr& child : stmt->body) flatten_statement(child, where, result);
                 return;
             case ir::StmtKind::clock_reset:
                 return;
@@ -172,9 +172,10 @@ private:
         for (const Step& step : chart_.steps) left.insert(step.source);
         const std::size_t count = chart_.places.size();
         for (std::size_t place = 0; place < count; ++place) {
-            const Place& each = chart_.places[place];
-            if (each.kind != NodeKind::state || !each.parent || each.composite || left.contains(place)) continue;
-            const std::size_t loop = add_place(NodeKind::state, "loop", each.parent);
+            const Place& candidate = chart_.places[place];
+            if (candidate.kind != NodeKind::state || !candidate.parent || candidate.composite || left.contains(place))
+                continue;
+            const std::size_t loop = add_place(NodeKind::state, "loop", candidate.parent);
             chart_.steps.push_back(plain_step(context_.added_name("loop_self"), loop, loop));
             chart_.steps.push_back(plain_step(context_.added_name("to_loop"), place, loop));
         }

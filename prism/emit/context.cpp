@@ -9,9 +9,10 @@
 
 namespace robochart::prism_emit {
 
-std::string Context::unique_name(const std::string& wanted) {
-    const bool of_channels = wanted.starts_with("EVT__") || wanted.starts_with("FIN__");  // prefixes of channels.hpp
-    std::string name = of_channels ? "_" + wanted : wanted;
+std::string Context::unique_name(const std::string& preferred) {
+    const bool of_channels =
+        preferred.starts_with("EVT__") || preferred.starts_with("FIN__");  // prefixes of channels.hpp
+    std::string name = of_channels ? "_" + preferred : preferred;
     while (prism::is_reserved(name) || !taken_.insert(name).second) name += "_";
     return name;
 }
@@ -30,7 +31,7 @@ std::optional<Carrier> Context::find_carrier(ir::TypeId type, const std::string&
                                              const diagnostics::Span& span) {
     // R3: "int INT_MIN..INT_MAX, nat NAT_*, real REAL_* as an integer range, enumerations 0..n-1, boolean."
     const ir::Type& found = system.type(type);
-    const auto range = [](const Range& each) { return Carrier{false, each.low, each.high}; };
+    const auto range = [](const Range& bounds) { return Carrier{false, bounds.low, bounds.high}; };
     std::optional<Carrier> result;
     if (found.kind == ir::TypeKind::boolean) result = Carrier{true};
     if (found.kind == ir::TypeKind::nat) result = range(preferences_.nat);

@@ -32,8 +32,8 @@ public:
     diagnostics::Diagnostics& diagnostics;
     Emission emission;
 
-    /// A name that begins with `wanted` and is neither reserved nor in use.
-    [[nodiscard]] std::string unique_name(const std::string& wanted);
+    /// A name that begins with `preferred` and is neither reserved nor in use.
+    [[nodiscard]] std::string unique_name(const std::string& preferred);
     /// Records the PRISM name of a variable of the model.
     void record_name(const ir::Variable& variable, const std::string& element, const std::string& name);
     /// Records the PRISM name of an element.

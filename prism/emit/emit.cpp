@@ -92,8 +92,8 @@ std::string file_text(const Emission& emission) {
             left_out_label);
     result += prism::print(model);
     result += fmt::format("\n{}\n", names_heading);
-    for (const NameOf& each : emission.names)
-        result += "// renames of the " + each.kind + " [" + each.element + "] to [" + each.name + "]\n";
+    for (const NameOf& renaming : emission.names)
+        result += "// renames of the " + renaming.kind + " [" + renaming.element + "] to [" + renaming.name + "]\n";
     return result;
 }
 

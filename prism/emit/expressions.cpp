@@ -104,9 +104,21 @@ public:
             case ExprKind::since:
             case ExprKind::since_entry:
                 return refuse_expression(expr, "a clock outside a comparison");
-            default:
-                return refuse_expression(expr, "this form of expression");
+            // clang-format off
+            case ExprKind::string: case ExprKind::negate: case ExprKind::logical_not: case ExprKind::iff:
+            case ExprKind::implies: case ExprKind::disjunction: case ExprKind::conjunction: case ExprKind::equal:
+            case ExprKind::not_equal: case ExprKind::greater: case ExprKind::greater_equal: case ExprKind::less:
+            case ExprKind::less_equal: case ExprKind::plus: case ExprKind::minus: case ExprKind::times:
+            case ExprKind::if_then_else: case ExprKind::function_value: case ExprKind::apply: case ExprKind::tuple:
+            case ExprKind::record: case ExprKind::sequence: case ExprKind::set: case ExprKind::matrix:
+            case ExprKind::member: case ExprKind::index: case ExprKind::concat: case ExprKind::is_in:
+            case ExprKind::set_range: case ExprKind::forall: case ExprKind::exists: case ExprKind::exists_unique:
+            case ExprKind::lambda: case ExprKind::the: case ExprKind::set_comprehension: case ExprKind::let:
+            case ExprKind::toolkit: case ExprKind::is_type: case ExprKind::range: case ExprKind::transpose:
+                break;
         }
+        // clang-format on
+        return refuse_expression(expr, "this form of expression");
     }
 
 private:
@@ -117,7 +129,7 @@ private:
 
     std::vector<ExprPtr> translate_operands(const ir::Expr& expr) {
         std::vector<ExprPtr> result;
-        for (const ir::ExprPtr& each : expr.args) result.push_back((*this)(*each));
+        for (const ir::ExprPtr& operand : expr.args) result.push_back((*this)(*operand));
         return result;
     }
 
@@ -175,7 +187,7 @@ private:
 /// R15: "each clock atom becomes true". RoboTool's treatment of clocks under a negation is unknown, so it is rejected.
 ExprPtr translate_timeless(Context& context, const Scope& scope, const ir::Expr& expr) {
     bool timed = false;
-    ir::visit_operands(expr, [&](const ir::Expr& each) { timed = timed || ir::reads_clock(each); });
+    ir::visit_operands(expr, [&](const ir::Expr& operand) { timed = timed || ir::reads_clock(operand); });
     if (!timed) return translate_expression(context, scope, expr);
     if (ir::is_comparison(expr.kind)) return tree::truth(true);
     if (expr.kind == ExprKind::conjunction || expr.kind == ExprKind::disjunction)
@@ -193,8 +205,8 @@ const ir::Expr* find_fraction(const Context& context, const ir::Expr& expr) {
     if (real && (expr.kind == ExprKind::divide || expr.kind == ExprKind::constant)) return &expr;
     const bool rounds = expr.kind == ExprKind::cast && !real;
     if (rounds || ir::is_comparison(expr.kind)) return nullptr;
-    for (const ir::ExprPtr& each : expr.args)
-        if (const ir::Expr* found = find_fraction(context, *each)) return found;
+    for (const ir::ExprPtr& operand : expr.args)
+        if (const ir::Expr* found = find_fraction(context, *operand)) return found;
     return nullptr;
 }
 

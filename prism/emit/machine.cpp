@@ -30,9 +30,9 @@ std::string join_path(std::string path) {
 /// Two groups of assignments, one after the other; for each variable only the last assignment is kept.
 std::vector<prism::Assignment> combine_assignments(std::vector<prism::Assignment> first,
                                                    const std::vector<prism::Assignment>& second) {
-    for (const prism::Assignment& each : second) {
-        std::erase_if(first, [&](const auto& other) { return other.variable.text == each.variable.text; });
-        first.push_back(each);
+    for (const prism::Assignment& assignment : second) {
+        std::erase_if(first, [&](const auto& other) { return other.variable.text == assignment.variable.text; });
+        first.push_back(assignment);
     }
     return first;
 }
@@ -250,15 +250,16 @@ void MachineEmitter::declare_variables(Part& part) {
 /// Exit_NONE. Per machine and operation: lock : [0..n] init LOCK_FREE (=0)."
 void MachineEmitter::declare_counters(const Part& part) {
     const bool machine = part.machine->kind == ir::MachineKind::state_machine;
-    for (const Region& each : part.regions) {
-        const bool starts = machine && !each.owner && part.machine->initial.is_valid();
-        const std::string initial = starts ? part.points[part.machine->initial.index] : each.inactive;
-        module_.variables.push_back(tree::range(each.pc, 0, each.points, tree::name(initial)));
-        module_.variables.push_back(tree::range(each.exit, 0, 6, tree::name(none)));
+    for (const Region& region : part.regions) {
+        const bool starts = machine && !region.owner && part.machine->initial.is_valid();
+        const std::string initial = starts ? part.points[part.machine->initial.index] : region.inactive;
+        module_.variables.push_back(tree::range(region.pc, 0, region.points, tree::name(initial)));
+        module_.variables.push_back(tree::range(region.exit, 0, 6, tree::name(none)));
     }
     module_.variables.push_back(tree::range(part.lock, 0, part.locks, tree::name(part.free)));
     const auto& known = context_.emission.model.constants;
-    const bool given = std::ranges::any_of(known, [&](const auto& each) { return each.name.text == part.terminated; });
+    const bool given =
+        std::ranges::any_of(known, [&](const auto& constant) { return constant.name.text == part.terminated; });
     if (!given)
         context_.emission.model.constants.push_back(tree::constant(part.terminated, part.regions.front().points + 1));
 }
@@ -315,7 +316,8 @@ MachineEmitter::Assignments MachineEmitter::enter_place(Part& part, std::size_t 
 }
 
 bool MachineEmitter::releases_lock(const Part& part, const Assignments& assignments) const {
-    return std::ranges::any_of(assignments, [&](const auto& each) { return each.variable.text == part.lock; });
+    return std::ranges::any_of(assignments,
+                               [&](const auto& assignment) { return assignment.variable.text == part.lock; });
 }
 
 // ---------------------------------------------------------------- steps
@@ -378,7 +380,7 @@ std::vector<ExprPtr> MachineEmitter::step_guards(Part& part, const Step& step, c
     Scope inner = make_scope(part, part.element + "::" + step.name);
     inner.received = received;
     std::vector<ExprPtr> result;
-    for (const ir::ExprPtr& each : step.guards) result.push_back(translate_condition(context_, inner, *each));
+    for (const ir::ExprPtr& guard : step.guards) result.push_back(translate_condition(context_, inner, *guard));
     return result;
 }
 
@@ -403,8 +405,8 @@ void MachineEmitter::from_state(Part& part, const Step& step) {
     }
     std::vector<ExprPtr> guard{at_point(part, step.source, part.points[step.source]), tree::is(part.lock, part.free)};
     // R13: "A guard on the received value reads EVT__... in the first command."
-    for (ExprPtr& each : step_guards(part, step, found != nullptr ? found->value_at(Direction::in) : ""))
-        guard.push_back(std::move(each));
+    for (ExprPtr& condition : step_guards(part, step, found != nullptr ? found->value_at(Direction::in) : ""))
+        guard.push_back(std::move(condition));
     if (part.chart.places[step.source].composite)
         from_composite(part, step, lock, found, std::move(guard));
     else
@@ -456,7 +458,7 @@ void MachineEmitter::from_composite(Part& part, const Step& step, const std::str
 /// R8: "Junction: one unlabelled command per outgoing guard."
 void MachineEmitter::from_junction(Part& part, const Step& step) {
     std::vector<ExprPtr> guard{at_point(part, step.source, part.points[step.source])};
-    for (ExprPtr& each : step_guards(part, step, "")) guard.push_back(std::move(each));
+    for (ExprPtr& condition : step_guards(part, step, "")) guard.push_back(std::move(condition));
     add_command(tree::command("", tree::all_of(guard), go_on(part, step)));
 }
 
@@ -474,8 +476,8 @@ void MachineEmitter::from_probabilistic(Part& part, std::size_t junction) {
         command.branches.push_back(std::move(branch));
     }
     if (command.branches.size() > 1)
-        for (prism::Branch& each : command.branches)
-            if (!each.probability) each.probability = tree::number(1);
+        for (prism::Branch& branch : command.branches)
+            if (!branch.probability) branch.probability = tree::number(1);
     add_command(std::move(command));
 }
 
@@ -505,9 +507,9 @@ void MachineEmitter::emit_composite_exit(Part& part, std::size_t place) {
     const Region& inner = part.regions[part.region_of.at(place)];
     const std::string outer = region_at(part, place).exit;
     const ExprPtr here = at_point(part, place, part.points[place]);
-    const ExprPtr asked =
+    const ExprPtr requested =
         tree::apply(prism::Op::disjunction, {tree::is(inner.exit, act_parent), tree::is(inner.exit, act_trans)});
-    add_command(tree::command("", tree::all_of({here, asked}), {tree::set(inner.exit, sub_act)}));
+    add_command(tree::command("", tree::all_of({here, requested}), {tree::set(inner.exit, sub_act)}));
     add_command(tree::command("", tree::all_of({here, tree::is(outer, sub_act)}),
                               {tree::set(outer, waiting), tree::set(inner.exit, act_parent)}));
     add_command(tree::command("", tree::all_of({here, tree::is(inner.exit, sub_exited)}),

@@ -60,7 +60,7 @@ private:
     [[nodiscard]] std::string name_in_controller(const Part& part) const;
     void name_places(Part& part);
     Region make_region(Part& part, std::optional<std::size_t> owner);
-    std::string add_point(Region& region, const std::string& wanted);
+    std::string add_point(Region& region, const std::string& name);
     std::string add_lock(Part& part, const Step& step);
     void declare_variables(Part& part);
     void declare_counters(const Part& part);

@@ -67,7 +67,7 @@ std::string read_line(std::string_view line, Preferences& preferences) {
     if (key == kind_key) return read_kind(value, preferences.kind) ? "" : key + ": dtmc or mdp is expected";
     // Unknown keys are reported, because a misspelt key would silently have no effect on a range.
     std::vector<std::string> keys{kind_key};
-    for (const auto& [name, each] : bounds) keys.push_back(name);
+    for (const auto& [name, range] : bounds) keys.push_back(name);
     const std::string meant = diagnostics::nearest_spelling(key, keys);
     if (diagnostics::is_certain(key, meant, keys)) return fmt::format("{}: did you mean {}?", key, meant);
     if (!means_nothing(key, value)) preferences.ignored.push_back(key);

@@ -24,11 +24,11 @@ using Known = std::optional<Bounds>;
 class RangeKeeper {
 public:
     explicit RangeKeeper(prism::ModelFile& model) : model_(model) {
-        for (const prism::Constant& each : model.constants)
-            if (each.value) constants_[each.name.text] = each.value;
-        for (const prism::Variable& each : model.globals) add_variable(each);
+        for (const prism::Constant& constant : model.constants)
+            if (constant.value) constants_[constant.name.text] = constant.value;
+        for (const prism::Variable& variable : model.globals) add_variable(variable);
         for (const prism::Module& module : model.modules)
-            for (const prism::Variable& each : module.variables) add_variable(each);
+            for (const prism::Variable& variable : module.variables) add_variable(variable);
     }
 
     void operator()() {
@@ -60,7 +60,7 @@ private:
         std::vector<ExprPtr> all;
         for (const prism::Branch& branch : command.branches) {
             std::vector<ExprPtr> of_branch;
-            for (const prism::Assignment& each : branch.assignments) stays_inside(each, of_branch);
+            for (const prism::Assignment& assignment : branch.assignments) stays_inside(assignment, of_branch);
             if (of_branch.empty()) continue;
             const ExprPtr fits = tree::all_of(of_branch);
             all.push_back(branch.probability

@@ -36,9 +36,9 @@ bool is_true(const ExprPtr& expr) {
 
 ExprPtr all_of(const std::vector<ExprPtr>& operands) {
     ExprPtr result;
-    for (const ExprPtr& each : operands) {
-        if (!each || is_true(each)) continue;
-        result = result ? apply(Op::conjunction, {result, each}) : each;
+    for (const ExprPtr& operand : operands) {
+        if (!operand || is_true(operand)) continue;
+        result = result ? apply(Op::conjunction, {result, operand}) : operand;
     }
     return result ? result : truth(true);
 }

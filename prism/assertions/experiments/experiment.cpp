@@ -27,8 +27,9 @@ using prism::Op;
 /// The messages of all errors.
 std::string error_messages(const diagnostics::Diagnostics& diagnostics) {
     std::string text;
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
-        if (each.rule->severity == diagnostics::Severity::error) text += (text.empty() ? "" : "; ") + each.message();
+    for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings())
+        if (finding.rule->severity == diagnostics::Severity::error)
+            text += (text.empty() ? "" : "; ") + finding.message();
     return text;
 }
 
@@ -80,7 +81,7 @@ public:
         : encoding_(encoding), question_(question), how_(how), budget_(budget) {}
 
     void operator()(const std::function<void(Row)>& found) {
-        for (const Setting& each : question_.settings) read(each);
+        for (const Setting& setting : question_.settings) read(setting);
         for (const prism::Values& of_model : value_combinations(true)) run_for_model(of_model, found);
     }
 
@@ -89,7 +90,7 @@ private:
         Given given{&setting, true, {}};
         prism::Constant constant;
         if (setting.path.empty()) {
-            const auto own = [&](const prism::Constant& each) { return each.name.text == setting.constant; };
+            const auto own = [&](const prism::Constant& candidate) { return candidate.name.text == setting.constant; };
             const auto in_model = std::ranges::find_if(question_.model_constants, own);
             const auto in_property = std::ranges::find_if(question_.constants, own);
             given.of_model = in_model != question_.model_constants.end();
@@ -114,8 +115,8 @@ private:
 
     [[nodiscard]] std::vector<prism::Values> value_combinations(bool of_model) const {
         std::vector<prism::Series> series;
-        for (const Given& each : given_)
-            if (each.of_model == of_model) series.push_back(each.series);
+        for (const Given& given : given_)
+            if (given.of_model == of_model) series.push_back(given.series);
         try {
             return prism::combinations(series);
         } catch (const prism::BadValue& error) {
@@ -125,9 +126,9 @@ private:
 
     [[nodiscard]] Row make_row(const prism::Values& of_model, const prism::Values& of_property) const {
         Row result;
-        for (const Given& each : given_) {
-            const prism::Values& values = each.of_model ? of_model : of_property;
-            result.constants.emplace_back(each.setting->name, values.find(each.series.name)->second.text());
+        for (const Given& given : given_) {
+            const prism::Values& values = given.of_model ? of_model : of_property;
+            result.constants.emplace_back(given.setting->name, values.find(given.series.name)->second.text());
         }
         return result;
     }
@@ -248,15 +249,15 @@ private:
     void generate_paths(const Unexplored& model, const prism::Values& numbers, Row& one) const {
         constexpr std::uint64_t most_steps = 100'000;  // all steps are stored
         constexpr std::uint64_t usual_limit = 10'000;
-        const Generation& asked = *question_.path;
-        const bool to_deadlock = asked.steps.empty();
-        std::uint64_t steps = asked.limit.empty() ? usual_limit : whole_constant(asked.limit, numbers);
+        const Generation& generation = *question_.path;
+        const bool to_deadlock = generation.steps.empty();
+        std::uint64_t steps = generation.limit.empty() ? usual_limit : whole_constant(generation.limit, numbers);
         if (!to_deadlock) {
-            const std::uint64_t wanted = whole_constant(asked.steps, numbers);
-            steps = asked.limit.empty() ? wanted : std::min(wanted, steps);
+            const std::uint64_t requested = whole_constant(generation.steps, numbers);
+            steps = generation.limit.empty() ? requested : std::min(requested, steps);
         }
         if (steps > most_steps) throw Wrong(fmt::format("a path has at most {} steps", most_steps));
-        const std::uint64_t repeats = asked.repeats.empty() ? 0 : whole_constant(asked.repeats, numbers);
+        const std::uint64_t repeats = generation.repeats.empty() ? 0 : whole_constant(generation.repeats, numbers);
         try {
             prism::RandomPath path;
             for (std::uint64_t number = 0; number <= repeats && !(to_deadlock && path.deadlock); ++number)

@@ -55,10 +55,10 @@ markov::StateSet deadlocked_states(const Exploration& explored, const std::funct
     while (!work.empty()) {
         const lts::StateIndex state = work.back();
         work.pop_back();
-        for (const lts::StateIndex each : before[state]) {
-            if (!result[each]) continue;
-            result[each] = false;
-            work.push_back(each);
+        for (const lts::StateIndex predecessor : before[state]) {
+            if (!result[predecessor]) continue;
+            result[predecessor] = false;
+            work.push_back(predecessor);
         }
     }
     return result;
@@ -97,7 +97,7 @@ public:
             if (choices.size() > 1 && scheduler_ == Scheduler::uniform)
                 add_uniform_choice(state, choices);
             else
-                for (const Choice& each : choices) add_choice(each);
+                for (const Choice& choice : choices) add_choice(choice);
             if (choices.empty()) push_loop(state);
             result_.model.first_choice.push_back(static_cast<std::uint32_t>(result_.model.choices()));
         }
@@ -190,16 +190,17 @@ private:
         for (const auto& [junction, steps] : draws)
             result.push_back(probabilistic_choice(state, junction.first, steps));
         if (scheduler_ != Scheduler::urgent) return result;
-        const auto free = [](const Choice& each) { return !each.tock && !each.waits; };
-        if (std::ranges::any_of(result, free)) std::erase_if(result, [&](const Choice& each) { return !free(each); });
+        const auto free = [](const Choice& choice) { return !choice.tock && !choice.waits; };
+        if (std::ranges::any_of(result, free))
+            std::erase_if(result, [&](const Choice& choice) { return !free(choice); });
         return result;
     }
 
     /// The probabilistic choice at a junction.
     Choice probabilistic_choice(lts::StateIndex state, const std::string& component,
                                 const std::vector<const Step*>& ways) {
-        const auto seat =
-            std::ranges::find_if(sources_.seats, [&](const Seat& each) { return each.component == component; });
+        const auto seat = std::ranges::find_if(sources_.seats,
+                                               [&](const Seat& candidate) { return candidate.component == component; });
         if (seat == sources_.seats.end()) throw Wrong(fmt::format("no machine is known at {}", component));
         const std::vector<std::size_t> parts = reader_.parts_of_state(explored_.state(state));
         const ValueOf value_of = [&](const std::string& name) {
@@ -216,7 +217,7 @@ private:
         for (const Step* way : ways) {
             const csp_emit::Draw& draw = *kind_of_step(*way).meaning->draw;
             if (counted.contains(draw.transition.index)) continue;
-            for (const std::uint32_t each : equivalent_branches(sources_.system, draw)) counted.insert(each);
+            for (const std::uint32_t branch : equivalent_branches(sources_.system, draw)) counted.insert(branch);
             const Rational weight = weights_.branch_probability(draw, *seat, value_of);
             sum += weight;
             if (weight == 0) continue;
@@ -266,10 +267,10 @@ private:
     void add_uniform_choice(markov::State state, const std::vector<Choice>& choices) {
         std::vector<std::pair<markov::State, std::uint32_t>> branches;
         const std::uint32_t share = number_value(Rational(1) / choices.size());
-        for (const Choice& each : choices) {
+        for (const Choice& choice : choices) {
             const auto between = static_cast<markov::State>(result_.origins.size());
             result_.origins.push_back(result_.origins[state]);
-            single_.emplace(between, each);
+            single_.emplace(between, choice);
             branches.emplace_back(between, share);
         }
         finish_choice(2, false, std::move(branches));

@@ -17,7 +17,7 @@ namespace {
 
 const cspm::ExprPtr& component_process(const csp_emit::Emission& emission, const std::string& path) {
     const auto found = std::ranges::find_if(
-        emission.components, [&](const csp_emit::ComponentProcesses& each) { return each.path == path; });
+        emission.components, [&](const csp_emit::ComponentProcesses& component) { return component.path == path; });
     if (found == emission.components.end()) throw Wrong(fmt::format("{} has no separate process", path));
     return found->process;
 }
@@ -32,8 +32,8 @@ csp_emit::Emission emit_timed(const ir::System& system, const ir::Instantiation&
     options.share_modules = share_modules;
     csp_emit::Emission result =
         csp_emit::emit(system, instantiation, csp_emit::Time::timed, options, sources, findings);
-    for (const diagnostics::Diagnostic& each : findings.sorted_findings())
-        if (each.rule->severity == diagnostics::Severity::error) throw Wrong(each.message());
+    for (const diagnostics::Diagnostic& finding : findings.sorted_findings())
+        if (finding.rule->severity == diagnostics::Severity::error) throw Wrong(finding.message());
     return result;
 }
 

@@ -166,7 +166,8 @@ private:
         std::vector<bool> found;
         for (std::uint64_t unit = 0; unit < units; ++unit) {
             found.assign(result_.classes.size(), false);
-            std::vector<bool> next = mark_next_unit(states, [&](std::size_t each) { found[each] = true; });
+            std::vector<bool> next =
+                mark_next_unit(states, [&](std::size_t class_number) { found[class_number] = true; });
             const bool same = next == states;
             states = std::move(next);
             if (same) break;  // a fixed point, so the classes do not change
@@ -193,25 +194,25 @@ bool is_whole(const ir::System& system, ir::TypeId id) {
 /// values, code may behave differently from the process.
 void check_values(const ir::System& system, const ir::Machine& machine) {
     constexpr const char* why = "the proof would cover only the values of {} in the finite instantiation";
-    for (const ir::Variable& each : machine.variables)
-        if (!is_whole(system, each.type)) throw Wrong(fmt::format(why, each.name));
-    for (const ir::Event& each : machine.events)
-        if (each.type && !is_whole(system, *each.type)) throw Wrong(fmt::format(why, each.name));
+    for (const ir::Variable& variable : machine.variables)
+        if (!is_whole(system, variable.type)) throw Wrong(fmt::format(why, variable.name));
+    for (const ir::Event& event : machine.events)
+        if (event.type && !is_whole(system, *event.type)) throw Wrong(fmt::format(why, event.name));
 }
 
 std::set<std::string> leaves_of(const ir::Machine& machine) {
     std::set<std::string> leaves;
-    for (const ir::Node& each : machine.nodes)
-        if (each.kind == ir::NodeKind::state && !each.is_composite()) leaves.insert(each.origin.element);
+    for (const ir::Node& node : machine.nodes)
+        if (node.kind == ir::NodeKind::state && !node.is_composite()) leaves.insert(node.origin.element);
     return leaves;
 }
 
 }  // namespace
 
 void check_finite(const ir::System& system, const ir::ComponentRef& subject) {
-    for (const Seat& each : seats_in(system, subject)) check_values(system, *each.machine);
-    for (const ir::Machine& each : system.machines)
-        if (each.kind == ir::MachineKind::operation) check_values(system, each);
+    for (const Seat& seat : seats_in(system, subject)) check_values(system, *seat.machine);
+    for (const ir::Machine& machine : system.machines)
+        if (machine.kind == ir::MachineKind::operation) check_values(system, machine);
 }
 
 Following find_following(const ExploredProcess& process, const ir::System& system, const ir::ComponentRef& subject,
@@ -222,7 +223,7 @@ Following find_following(const ExploredProcess& process, const ir::System& syste
     std::vector<std::string> elements;
     for (const std::string& state : states) {
         const auto& nodes = seats.front().machine->nodes;
-        const auto found = std::ranges::find_if(nodes, [&](const auto& each) { return each.path == state; });
+        const auto found = std::ranges::find_if(nodes, [&](const auto& node) { return node.path == state; });
         if (found == nodes.end()) throw Wrong(fmt::format("the machine has no state {}", state));
         elements.push_back(found->origin.element);
     }

@@ -19,8 +19,8 @@ namespace robochart::probability {
 namespace {
 
 std::string first_error(const diagnostics::Diagnostics& diagnostics) {
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
-        if (each.rule->severity == diagnostics::Severity::error) return each.message();
+    for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings())
+        if (finding.rule->severity == diagnostics::Severity::error) return finding.message();
     return "";
 }
 
@@ -97,11 +97,9 @@ std::uint64_t ProcessEncoding::compared_state_count() const {
 prism::Constant ProcessEncoding::prism_constant(const std::string& path) {
     const ConstantHere found = names_->find_constant(path);
     const ir::Type& type = system_.type(found.seat->machine->constants[found.id.index].type);
-    return {type.kind == ir::TypeKind::boolean ? prism::Type::boolean
-            : found.real                       ? prism::Type::real
-                                               : prism::Type::integer,
-            {path, {}},
-            nullptr};
+    prism::Type constant_type = found.real ? prism::Type::real : prism::Type::integer;
+    if (type.kind == ir::TypeKind::boolean) constant_type = prism::Type::boolean;
+    return {constant_type, {path, {}}, nullptr};
 }
 
 const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Values& constants) {
@@ -113,11 +111,12 @@ const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Val
         const ir::Constant& declared = found.seat->machine->constants[found.id.index];
         const ir::ConstantSource source = ir::constant_source(system_, found.seat->module, found.seat->controller,
                                                               found.seat->part, *found.seat->machine, found.id);
-        for (const ir::NamedConstant& each : ir::named_constants(system_))
-            if (each.name == source.name) chosen[each.path] = literal_of(system_, declared, value);
+        for (const ir::NamedConstant& constant : ir::named_constants(system_))
+            if (constant.name == source.name) chosen[constant.path] = literal_of(system_, declared, value);
         text += fmt::format("{}={};", path, value.text());
     }
-    for (const ObservedEvent& each : names_->observed()) text += each.name() + (each.type.is_valid() ? ".val;" : ";");
+    for (const ObservedEvent& event : names_->observed())
+        text += event.name() + (event.type.is_valid() ? ".val;" : ";");
     if (explored_ && explored_->constants == text) return *explored_;
     answered_.reset();
     explored_.reset();  // frees memory for the next
@@ -125,10 +124,10 @@ const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Val
     made->constants = text;
     diagnostics::Diagnostics findings;
     if (options_.budget != nullptr) findings.set_budget(options_.budget);
-    ir::InstantiationOptions wanted = options_.instantiation;
-    wanted.constants = ir::not_overridden(system_, options_.instantiation.constants, chosen);
-    wanted.constants.merge(chosen);
-    ir::Instantiation instantiation = ir::instantiate_system(system_, wanted, findings);
+    ir::InstantiationOptions instantiation_options = options_.instantiation;
+    instantiation_options.constants = ir::not_overridden(system_, options_.instantiation.constants, chosen);
+    instantiation_options.constants.merge(chosen);
+    ir::Instantiation instantiation = ir::instantiate_system(system_, instantiation_options, findings);
     if (!findings.ok()) throw Wrong(first_error(findings));
     made->process =
         explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,
@@ -167,42 +166,47 @@ prism::ModelFile ProcessEncoding::model_declarations(const Explored& found, cons
     file.constants = question.model_constants;
     file.constants.push_back(
         {prism::Type::real, {ProcessNames::units, {}}, number_expression(found.process->instantiation.scale)});
-    for (const ConstantHere& each : names_->constants())
-        file.constants.push_back({prism::Type::real,
-                                  {each.name, {}},
-                                  number_expression(weights.constant_value(*each.seat->machine, each.id, *each.seat))});
-    for (const Observable& each : names_->observables())
-        file.globals.push_back(
-            {{each.name, {}}, each.boolean ? prism::Type::boolean : prism::Type::integer, nullptr, nullptr, nullptr});
+    for (const ConstantHere& constant : names_->constants())
+        file.constants.push_back(
+            {prism::Type::real,
+             {constant.name, {}},
+             number_expression(weights.constant_value(*constant.seat->machine, constant.id, *constant.seat))});
+    for (const Observable& observable : names_->observables())
+        file.globals.push_back({{observable.name, {}},
+                                observable.boolean ? prism::Type::boolean : prism::Type::integer,
+                                nullptr,
+                                nullptr,
+                                nullptr});
     // PRISM requires a variable and a module.
     if (file.globals.empty()) file.globals.push_back({{"nothing__", {}}, prism::Type::boolean, {}, {}, {}});
     file.modules.push_back({{"process__", {}}, {}, {}, {}, {}});
-    for (const prism::RewardStructure& each : question.rewards) {
-        file.rewards.push_back({each.name, {}});
-        for (const prism::RewardItem& item : each.items) add_items(item, happening, file.rewards.back().items);
+    for (const prism::RewardStructure& structure : question.rewards) {
+        file.rewards.push_back({structure.name, {}});
+        for (const prism::RewardItem& item : structure.items) add_items(item, happening, file.rewards.back().items);
     }
     return file;
 }
 
 /// The value of an observable in a state. Throws Wrong if it has none.
-std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const {
+std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state,
+                                       const Observable& observable) const {
     const std::vector<std::size_t>& parts =
         found.process->reader->parts_of_state(found.process->exploration->state(state));
     for (const std::size_t number : parts) {
         const Part& part = found.process->reader->part(number);
-        if (asked.variable.empty()) {
-            if (part.in_state(asked.component, asked.state)) return 1;
+        if (observable.variable.empty()) {
+            if (part.in_state(observable.component, observable.state)) return 1;
             continue;
         }
-        const auto held = part.find_variable(asked.component, asked.variable);
+        const auto held = part.find_variable(observable.component, observable.variable);
         const auto value = held ? number_of(system_, found.process->instantiation, *held) : std::nullopt;
         if (!value) continue;
         if (*value < std::numeric_limits<std::int32_t>::min() || *value > std::numeric_limits<std::int32_t>::max())
-            throw Wrong(fmt::format("a value of {} has more than 32 bits", asked.variable));
+            throw Wrong(fmt::format("a value of {} has more than 32 bits", observable.variable));
         return static_cast<std::int32_t>(*value);
     }
-    if (asked.variable.empty() || asked.carried) return 0;
-    throw Wrong(fmt::format("{} of {} has no value in the state {}", asked.variable, asked.component,
+    if (observable.variable.empty() || observable.carried) return 0;
+    throw Wrong(fmt::format("{} of {} has no value in the state {}", observable.variable, observable.component,
                             found.process->system->describe(found.process->exploration->state(state))));
 }
 
@@ -231,7 +235,8 @@ prism::GivenSpace ProcessEncoding::make_space(const Explored& found, DecisionPro
     prism::GivenSpace result{std::move(process.model), std::move(process.deadlocks), {}};
     for (const lts::StateIndex origin : process.origins) {
         poll();
-        for (const Observable& each : names_->observables()) result.values.push_back(value_in(found, origin, each));
+        for (const Observable& observable : names_->observables())
+            result.values.push_back(value_in(found, origin, observable));
         if (names_->observables().empty()) result.values.push_back(0);
     }
     return result;

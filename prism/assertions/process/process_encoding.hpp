@@ -55,7 +55,8 @@ private:
     const Explored& find_explored(const prism::Values&);
     [[nodiscard]] prism::ModelFile model_declarations(const Explored& found, const Question& question,
                                                       const std::vector<EventSet>& happening) const;
-    [[nodiscard]] std::int32_t value_in(const Explored& found, lts::StateIndex state, const Observable& asked) const;
+    [[nodiscard]] std::int32_t value_in(const Explored& found, lts::StateIndex state,
+                                        const Observable& observable) const;
     [[nodiscard]] DecisionProcess make_decision_process(const Explored& found) const;
     [[nodiscard]] prism::GivenSpace make_space(const Explored& found, DecisionProcess process) const;
 

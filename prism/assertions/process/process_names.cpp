@@ -47,13 +47,14 @@ ProcessNames::ProcessNames(const ir::System& system, const ir::ComponentRef& sub
     : system_(system), subject_(subject), seats_(seats_in(system, subject)) {}
 
 const Seat* ProcessNames::find_seat(const std::string& path) const {
-    const auto found = std::ranges::find_if(seats_, [&](const Seat& each) { return each.path == path; });
+    const auto found = std::ranges::find_if(seats_, [&](const Seat& seat) { return seat.path == path; });
     return found == seats_.end() ? nullptr : &*found;
 }
 
 bool ProcessNames::is_name_taken(const std::string& name) const {
-    return name == units || std::ranges::any_of(observables_, [&](const auto& each) { return each.name == name; }) ||
-           std::ranges::any_of(constants_, [&](const auto& each) { return each.name == name; });
+    return name == units ||
+           std::ranges::any_of(observables_, [&](const auto& observable) { return observable.name == name; }) ||
+           std::ranges::any_of(constants_, [&](const auto& constant) { return constant.name == name; });
 }
 
 std::string ProcessNames::free_name(const std::string& path) const {
@@ -64,10 +65,10 @@ std::string ProcessNames::free_name(const std::string& path) const {
 }
 
 ExprPtr ProcessNames::observed(Observable observable) {
-    for (const Observable& each : observables_)
-        if (each.component == observable.component && each.variable == observable.variable &&
-            each.state == observable.state)
-            return name_expression(each.name);
+    for (const Observable& known : observables_)
+        if (known.component == observable.component && known.variable == observable.variable &&
+            known.state == observable.state)
+            return name_expression(known.name);
     observables_.push_back(std::move(observable));
     return name_expression(observables_.back().name);
 }
@@ -77,7 +78,8 @@ ExprPtr ProcessNames::variable_expression(const std::string& path) {
     const Seat* const where = find_seat(owner_of(path));
     if (where == nullptr) return shared_variable(path, name);
     const auto& variables = where->machine->variables;
-    const auto found = std::ranges::find_if(variables, [&](const ir::Variable& each) { return each.name == name; });
+    const auto found =
+        std::ranges::find_if(variables, [&](const ir::Variable& variable) { return variable.name == name; });
     if (found == variables.end()) throw_absent("variable", path);
     const bool boolean = system_.type(found->type).kind == ir::TypeKind::boolean;
     if (!boolean && !is_number(system_, found->type))
@@ -93,15 +95,15 @@ ExprPtr ProcessNames::variable_expression(const std::string& path) {
 /// requires the variable, its copy is the current value; if several do, some copies may still be old.
 ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string& name) {
     const Seat* only = nullptr;
-    for (const Seat& each : seats_)
-        for (const ir::Variable& variable : each.machine->variables)
+    for (const Seat& seat : seats_)
+        for (const ir::Variable& variable : seat.machine->variables)
             if (variable.name == name && variable.scope == ir::VariableScope::required) {
                 if (only != nullptr)
                     throw NotExpressed(
                         fmt::format("`{}` is shared by {} and {}, which may have different values of it: name the "
                                     "variable of a machine",
-                                    path, only->path, each.path));
-                only = &each;
+                                    path, only->path, seat.path));
+                only = &seat;
             }
     if (only == nullptr) throw_absent("variable", path);
     return variable_expression(only->path + "::" + name);
@@ -110,22 +112,22 @@ ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string
 ConstantHere ProcessNames::find_constant(const std::string& path) const {
     const std::string name = last_of(path);
     const std::string owner = owner_of(path);
-    for (const Seat& each : seats_) {
+    for (const Seat& seat : seats_) {
         // A constant that a module or controller provides is that of the machines that require it.
         const bool inside =
-            each.path == owner || each.path.starts_with(owner + "::") || owner.starts_with(subject_.path);
-        const auto& constants = each.machine->constants;
+            seat.path == owner || seat.path.starts_with(owner + "::") || owner.starts_with(subject_.path);
+        const auto& constants = seat.machine->constants;
         for (std::uint32_t i = 0; i < constants.size() && inside; ++i)
-            if (constants[i].name == name && (each.path == owner || constants[i].required))
-                return {"", &each, {i}, system_.type(constants[i].type).kind == ir::TypeKind::real};
+            if (constants[i].name == name && (seat.path == owner || constants[i].required))
+                return {"", &seat, {i}, system_.type(constants[i].type).kind == ir::TypeKind::real};
     }
     throw_absent("constant", path);
 }
 
 ExprPtr ProcessNames::constant_expression(const std::string& path) {
     ConstantHere found = find_constant(path);
-    for (const ConstantHere& each : constants_)
-        if (each.seat == found.seat && each.id.index == found.id.index) return name_expression(each.name);
+    for (const ConstantHere& known : constants_)
+        if (known.seat == found.seat && known.id.index == found.id.index) return name_expression(known.name);
     found.name = free_name(path);
     constants_.push_back(found);
     return name_expression(found.name);
@@ -148,7 +150,7 @@ std::size_t ProcessNames::observed_event(const std::string& path, const std::str
     std::string component;
     bool inwards = direction == "in";
     const auto look = [&](const std::vector<ir::Event>& events, const std::string& of) {
-        const auto found = std::ranges::find_if(events, [&](const auto& each) { return each.name == name; });
+        const auto found = std::ranges::find_if(events, [&](const auto& candidate) { return candidate.name == name; });
         if (found == events.end()) return;
         event = &*found;
         component = of;
@@ -162,21 +164,21 @@ std::size_t ProcessNames::observed_event(const std::string& path, const std::str
     }
     if (event == nullptr || !(inwards ? event->input : event->output)) throw_absent("event", path + "." + direction);
     if (valued && !event->type) throw NotExpressed(fmt::format("the value of `{}`, which has none", path));
-    ObservedEvent wanted;
-    wanted.component = component;
-    wanted.event = name + (inwards ? ".in" : ".out");
-    wanted.origin = event->origin;
-    wanted.valued = event->type.has_value();
-    wanted.module = find_seat(owner_of(path)) == nullptr;
+    ObservedEvent observed_event;
+    observed_event.component = component;
+    observed_event.event = name + (inwards ? ".in" : ".out");
+    observed_event.origin = event->origin;
+    observed_event.valued = event->type.has_value();
+    observed_event.module = find_seat(owner_of(path)) == nullptr;
     for (std::size_t i = 0; i < observed_.size(); ++i) {
-        if (observed_[i].name() != wanted.name()) continue;
+        if (observed_[i].name() != observed_event.name()) continue;
         if (valued) observed_[i].type = *event->type;
         return i;
     }
     if (observed_.size() == most_observed)
         throw NotExpressed(fmt::format("more than {} events are observed", most_observed));
-    if (valued) wanted.type = *event->type;
-    observed_.push_back(std::move(wanted));
+    if (valued) observed_event.type = *event->type;
+    observed_.push_back(std::move(observed_event));
     return observed_.size() - 1;
 }
 

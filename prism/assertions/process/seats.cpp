@@ -13,9 +13,9 @@ std::string path_below(const std::string& path, const std::string& name) {
 
 void add_machines(const ir::System& system, const ir::Module* module, const ir::Controller& controller,
                   const std::string& path, const std::string& component, std::vector<Seat>& result) {
-    for (const ir::MachineInstance& each : controller.machines)
-        result.push_back({module, &controller, each.name, &system.machine(each.machine), path_below(path, each.name),
-                          path_below(component, each.name)});
+    for (const ir::MachineInstance& instance : controller.machines)
+        result.push_back({module, &controller, instance.name, &system.machine(instance.machine),
+                          path_below(path, instance.name), path_below(component, instance.name)});
 }
 
 }  // namespace
@@ -25,9 +25,9 @@ std::vector<Seat> seats_in(const ir::System& system, const ir::ComponentRef& sub
     const std::string component = ir::qualified_name(subject);
     if (subject.kind == ir::ComponentKind::module) {
         const ir::Module& module = system.modules[subject.definition];
-        for (const ir::ControllerInstance& each : module.controllers)
-            add_machines(system, &module, system.controller(each.controller), path_below(subject.path, each.name),
-                         path_below(component, each.name), result);
+        for (const ir::ControllerInstance& instance : module.controllers)
+            add_machines(system, &module, system.controller(instance.controller),
+                         path_below(subject.path, instance.name), path_below(component, instance.name), result);
     } else if (subject.kind == ir::ComponentKind::controller) {
         add_machines(system, nullptr, system.controllers[subject.definition], subject.path, component, result);
     } else if (subject.kind == ir::ComponentKind::machine) {

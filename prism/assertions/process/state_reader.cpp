@@ -112,16 +112,22 @@ std::optional<std::int64_t> number_of(const ir::System& system, const ir::Instan
             std::int64_t value = 0;
             const char* const end = held.text.data() + held.text.size();
             const auto [stopped, error] = std::from_chars(held.text.data(), end, value);
-            return error == std::errc{} && stopped == end ? std::optional(value) : std::nullopt;
+            if (error != std::errc{} || stopped != end) return std::nullopt;
+            return value;
         }
         case ir::TypeKind::enumeration: {
             const std::string literal = runs::value_text(system, instantiation, held.type, held.text);
             const auto found = std::ranges::find(type.labels, literal);
             return found == type.labels.end() ? std::nullopt : std::optional<std::int64_t>(found - type.labels.begin());
         }
-        default:
-            return std::nullopt;
+        // clang-format off
+        case ir::TypeKind::string: case ir::TypeKind::given: case ir::TypeKind::sequence: case ir::TypeKind::set:
+        case ir::TypeKind::product: case ir::TypeKind::record: case ir::TypeKind::function:
+        case ir::TypeKind::relation: case ir::TypeKind::vector: case ir::TypeKind::matrix: case ir::TypeKind::unit:
+            break;
     }
+    // clang-format on
+    return std::nullopt;
 }
 
 }  // namespace robochart::probability

@@ -52,8 +52,8 @@ std::vector<std::uint32_t> equivalent_branches(const ir::System& system, const c
 Rational Weights::branch_probability(const csp_emit::Draw& draw, const Seat& seat, const ValueOf& value_of) const {
     const ir::Machine& machine = system_.machine(draw.machine);
     Rational result;
-    for (const std::uint32_t each : equivalent_branches(system_, draw)) {
-        const ir::Transition& way = machine.transitions[each];
+    for (const std::uint32_t branch : equivalent_branches(system_, draw)) {
+        const ir::Transition& way = machine.transitions[branch];
         const Rational weight =
             way.probability ? expression_value({machine, seat, &draw, &value_of}, *way.probability) : Rational(1);
         if (weight < 0 || weight > 1)
@@ -149,9 +149,18 @@ Rational Weights::expression_value(const Scope& scope, const ir::Expr& expr) con
                                 system_.type(expr.args.front()->type).kind == ir::TypeKind::real;
             return rounds ? floor_of(arg(0)) : arg(0);
         }
-        default:
+        // clang-format off
+        case ExprKind::string: case ExprKind::trigger_value: case ExprKind::since: case ExprKind::since_entry:
+        case ExprKind::modulus: case ExprKind::call: case ExprKind::function_value: case ExprKind::apply:
+        case ExprKind::tuple: case ExprKind::record: case ExprKind::sequence: case ExprKind::set:
+        case ExprKind::matrix: case ExprKind::member: case ExprKind::index: case ExprKind::concat:
+        case ExprKind::is_in: case ExprKind::set_range: case ExprKind::bound: case ExprKind::forall:
+        case ExprKind::exists: case ExprKind::exists_unique: case ExprKind::lambda: case ExprKind::the:
+        case ExprKind::set_comprehension: case ExprKind::let: case ExprKind::toolkit: case ExprKind::is_type:
+        case ExprKind::range: case ExprKind::transpose:
             break;
     }
+    // clang-format on
     throw Wrong(
         "a probability is an expression that is not computed exactly: numbers, variables, constants, "
         "arithmetic, comparisons and `if` are");

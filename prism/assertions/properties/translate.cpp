@@ -97,8 +97,8 @@ public:
     [[nodiscard]] const std::vector<const ProbabilisticDefinition*>& all_definitions() const { return found_; }
     /// Null if there is none.
     [[nodiscard]] const ProbabilisticDefinition* find(ProbabilisticKind kind, const std::string& name) const {
-        for (const ProbabilisticDefinition* each : found_)
-            if (each->kind == kind && (name.empty() || each->name == name)) return each;
+        for (const ProbabilisticDefinition* definition : found_)
+            if (definition->kind == kind && (name.empty() || definition->name == name)) return definition;
         return nullptr;
     }
     /// The definition that a clause names or contains.
@@ -106,19 +106,20 @@ public:
         return clause.name.empty() ? &clause.definition : find(clause.definition.kind, clause.name.parts.back());
     }
     [[nodiscard]] const ast::ProbabilisticFunction* find_function(const std::string& name) const {
-        for (const ProbabilisticDefinition* each : found_)
-            for (const ast::ProbabilisticFunction& function : each->functions)
+        for (const ProbabilisticDefinition* definition : found_)
+            for (const ast::ProbabilisticFunction& function : definition->functions)
                 if (function.name == name && function.result) return &function;
         return nullptr;
     }
     /// True if the constant is one of an assertion file.
     [[nodiscard]] bool defines_constant(const ast::Declaration* constant) const {
-        return std::ranges::any_of(found_, [&](const auto* each) { return each->constant.get() == constant; });
+        return std::ranges::any_of(found_,
+                                   [&](const auto* definition) { return definition->constant.get() == constant; });
     }
 
 private:
     void add(const ast::File& file) {
-        for (const ProbabilisticDefinition& each : file.probabilistic_definitions) found_.push_back(&each);
+        for (const ProbabilisticDefinition& definition : file.probabilistic_definitions) found_.push_back(&definition);
     }
     std::vector<const ProbabilisticDefinition*> found_;
 };
@@ -185,7 +186,7 @@ private:
     }
     std::vector<ExprPtr> translate_operands(const ast::Expr& expr) {
         std::vector<ExprPtr> result;
-        for (const auto& each : expr.args) result.push_back(translate_expression(*each));
+        for (const auto& operand : expr.args) result.push_back(translate_expression(*operand));
         return result;
     }
     ExprPtr translate_unary(const ast::Expr& expr);
@@ -206,7 +207,7 @@ private:
     std::string full_path(const ast::QualifiedName& name);
     static std::string event_direction(const ast::Expr& event) { return event.text.substr(0, event.text.find('.')); }
     std::string translate_event(const ast::ExprPtr& event);
-    std::string free_name(const std::string& wanted) const;
+    std::string free_name(const std::string& preferred) const;
 
     // definitions
     void add_settings(const ProbabilisticDefinition& definition);
@@ -266,9 +267,18 @@ ExprPtr Translator::translate_expression(const ast::Expr& expr) {
         case ExprKind::some_path:
             return make_node(expr, expr.kind == ExprKind::all_paths ? Op::forall_paths : Op::exists_path,
                              translate_operands(expr));
-        default:
-            throw_not_expressed(fmt::format("`{}`", ast::to_text(expr)));
+        // clang-format off
+        case ExprKind::string: case ExprKind::result: case ExprKind::to: case ExprKind::from: case ExprKind::let:
+        case ExprKind::forall: case ExprKind::exists: case ExprKind::exists_unique: case ExprKind::lambda:
+        case ExprKind::the: case ExprKind::cast: case ExprKind::is_type: case ExprKind::member: case ExprKind::index:
+        case ExprKind::tuple: case ExprKind::record: case ExprKind::sequence: case ExprKind::set:
+        case ExprKind::set_range: case ExprKind::set_comprehension: case ExprKind::range: case ExprKind::matrix:
+        case ExprKind::inverse: case ExprKind::transpose: case ExprKind::since: case ExprKind::since_entry:
+        case ExprKind::simulation: case ExprKind::error:
+            break;
     }
+    // clang-format on
+    throw_not_expressed(fmt::format("`{}`", ast::to_text(expr)));
 }
 
 ExprPtr Translator::translate_unary(const ast::Expr& expr) {
@@ -294,8 +304,8 @@ std::string Translator::full_path(const ast::QualifiedName& name) {
 }
 
 /// A name that is neither used in the model nor a keyword of PRISM.
-std::string Translator::free_name(const std::string& wanted) const {
-    std::string name = wanted;
+std::string Translator::free_name(const std::string& preferred) const {
+    std::string name = preferred;
     while (prism::is_reserved(name) || elements_.is_name_taken(name)) name += "_";
     return name;
 }
@@ -335,7 +345,7 @@ ExprPtr Translator::translate_constant(const ast::Expr& expr) {
     else if (form != ast::TypeForm::nat && form != ast::TypeForm::integer)
         throw_not_expressed(
             fmt::format("the constant `{}` of type {}", declared->name, ast::to_string(declared->type)));
-    const auto same = [&](const prism::Constant& each) { return each.name.text == made.name.text; };
+    const auto same = [&](const prism::Constant& constant) { return constant.name.text == made.name.text; };
     auto& model = question_.model_constants;
     auto& own = question_.constants;
     if (std::ranges::none_of(model, same)) {
@@ -456,8 +466,8 @@ ExprPtr Translator::translate_quantitative(const ast::Expr& expr) {
         query->optimum = expr.text == "min=?" ? prism::Optimum::minimum : prism::Optimum::maximum;
     }
     if (reward) {
-        const std::string wanted = expr.name.empty() ? "" : expr.name.parts.back();
-        const ProbabilisticDefinition* const found = definitions_.find(ProbabilisticKind::rewards, wanted);
+        const std::string reward_name = expr.name.empty() ? "" : expr.name.parts.back();
+        const ProbabilisticDefinition* const found = definitions_.find(ProbabilisticKind::rewards, reward_name);
         if (found == nullptr) throw_not_expressed(fmt::format("`{}`: there is no such reward", ast::to_text(expr)));
         add_rewards(*found);
         query->reward = {found->name, expr.span};
@@ -496,8 +506,8 @@ void Translator::read_simulation(const ast::Expr& simulation) {
     std::ranges::transform(sampling.method, sampling.method.begin(),
                            [](char letter) { return static_cast<char>(letter - 'A' + 'a'); });
     std::set<std::string> given;
-    for (const ast::Binding& each : simulation.bindings) {
-        const std::string& name = each.variable->name;
+    for (const ast::Binding& binding : simulation.bindings) {
+        const std::string& name = binding.variable->name;
         const auto known = names.find(name);
         if (known == names.end()) {
             std::string all;
@@ -506,7 +516,7 @@ void Translator::read_simulation(const ast::Expr& simulation) {
         }
         if (!given.insert(name).second)
             throw Wrong(fmt::format("`sim with {}`: `{}` is given twice", simulation.text, name));
-        sampling.parameters.emplace_back(known->second, add_number(name + " =", *each.value));
+        sampling.parameters.emplace_back(known->second, add_number(name + " =", *binding.value));
     }
     question_.simulation = std::move(sampling);
 }
@@ -514,18 +524,18 @@ void Translator::read_simulation(const ast::Expr& simulation) {
 // ---------------------------------------------------------------- definitions
 
 void Translator::add_settings(const ProbabilisticDefinition& definition) {
-    for (const ast::ConstantValues& each : definition.constants) {
+    for (const ast::ConstantValues& source : definition.constants) {
         Setting setting;
-        setting.name = each.constant->name.text();
-        if (definitions_.defines_constant(each.constant->target)) {
-            const auto [known, added] = known_.try_emplace(each.constant->target);
-            if (added) known->second = free_name(each.constant->target->name);
+        setting.name = source.constant->name.text();
+        if (definitions_.defines_constant(source.constant->target)) {
+            const auto [known, added] = known_.try_emplace(source.constant->target);
+            if (added) known->second = free_name(source.constant->target->name);
             setting.constant = known->second;
         } else {
-            setting.path = full_path(each.constant->name);
+            setting.path = full_path(source.constant->name);
         }
-        setting.values = each.from_set ? constant_values(*each.value)
-                                       : std::vector<std::string>{prism::print(translate_expression(*each.value))};
+        setting.values = source.from_set ? constant_values(*source.value)
+                                         : std::vector<std::string>{prism::print(translate_expression(*source.value))};
         question_.settings.push_back(std::move(setting));
     }
 }
@@ -541,23 +551,23 @@ std::vector<std::string> Translator::constant_values(const ast::Expr& value) {
     }
     if (value.kind != ExprKind::set || value.args.empty())
         throw_not_expressed(fmt::format("`{}` as a set of values", ast::to_text(value)));
-    for (const auto& each : value.args) result.push_back(prism::print(translate_expression(*each)));
+    for (const auto& element : value.args) result.push_back(prism::print(translate_expression(*element)));
     return result;
 }
 
 void Translator::add_rewards(const ProbabilisticDefinition& definition) {
-    const auto same = [&](const auto& each) { return each.name.text == definition.name; };
+    const auto same = [&](const auto& structure) { return structure.name.text == definition.name; };
     if (std::ranges::any_of(question_.rewards, same)) return;
     prism::RewardStructure made{{definition.name, definition.name_span}, {}};
     const bool before = std::exchange(in_model_, true);
-    for (const ast::RewardItem& each : definition.rewards) {
+    for (const ast::RewardItem& source : definition.rewards) {
         prism::RewardItem item;
-        item.transition = each.of_step;
-        item.span = each.guard->span;
-        item.action = {each.of_step ? translate_event(each.event) : "", item.span};
-        item.guard = translate_expression(*each.guard);
-        item.value = translate_expression(*each.value);
-        made.items.push_back(each.of_step ? std::move(item) : elements_.of_state(std::move(item)));
+        item.transition = source.of_step;
+        item.span = source.guard->span;
+        item.action = {source.of_step ? translate_event(source.event) : "", item.span};
+        item.guard = translate_expression(*source.guard);
+        item.value = translate_expression(*source.value);
+        made.items.push_back(source.of_step ? std::move(item) : elements_.of_state(std::move(item)));
     }
     in_model_ = before;
     question_.rewards.push_back(std::move(made));
@@ -565,24 +575,26 @@ void Translator::add_rewards(const ProbabilisticDefinition& definition) {
 
 void Translator::add_modules(const ProbabilisticDefinition& definition) {
     const bool before = std::exchange(in_model_, true);
-    for (const ast::ProbabilisticModule& each : definition.modules) question_.modules.push_back(translate_module(each));
+    for (const ast::ProbabilisticModule& module : definition.modules)
+        question_.modules.push_back(translate_module(module));
     in_model_ = before;
 }
 
 prism::Module Translator::translate_module(const ast::ProbabilisticModule& source) {
     prism::Module made;
     made.name = {source.name, source.name_span};
-    for (const ast::ModuleVariable& each : source.variables) {
-        prism::Variable variable{{each.variable->name, each.variable->name_span}, prism::Type::boolean, {}, {}, {}};
-        if (each.low) {
+    for (const ast::ModuleVariable& declared : source.variables) {
+        prism::Variable variable{
+            {declared.variable->name, declared.variable->name_span}, prism::Type::boolean, {}, {}, {}};
+        if (declared.low) {
             variable.type = prism::Type::integer;
-            variable.low = translate_expression(*each.low);
-            variable.high = translate_expression(*each.high);
+            variable.low = translate_expression(*declared.low);
+            variable.high = translate_expression(*declared.high);
         }
-        if (each.variable->initial) variable.initial = translate_expression(*each.variable->initial);
+        if (declared.variable->initial) variable.initial = translate_expression(*declared.variable->initial);
         made.variables.push_back(std::move(variable));
     }
-    for (const ast::Command& each : source.commands) made.commands.push_back(translate_command(each));
+    for (const ast::Command& command : source.commands) made.commands.push_back(translate_command(command));
     return made;
 }
 
@@ -592,14 +604,14 @@ prism::Command Translator::translate_command(const ast::Command& source) {
     made.span = source.guard->span;
     made.action = {translate_event(source.event), made.span};
     made.guard = translate_expression(*source.guard);
-    for (const ast::Update& each : source.updates) {
-        const bool begins = made.branches.empty() || each.probability;
+    for (const ast::Update& update : source.updates) {
+        const bool begins = made.branches.empty() || update.probability;
         if (begins && !made.branches.empty() && !made.branches.front().probability)
             throw_not_expressed("a probability behind an update without one");
         if (begins)
             made.branches.push_back(
-                {each.probability ? translate_expression(*each.probability) : nullptr, {}, made.span});
-        made.branches.back().assignments.push_back(translate_assignment(each));
+                {update.probability ? translate_expression(*update.probability) : nullptr, {}, made.span});
+        made.branches.back().assignments.push_back(translate_assignment(update));
     }
     if (made.branches.empty()) made.branches.push_back({nullptr, {}, made.span});
     return made;
@@ -682,8 +694,8 @@ std::vector<std::string> subjects_of(const Assertions& all, const ast::File& fil
     const Definitions definitions(all, file, assertion);
     Recorder recorder;
     const Question question = Translator(all, file, definitions, recorder)(assertion);
-    for (const Setting& each : question.settings)
-        if (!each.path.empty()) recorder.record_path(each.path);
+    for (const Setting& setting : question.settings)
+        if (!setting.path.empty()) recorder.record_path(setting.path);
     return recorder.found;
 }
 

@@ -20,8 +20,8 @@ namespace {
 using prism::ExprPtr;
 
 std::string first_error(const diagnostics::Diagnostics& diagnostics) {
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
-        if (each.rule->severity == diagnostics::Severity::error) return each.message();
+    for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings())
+        if (finding.rule->severity == diagnostics::Severity::error) return finding.message();
     return "";
 }
 
@@ -31,10 +31,10 @@ ExprPtr name_expression(const std::string& name) {
 
 std::set<std::string> names_of(const prism::ModelFile& model) {
     std::set<std::string> result;
-    for (const prism::Constant& each : model.constants) result.insert(each.name.text);
-    for (const prism::Variable& each : model.globals) result.insert(each.name.text);
+    for (const prism::Constant& constant : model.constants) result.insert(constant.name.text);
+    for (const prism::Variable& variable : model.globals) result.insert(variable.name.text);
     for (const prism::Module& module : model.modules)
-        for (const prism::Variable& each : module.variables) result.insert(each.name.text);
+        for (const prism::Variable& variable : module.variables) result.insert(variable.name.text);
     return result;
 }
 
@@ -45,7 +45,8 @@ class RoboToolEncoding::Names final : public Elements {
 public:
     Names(const prism_emit::Emission& emission, const ir::Module& module)
         : taken_(names_of(emission.model)), module_(module.name), platform_(module.platform.name) {
-        for (const prism_emit::NameOf& each : emission.names) names_[{each.kind, each.element}] = each.name;
+        for (const prism_emit::NameOf& renaming : emission.names)
+            names_[{renaming.kind, renaming.element}] = renaming.name;
     }
 
     ExprPtr variable_expression(const std::string& path) override {
@@ -150,7 +151,7 @@ prism::Constant RoboToolEncoding::prism_constant(const std::string& path) {
     const std::string& name = names_->constant_name(path);
     const auto& all = emission_.model.constants;
     prism::Constant found =
-        *std::ranges::find_if(all, [&](const prism::Constant& each) { return each.name.text == name; });
+        *std::ranges::find_if(all, [&](const prism::Constant& constant) { return constant.name.text == name; });
     found.value = nullptr;
     return found;
 }
@@ -187,11 +188,11 @@ void widen_range(prism_emit::Range& range, std::int64_t value) {
 
 prism_emit::Preferences RoboToolEncoding::ranges_for(const Question& question) {
     prism_emit::Preferences result = options_.preferences;
-    for (const Setting& each : question.settings) {
-        if (each.path.empty()) continue;
-        const prism::Constant set = prism_constant(each.path);
+    for (const Setting& setting : question.settings) {
+        if (setting.path.empty()) continue;
+        const prism::Constant set = prism_constant(setting.path);
         if (set.type == prism::Type::boolean) continue;
-        for (const std::int64_t value : whole_values(set, each.values)) {
+        for (const std::int64_t value : whole_values(set, setting.values)) {
             widen_range(set.type == prism::Type::real ? result.real : result.integer, value);
             if (set.type == prism::Type::integer && value >= 0) widen_range(result.nat, value);
         }
@@ -201,14 +202,14 @@ prism_emit::Preferences RoboToolEncoding::ranges_for(const Question& question) {
 
 /// If a constant gets values from the question, its value in the model is removed.
 prism::ModelFile RoboToolEncoding::model_for(const Question& question) {
-    if (const prism_emit::Preferences wanted = ranges_for(question); wanted != emitted_for_) {
-        emission_ = emit_model(system_, module_, wanted, options_.budget, functions_);
-        emitted_for_ = wanted;
+    if (const prism_emit::Preferences preferences = ranges_for(question); preferences != emitted_for_) {
+        emission_ = emit_model(system_, module_, preferences, options_.budget, functions_);
+        emitted_for_ = preferences;
     }
     prism::ModelFile result = emission_.model;
-    for (const Setting& each : question.settings) {
-        if (each.path.empty()) continue;
-        const std::string& name = names_->constant_name(each.path);
+    for (const Setting& setting : question.settings) {
+        if (setting.path.empty()) continue;
+        const std::string& name = names_->constant_name(setting.path);
         for (prism::Constant& constant : result.constants)
             if (constant.name.text == name) constant.value = nullptr;
     }
@@ -225,8 +226,8 @@ prism::Values RoboToolEncoding::all_values(const prism::ModelFile& model, const 
         const std::string& name = constant.name.text;
         if (result.contains(name)) continue;
         std::string element = name;
-        for (const prism_emit::NameOf& each : emission_.names)
-            if (each.kind == "constant" && each.name == name) element = each.element;
+        for (const prism_emit::NameOf& renaming : emission_.names)
+            if (renaming.kind == "constant" && renaming.name == name) element = renaming.element;
         const auto meant = std::ranges::find_if(
             options_.constants, [&](const auto& option) { return ir::is_named_by(element, option.first); });
         if (meant == options_.constants.end())

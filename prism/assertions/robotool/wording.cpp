@@ -23,8 +23,8 @@ std::string last_of(const std::string& element) {
 
 /// The value of a constant that is defined as a number.
 std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::string& name) {
-    const auto found =
-        std::ranges::find_if(model.constants, [&](const prism::Constant& each) { return each.name.text == name; });
+    const auto found = std::ranges::find_if(
+        model.constants, [&](const prism::Constant& constant) { return constant.name.text == name; });
     if (found == model.constants.end() || !found->value || found->value->op != prism::Op::integer) return std::nullopt;
     const std::string& digits = found->value->text;
     std::int32_t value = 0;
@@ -35,11 +35,12 @@ std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::s
 /// R4: the counter of a region is at one of its nodes, or at the beginning of an entry action.
 Wording::Variable place_of(const prism_emit::Emission& emission, const std::string& region) {
     Wording::Variable result{region + " at ", {{0, "no state"}}};
-    for (const prism_emit::NameOf& each : emission.names) {
-        if (each.kind != "node" || owner_of(each.element) != region) continue;
-        if (const auto value = value_of(emission.model, each.name)) result.values[*value] = last_of(each.element);
-        if (const auto value = value_of(emission.model, each.name + std::string(entering)))
-            result.values[*value] = "the entry of " + last_of(each.element);
+    for (const prism_emit::NameOf& renaming : emission.names) {
+        if (renaming.kind != "node" || owner_of(renaming.element) != region) continue;
+        if (const auto value = value_of(emission.model, renaming.name))
+            result.values[*value] = last_of(renaming.element);
+        if (const auto value = value_of(emission.model, renaming.name + std::string(entering)))
+            result.values[*value] = "the entry of " + last_of(renaming.element);
     }
     return result;
 }
@@ -48,24 +49,24 @@ Wording::Variable place_of(const prism_emit::Emission& emission, const std::stri
 
 Wording wording_of(const prism_emit::Emission& emission) {
     Wording result;
-    for (const prism_emit::NameOf& each : emission.names) {
-        if (each.kind == "STM") result.modules[each.name] = each.element;
-        if (each.kind == "event") {
+    for (const prism_emit::NameOf& renaming : emission.names) {
+        if (renaming.kind == "STM") result.modules[renaming.name] = renaming.element;
+        if (renaming.kind == "event") {
             // "M::c::s::e::IN"; a label has an end on both sides.
-            const std::string end = owner_of(each.element) + (last_of(each.element) == "IN" ? ".in" : ".out");
-            std::string& text = result.actions[each.name];
+            const std::string end = owner_of(renaming.element) + (last_of(renaming.element) == "IN" ? ".in" : ".out");
+            std::string& text = result.actions[renaming.name];
             text += (text.empty() ? "" : ", ") + end;
-            result.variables.try_emplace("EVT__" + each.name, Wording::Variable{end + ".val = ", {}});
+            result.variables.try_emplace("EVT__" + renaming.name, Wording::Variable{end + ".val = ", {}});
         }
-        if (each.kind != "variable") continue;
-        if (each.element.ends_with(counter)) {
-            result.variables[each.name] =
-                place_of(emission, each.element.substr(0, each.element.size() - counter.size()));
-        } else if (!each.element.ends_with("::exit_9") && !each.element.ends_with("::lock_7")) {
-            Wording::Variable variable{each.element + " = ", {}};
-            for (std::size_t i = 0; i < each.literals.size(); ++i)
-                variable.values[static_cast<std::int32_t>(i)] = each.literals[i];
-            result.variables[each.name] = std::move(variable);
+        if (renaming.kind != "variable") continue;
+        if (renaming.element.ends_with(counter)) {
+            result.variables[renaming.name] =
+                place_of(emission, renaming.element.substr(0, renaming.element.size() - counter.size()));
+        } else if (!renaming.element.ends_with("::exit_9") && !renaming.element.ends_with("::lock_7")) {
+            Wording::Variable variable{renaming.element + " = ", {}};
+            for (std::size_t i = 0; i < renaming.literals.size(); ++i)
+                variable.values[static_cast<std::int32_t>(i)] = renaming.literals[i];
+            result.variables[renaming.name] = std::move(variable);
         }
     }
     return result;
