@@ -70,9 +70,13 @@ public:
                 return split_until(formula);
             case Form::release:
                 return split_release(formula);
-            default:
-                throw NotDecided(beyond);
+            case Form::no:
+            case Form::yes:
+            case Form::atom:
+            case Form::not_atom:
+                break;
         }
+        throw NotDecided(beyond);
     }
 
     std::vector<Part> parts;
@@ -130,9 +134,13 @@ private:
             case Form::release:
                 return formulas_.make_release(formulas_.make_next(formula.a), formulas_.make_next(formula.b),
                                               formula.steps);
-            default:
-                throw NotDecided(beyond);
+            case Form::no:
+            case Form::yes:
+            case Form::atom:
+            case Form::not_atom:
+                break;
         }
+        throw NotDecided(beyond);
     }
 
     /// Collects the operands of nested `form` (both or either), split into tails and other operands.

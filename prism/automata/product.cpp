@@ -116,13 +116,13 @@ markov::StateSet winning_states(const Product& product, const Automaton& automat
                 if (now != holds) allowed.states[state] = false;
             }
         }
-        for (const markov::EndComponent& each : end_components(graph, allowed)) {
+        for (const markov::EndComponent& component : end_components(graph, allowed)) {
             const bool wins = std::ranges::all_of(again, [&](std::size_t part) {
-                return std::ranges::any_of(each.states, [&](markov::State state) {
+                return std::ranges::any_of(component.states, [&](markov::State state) {
                     return automaton.is_marked(product.automaton[state], part);
                 });
             });
-            for (const markov::State state : each.states)
+            for (const markov::State state : component.states)
                 if (wins) result[state] = true;
         }
     }

@@ -67,9 +67,13 @@ ResidueId Residues::residue_of(FormulaId id) {
             return choice(residue_of(formula.a), yes, residue_of(formula.b));
         case Form::not_atom:
             return choice(variable(formulas_.atom(formula.atom)), no, yes);
-        default:
-            return variable(id);
+        case Form::atom:
+        case Form::next:
+        case Form::until:
+        case Form::release:
+            break;
     }
+    return variable(id);
 }
 
 ResidueId Residues::residue_after(ResidueId residue, Letter letter) {
@@ -91,7 +95,8 @@ ResidueId Residues::step(FormulaId id, Letter letter) {
     if (formula.form == Form::next) return residue_of(formula.a);
     const bool until = formula.form == Form::until;
     const ResidueId left = residue_after(residue_of(formula.a), letter);
-    const ResidueId right = formula.steps.from == 0 ? residue_after(residue_of(formula.b), letter) : until ? no : yes;
+    ResidueId right = until ? no : yes;
+    if (formula.steps.from == 0) right = residue_after(residue_of(formula.b), letter);
     ResidueId later = until ? no : yes;
     if (formula.steps.to != 0U)
         later = residue_of(until ? formulas_.make_until(formula.a, formula.b, formula.steps.after_one())

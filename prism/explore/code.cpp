@@ -130,9 +130,15 @@ Code::Root Code::operation(const Expr& expr) {
         case Op::minus:
             node.op = Operation::minus;
             break;
-        default:
+        // clang-format off
+        case Op::boolean: case Op::integer: case Op::real: case Op::name: case Op::label: case Op::equal:
+        case Op::unequal: case Op::less: case Op::less_equal: case Op::greater: case Op::greater_equal: case Op::call:
+        case Op::probability: case Op::steady: case Op::reward: case Op::forall_paths: case Op::exists_path:
+        case Op::filter: case Op::next: case Op::eventually: case Op::globally: case Op::until: case Op::weak_until:
+        case Op::release: case Op::cumulative: case Op::total: case Op::instantaneous: case Op::long_run:
             return comparison(expr);
     }
+    // clang-format on
     std::uint32_t* const places[] = {&node.a, &node.b, &node.c};
     bool real = expr.op == Op::divide;
     for (std::size_t i = 0; i < expr.parts.size(); ++i) {
@@ -153,7 +159,9 @@ Code::Root Code::comparison(const Expr& expr) {
     node.b = compiled(expr.parts[1]);
     const bool real = type(node.a) == Type::real || type(node.b) == Type::real;
     const bool simple = !real && nodes_[node.a].op == Operation::variable && is_constant(node.b);
-    const auto family = real ? Operation::real_equal : simple ? Operation::variable_equal : Operation::equal;
+    Operation family = Operation::equal;
+    if (real) family = Operation::real_equal;
+    if (simple) family = Operation::variable_equal;
     const auto offset = static_cast<unsigned>(expr.op) - static_cast<unsigned>(Op::equal);
     node.op = static_cast<Operation>(static_cast<unsigned>(family) + offset);
     if (simple) {

@@ -27,9 +27,9 @@ CommandTable::CommandTable(const CheckedModel& model, const Layout& layout, Code
             groups_[group({i, command.action.text})].push_back(static_cast<std::uint32_t>(commands_.size()));
             add_command(command);
         }
-    for (const Synchronisation& each : model.synchronisations) {
-        Act act{action(each.action), {}};
-        for (const ActionOfModule& part : each.parts) act.groups.push_back(group(part));
+    for (const Synchronisation& synchronisation : model.synchronisations) {
+        Act act{action(synchronisation.action), {}};
+        for (const ActionOfModule& part : synchronisation.parts) act.groups.push_back(group(part));
         acts_.push_back(std::move(act));
     }
     enabled_.resize(groups_.size());
@@ -59,12 +59,12 @@ void CommandTable::add_command(const Command& command) {
         CodedBranch made;
         if (branch.probability) made.probability = probability(branch.probability);
         coded.fixed = coded.fixed && made.probability.fixed;
-        for (const Assignment& each : branch.assignments) {
+        for (const Assignment& assignment : branch.assignments) {
             const auto variable = std::ranges::find_if(
-                model_.variables, [&](const Variable& v) { return v.name.text == each.variable.text; });
+                model_.variables, [&](const Variable& v) { return v.name.text == assignment.variable.text; });
             made.assignments.emplace_back(static_cast<std::uint32_t>(variable - model_.variables.begin()),
-                                          code_.compile(each.value));
-            made.spans.push_back(each.value->span);
+                                          code_.compile(assignment.value));
+            made.spans.push_back(assignment.value->span);
         }
         coded.branches.push_back(std::move(made));
     }

@@ -11,7 +11,7 @@ namespace robochart::prism {
 void evaluate_constants(const std::vector<Constant>& constants, const Values& given, Values& known, bool optional) {
     diagnostics::Diagnostics reported_before;
     std::vector<Defined> defined;
-    for (const Constant& each : constants) defined.push_back({each.name, each.value});
+    for (const Constant& constant : constants) defined.push_back({constant.name, constant.value});
     for (const std::size_t i : definition_order(defined, reported_before)) {
         const Constant& constant = constants[i];
         const auto found = given.find(constant.name.text);

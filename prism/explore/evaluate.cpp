@@ -88,9 +88,13 @@ std::int64_t Code::integer(Root root, StateValues state) const {
         case ceil:
         case round:
             return round_real(node, root, state);
-        default:
-            return arithmetic(node, root, state);
+        // clang-format off
+        case add: case subtract: case multiply: case divide: case power: case minus: case minimum: case maximum:
+        case mod: case log:
+            break;
     }
+    // clang-format on
+    return arithmetic(node, root, state);
 }
 
 bool Code::compare_reals(const Node& node, Root root, StateValues state) const {

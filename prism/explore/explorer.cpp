@@ -67,7 +67,7 @@ void Explorer::expand(markov::State state) {
     partial_[0].assign(packed.begin(), packed.end());
     all_.clear();
     combinations_ = 0;
-    for (const CommandTable::Act& each : commands_.acts()) explore_act(each);
+    for (const CommandTable::Act& act : commands_.acts()) explore_act(act);
     finish_state(state);
 }
 
@@ -117,14 +117,14 @@ void Explorer::branch(const CommandTable::Act& act, std::size_t part, NumberTabl
 /// Combines branches with the same target.
 void Explorer::merge_branches(Distribution& distribution) {
     std::ranges::stable_sort(distribution, [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::size_t kept = 0;
+    std::size_t last = 0;
     for (std::size_t i = 1; i < distribution.size(); ++i) {
-        if (distribution[i].first == distribution[kept].first)
-            distribution[kept].second = numbers_.sum(distribution[kept].second, distribution[i].second);
+        if (distribution[i].first == distribution[last].first)
+            distribution[last].second = numbers_.sum(distribution[last].second, distribution[i].second);
         else
-            distribution[++kept] = distribution[i];
+            distribution[++last] = distribution[i];
     }
-    distribution.resize(distribution.empty() ? 0 : kept + 1);
+    distribution.resize(distribution.empty() ? 0 : last + 1);
 }
 
 void Explorer::push_choice(std::uint32_t action, const Distribution& distribution) {

@@ -83,11 +83,11 @@ void list_initial_states(const Instance& instance, Code& code, diagnostics::Budg
             throw EvaluationError(rules::no_initial_state, initial->span,
                                   {fmt::format("init ... endinit needs a range for '{}'", field.name)});
     bool any = false;
-    const std::function<void(const std::int32_t*)> each = [&](const std::int32_t* values) {
+    const std::function<void(const std::int32_t*)> note_state = [&](const std::int32_t* values) {
         any = true;
         found(values);
     };
-    Lister(initial, instance.layout(), code, budget, each).list(0);
+    Lister(initial, instance.layout(), code, budget, note_state).list(0);
     if (!any) throw EvaluationError(rules::no_initial_state, initial->span, {"no state is initial"});
 }
 

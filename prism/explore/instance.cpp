@@ -22,7 +22,7 @@ Code code_for(const CheckedModel& model, const Values& constants) {
         variables.emplace(name, static_cast<std::uint32_t>(types.size()));
         types.push_back(type);
     };
-    for (const Variable& each : model.variables) add(each.name.text, each.type);
+    for (const Variable& variable : model.variables) add(variable.name.text, variable.type);
     add(Instance::deadlock_name, Type::boolean);
     add(Instance::initial_name, Type::boolean);
     return {std::move(variables), std::move(types), constants};

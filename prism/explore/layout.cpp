@@ -68,9 +68,12 @@ std::string Layout::changes_text(const std::int32_t* before, const std::int32_t*
     std::string result;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         if (before != nullptr && before[i] == after[i]) continue;
-        const bool boolean = fields_[i].type == Type::boolean;
-        result += fmt::format("{}{}={}", result.empty() ? "" : ", ", fields_[i].name,
-                              boolean ? (after[i] != 0 ? "true" : "false") : fmt::format("{}", after[i]));
+        std::string value;
+        if (fields_[i].type == Type::boolean)
+            value = after[i] != 0 ? "true" : "false";
+        else
+            value = fmt::format("{}", after[i]);
+        result += fmt::format("{}{}={}", result.empty() ? "" : ", ", fields_[i].name, value);
     }
     return result;
 }

@@ -24,8 +24,14 @@ public:
     [[nodiscard]] const Real& operator[](Id id) const { return numbers_[id]; }
     [[nodiscard]] std::size_t size() const { return numbers_.size(); }
 
-    Id sum(Id a, Id b) { return a == zero ? b : b == zero ? a : combined(Operation::sum, a, b); }
-    Id product(Id a, Id b) { return a == one ? b : b == one ? a : combined(Operation::product, a, b); }
+    Id sum(Id a, Id b) {
+        if (a == zero) return b;
+        return b == zero ? a : combined(Operation::sum, a, b);
+    }
+    Id product(Id a, Id b) {
+        if (a == one) return b;
+        return b == one ? a : combined(Operation::product, a, b);
+    }
     /// The divisor must not be 0.
     Id quotient(Id a, Id b) { return b == one ? a : combined(Operation::quotient, a, b); }
 

@@ -99,7 +99,10 @@ Real::Real(Enclosure bounds) : bounds_(bounds) {
 }
 
 std::optional<int> Real::compare(const Real& other) const {
-    if (exact_ && other.exact_) return value_ < other.value_ ? -1 : value_ == other.value_ ? 0 : 1;
+    if (exact_ && other.exact_) {
+        if (value_ < other.value_) return -1;
+        return value_ == other.value_ ? 0 : 1;
+    }
     const Enclosure a = bounds();
     const Enclosure b = other.bounds();
     if (a.high < b.low) return -1;
@@ -122,7 +125,8 @@ std::string Real::text() const {
     if (exact_) return fraction_text(value_);
     if (bounds_.is_exact()) return bounds_.low > 0 ? "Infinity" : "-Infinity";  // finite exact values are fractions
     const auto side = [](double bound) {
-        return std::isinf(bound) ? std::string(bound > 0 ? "Infinity" : "-Infinity") : fmt::format("{}", bound);
+        if (!std::isinf(bound)) return fmt::format("{}", bound);
+        return std::string(bound > 0 ? "Infinity" : "-Infinity");
     };
     return fmt::format("between {} and {}", side(bounds_.low), side(bounds_.high));
 }
@@ -208,7 +212,8 @@ Real infinite_power(const Real& base, const Real& exponent) {
     if (base.is_infinite()) {
         const std::optional<int> sign = compared(exponent, 0);
         if (!sign || base.bounds().low < 0) throw Unclear("a power of infinity is not known");
-        return *sign > 0 ? base : Real(std::int64_t{*sign == 0 ? 1 : 0});
+        if (*sign > 0) return base;
+        return Real(std::int64_t{*sign == 0 ? 1 : 0});
     }
     const std::optional<int> order = compared(base, 1);
     if (!order || compared(base, 0) == -1) throw Unclear("a power to infinity is not known");
@@ -252,15 +257,17 @@ Real power(const Real& base, const Real& exponent) {
 
 namespace {
 
+Enclosure enclosed_logarithm(double value) {
+    if (value == 0) return {-infinity, -infinity};
+    if (std::isinf(value)) return {infinity, infinity};
+    return widen_by_rounding(std::log(value));
+}
+
 Real natural_logarithm(const Real& value) {
     const Enclosure v = value.bounds();
     if (value.is_exact() && value.value() == 1) return Real(std::int64_t{0});
     if (v.low < 0) no_value(v.high < 0, "the logarithm of a negative number");
-    const double low = v.low == 0 ? -infinity : std::isinf(v.low) ? infinity : widen_by_rounding(std::log(v.low)).low;
-    const double high = v.high == 0          ? -infinity
-                        : std::isinf(v.high) ? infinity
-                                             : widen_by_rounding(std::log(v.high)).high;
-    return Enclosure{low, high};
+    return Enclosure{enclosed_logarithm(v.low).low, enclosed_logarithm(v.high).high};
 }
 
 }  // namespace
@@ -276,7 +283,10 @@ Real logarithm(const Real& value, const Real& base) {
 }
 
 Real extreme_of(const Real& a, const Real& b, bool least) {
-    if (const std::optional<int> order = b.compare(a)) return (least ? *order < 0 : *order > 0) ? b : a;
+    if (const std::optional<int> order = b.compare(a)) {
+        const bool better = least ? *order < 0 : *order > 0;
+        return better ? b : a;
+    }
     const Enclosure left = a.bounds();
     const Enclosure right = b.bounds();
     if (least) return Enclosure{std::min(left.low, right.low), std::min(left.high, right.high)};

@@ -27,7 +27,7 @@ StateSpace::StateSpace(const CheckedModel& model, const Values& constants, Given
     rows_.resize(chain_.states() * layout().words());
     for (std::size_t state = 0; state < chain_.states(); ++state)
         layout().pack(given.values.data() + state * fields, rows_.data() + state * layout().words());
-    for (const bool each : deadlocks_) deadlock_count_ += each ? 1 : 0;
+    for (const bool deadlock : deadlocks_) deadlock_count_ += deadlock ? 1 : 0;
 }
 
 std::string StateSpace::state_text(markov::State state) const {

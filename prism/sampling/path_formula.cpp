@@ -95,12 +95,12 @@ std::size_t PathFormula::add_temporal(const Expr& expr, std::uint64_t begin) {
 
 void PathFormula::start_path() {
     seen_ = 0;
-    for (Until& each : untils_) each.holds.reset();
+    for (Until& until : untils_) until.holds.reset();
 }
 
 void PathFormula::observe_state(StateValues state) {
-    for (Until& each : untils_)
-        if (!each.holds && seen_ >= each.begin) observe_state(each, state);
+    for (Until& until : untils_)
+        if (!until.holds && seen_ >= until.begin) observe_state(until, state);
     ++seen_;
 }
 
@@ -114,8 +114,8 @@ void PathFormula::observe_state(Until& until, StateValues values) const {
 
 /// An event that has not happened in any of the repeated states never happens.
 void PathFormula::end_in_loop(std::uint64_t period) {
-    for (Until& each : untils_)
-        if (!each.holds && seen_ >= each.begin + each.steps.from + period) each.holds = false;
+    for (Until& until : untils_)
+        if (!until.holds && seen_ >= until.begin + until.steps.from + period) until.holds = false;
 }
 
 std::optional<bool> PathFormula::holds(std::size_t node) const {

@@ -17,10 +17,10 @@ constexpr std::uint64_t greatest_block = 8192;
 
 /// The data of one thread.
 struct Sampler::Worker {
-    Worker(const Instance& instance, const Expr& asked, const Values& constants, diagnostics::Budget* budget)
+    Worker(const Instance& instance, const Expr& sampled, const Values& constants, diagnostics::Budget* budget)
         : code(instance.code(constants)),
           walk(instance, code, sampled_from(instance, code, budget), diagnostics),
-          question(asked, instance, code, walk) {}
+          question(sampled, instance, code, walk) {}
 
     diagnostics::Diagnostics diagnostics;
     Code code;
@@ -65,10 +65,10 @@ void Sampler::fill_block() {
 void Sampler::report(diagnostics::Diagnostics& diagnostics) const {
     std::vector<diagnostics::Span> seen;
     for (const auto& worker : workers_)
-        for (const diagnostics::Diagnostic& each : worker->diagnostics.sorted_findings()) {
-            if (std::ranges::find(seen, each.span) != seen.end()) continue;
-            seen.push_back(each.span);
-            diagnostics.report(*each.rule, each.span, each.arguments);
+        for (const diagnostics::Diagnostic& finding : worker->diagnostics.sorted_findings()) {
+            if (std::ranges::find(seen, finding.span) != seen.end()) continue;
+            seen.push_back(finding.span);
+            diagnostics.report(*finding.rule, finding.span, finding.arguments);
         }
 }
 

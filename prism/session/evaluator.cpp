@@ -64,9 +64,15 @@ StateVector Evaluator::evaluate(const ExprPtr& expr) {
             return StateVector::from_set(branching_states(*expr->parts[0], false));
         case Op::filter:
             return evaluate_filter(*expr);
-        default:
-            return evaluate_arithmetic(*expr);
+        // clang-format off
+        case Op::boolean: case Op::integer: case Op::real: case Op::name: case Op::add: case Op::subtract:
+        case Op::multiply: case Op::divide: case Op::power: case Op::minus: case Op::call: case Op::next:
+        case Op::eventually: case Op::globally: case Op::until: case Op::weak_until: case Op::release:
+        case Op::cumulative: case Op::total: case Op::instantaneous: case Op::long_run:
+            break;
     }
+    // clang-format on
+    return evaluate_arithmetic(*expr);
 }
 
 StateVector Evaluator::state_expression(const ExprPtr& expr) {
@@ -135,7 +141,7 @@ markov::StateSet Evaluator::states_satisfying(const ExprPtr& expr) {
 StateVector Evaluator::evaluate_logical(const Expr& expr) {
     StateVector left = evaluate(expr.parts[0]);
     if (expr.op == Op::negation) {
-        for (Truth& each : left.truths) each = negation_of(each);
+        for (Truth& truth : left.truths) truth = negation_of(truth);
         return left;
     }
     const StateVector right = evaluate(expr.parts[1]);
@@ -174,7 +180,9 @@ StateVector Evaluator::evaluate_comparison(const Expr& expr) {
         if (left.type == Type::boolean) {
             const bool known = left.truths[i] != Truth::unknown && right.truths[i] != Truth::unknown;
             const bool same = (left.truths[i] == right.truths[i]) == (expr.op == Op::equal);
-            result.truths.push_back(known ? (same ? Truth::yes : Truth::no) : Truth::unknown);
+            Truth truth = Truth::unknown;
+            if (known) truth = same ? Truth::yes : Truth::no;
+            result.truths.push_back(truth);
             if (!known && result.reason.empty()) result.reason = left.reason.empty() ? right.reason : left.reason;
             continue;
         }

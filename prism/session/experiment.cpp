@@ -21,7 +21,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts(1);
     int depth = 0;
     for (const char c : text) {
-        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
         if (c == separator && depth == 0)
             parts.emplace_back();
         else
@@ -71,10 +72,11 @@ Series read_one(const std::string& text, const std::vector<Constant>& open) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) throw BadValue(fmt::format("{}: expected NAME=VALUE", text));
     const std::string name = text.substr(0, equals);
-    const auto constant = std::ranges::find_if(open, [&](const Constant& each) { return each.name.text == name; });
+    const auto constant =
+        std::ranges::find_if(open, [&](const Constant& candidate) { return candidate.name.text == name; });
     if (constant == open.end()) {
         std::vector<std::string> known;
-        for (const Constant& each : open) known.push_back(each.name.text);
+        for (const Constant& candidate : open) known.push_back(candidate.name.text);
         const std::string meant = diagnostics::nearest_spelling(name, known);
         throw BadValue(fmt::format("there is no open constant '{}'{}", name,
                                    meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant)));
@@ -99,20 +101,20 @@ std::vector<Series> read_series(const std::string& text, const std::vector<Const
 std::vector<Constant> open_constants(const std::vector<Constant>& constants) {
     std::vector<Constant> result;
     std::ranges::copy_if(constants, std::back_inserter(result),
-                         [](const Constant& each) { return each.value == nullptr; });
+                         [](const Constant& constant) { return constant.value == nullptr; });
     return result;
 }
 
 std::vector<Values> combinations(const std::vector<Series>& series) {
     std::vector<Values> result{{}};
-    for (const Series& each : series) {
-        if (result.size() * each.values.size() > most_values)
+    for (const Series& constant : series) {
+        if (result.size() * constant.values.size() > most_values)
             throw BadValue(fmt::format("more than {} combinations of values", most_values));
         std::vector<Values> longer;
         for (const Values& before : result)
-            for (const Value& value : each.values) {
+            for (const Value& value : constant.values) {
                 longer.push_back(before);
-                longer.back()[each.name] = value;
+                longer.back()[constant.name] = value;
             }
         result = std::move(longer);
     }

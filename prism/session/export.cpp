@@ -58,9 +58,12 @@ void export_states(const StateSpace& space, const TextSink& sink) {
         space.unpack(state, values.data());
         std::string line;
         for (std::size_t i = 0; i < fields.size(); ++i) {
-            const bool boolean = fields[i].type == Type::boolean;
-            line += fmt::format("{}{}", i == 0 ? "" : ",",
-                                boolean ? (values[i] != 0 ? "true" : "false") : fmt::format("{}", values[i]));
+            std::string value;
+            if (fields[i].type == Type::boolean)
+                value = values[i] != 0 ? "true" : "false";
+            else
+                value = fmt::format("{}", values[i]);
+            line += (i == 0 ? "" : ",") + value;
         }
         sink(fmt::format("{}:({})\n", state, line));
     }

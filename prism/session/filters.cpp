@@ -28,7 +28,8 @@ std::string value_text(const StateVector& values, std::size_t state) {
     if (values.undefined_in(state)) return "no value";
     if (values.type != Type::boolean) return values.number(state).text();
     const Truth truth = values.truths[state];
-    return truth == Truth::unknown ? "unknown" : truth == Truth::yes ? "true" : "false";
+    if (truth == Truth::unknown) return "unknown";
+    return truth == Truth::yes ? "true" : "false";
 }
 
 std::size_t count_states(const markov::StateSet& states) {
@@ -81,10 +82,10 @@ namespace {
 /// state can have the extreme value.
 StateVector at_extreme(const StateVector& values, const markov::StateSet& states, bool least) {
     const auto [low, high] = least_and_greatest(values, states);
+    const Real& extreme = least ? low : high;
     StateVector result;
     for (std::size_t i = 0; i < states.size(); ++i)
-        result.truths.push_back(states[i] ? apply_relation(values.number(i), Op::equal, least ? low : high)
-                                          : Truth::no);
+        result.truths.push_back(states[i] ? apply_relation(values.number(i), Op::equal, extreme) : Truth::no);
     if (std::ranges::count(result.truths, Truth::no) + 1 == std::ssize(result.truths))
         std::ranges::replace(result.truths, Truth::unknown, Truth::yes);
     result.reason = fmt::format("which states have the {} value is not known", least ? "least" : "greatest");
@@ -177,7 +178,7 @@ Result Evaluator::filter_result(const Expr& expr) {
     }
     if (kind == "exists" || kind == "|") {
         StateVector not_so = values;
-        for (Truth& each : not_so.truths) each = negation_of(each);
+        for (Truth& truth : not_so.truths) truth = negation_of(truth);
         Result none = summarise_values(not_so, states);
         none.truth = !none.truth;
         none.where.clear();

@@ -5,10 +5,10 @@
 namespace robochart::prism {
 
 LabelResolver::LabelResolver(const CheckedModel& model, const CheckedProperties& properties) {
-    for (const Definition& each : model.labels) bodies_.emplace(each.name.text, each.body);
-    for (const Definition& each : properties.labels) bodies_.emplace(each.name.text, each.body);
-    for (const Property& each : properties.properties)
-        if (!each.name.text.empty()) bodies_.emplace(each.name.text, each.expression);
+    for (const Definition& label : model.labels) bodies_.emplace(label.name.text, label.body);
+    for (const Definition& label : properties.labels) bodies_.emplace(label.name.text, label.body);
+    for (const Property& property : properties.properties)
+        if (!property.name.text.empty()) bodies_.emplace(property.name.text, property.expression);
 }
 
 ExprPtr LabelResolver::operator()(const ExprPtr& expr) {

@@ -87,7 +87,7 @@ StateVector Evaluator::nested_path(const ExprPtr& expr, Direction direction) {
     const automata::FormulaId formula = reader(expr);
     // The least probability of a formula is 1 minus the greatest probability of its negation.
     const bool opposite = direction == Direction::minimum && !formulas[formula].co_safe;
-    const Direction wanted = opposite ? Direction::maximum : direction;
+    const Direction solved_direction = opposite ? Direction::maximum : direction;
     try {
         automata::Residues residues(formulas);
         const automata::Condition condition =
@@ -104,10 +104,9 @@ StateVector Evaluator::nested_path(const ExprPtr& expr, Direction direction) {
         const StateSet goal = co_safe || safe
                                   ? automata::done_states(product, automaton, 0)
                                   : automata::winning_states(product, automaton, condition, options_.budget);
-        StateVector found = in_product(product, goal,
-                                       co_safe ? wanted
-                                       : safe  ? Direction::minimum
-                                               : Direction::maximum);
+        Direction product_direction = safe ? Direction::minimum : Direction::maximum;
+        if (co_safe) product_direction = solved_direction;
+        StateVector found = in_product(product, goal, product_direction);
         if (safe) found = complement_values(std::move(found));
         return opposite ? complement_values(std::move(found)) : found;
     } catch (const automata::NotDecided& why) {

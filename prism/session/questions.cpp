@@ -63,8 +63,8 @@ StateVector Evaluator::to_state_vector(std::vector<Enclosure> numbers) const {
 }
 
 StateVector Evaluator::complement_values(StateVector values) const {
-    for (Enclosure& each : values.numbers) each = markov::complement(each);
-    for (Real& each : values.reals) each = Real(std::int64_t{1}) - each;
+    for (Enclosure& number : values.numbers) number = markov::complement(number);
+    for (Real& real : values.reals) real = Real(std::int64_t{1}) - real;
     return values;
 }
 
@@ -116,15 +116,18 @@ std::optional<StateVector> Evaluator::compare_qualitatively(const Expr& expr, Di
     const StateSet left = body.op == Op::until ? states_satisfying(body.parts[0]) : StateSet(right.size(), true);
     const bool least = (direction == Direction::minimum) != always;
     const bool ask_zero = zero != always;
-    const StateSet extreme = ask_zero ? (least ? prob0e(graph(), left, right) : prob0a(graph(), left, right))
-                                      : (least ? prob1a(graph(), left, right) : prob1e(graph(), left, right));
+    StateSet extreme;
+    if (ask_zero)
+        extreme = least ? prob0e(graph(), left, right) : prob0a(graph(), left, right);
+    else
+        extreme = least ? prob1a(graph(), left, right) : prob1e(graph(), left, right);
     // `extreme` contains the states in which the probability equals the bound.
     StateVector result;
     for (const bool equal : extreme) {
-        const bool holds = relation == Op::less_equal      ? equal || one
-                           : relation == Op::greater_equal ? equal || zero
-                           : relation == Op::less          ? !equal && one
-                                                           : !equal && zero;
+        bool holds = !equal && zero;
+        if (relation == Op::less_equal) holds = equal || one;
+        if (relation == Op::greater_equal) holds = equal || zero;
+        if (relation == Op::less) holds = !equal && one;
         result.truths.push_back(holds ? Truth::yes : Truth::no);
     }
     return result;
@@ -141,7 +144,7 @@ StateVector Evaluator::path_probabilities(const ExprPtr& expr, Direction directi
     if (!is_path(*expr)) {
         const StateSet holds = states_satisfying(expr);
         std::vector<Enclosure> numbers;
-        for (const bool each : holds) numbers.push_back(each ? Enclosure{1, 1} : Enclosure{0, 0});
+        for (const bool inside : holds) numbers.push_back(inside ? Enclosure{1, 1} : Enclosure{0, 0});
         return to_state_vector(std::move(numbers));
     }
     const ExprPtr& operand = expr->parts[0];
@@ -240,9 +243,9 @@ StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Dire
 markov::StateSet Evaluator::maximal_components(const StateSet& within, const StateSet& touched) {
     StateSet result(within.size());
     const markov::SubModel part{within, std::vector<bool>(chain_.choices(), true)};
-    for (const markov::EndComponent& each : end_components(graph(), part)) {
-        const bool counts = std::ranges::any_of(each.states, [&](markov::State s) { return touched[s]; });
-        for (const markov::State state : each.states)
+    for (const markov::EndComponent& component : end_components(graph(), part)) {
+        const bool counts = std::ranges::any_of(component.states, [&](markov::State s) { return touched[s]; });
+        for (const markov::State state : component.states)
             if (counts) result[state] = true;
     }
     return result;

@@ -43,13 +43,13 @@ Result Session::answer_with_precision(const Question& question, double relative,
 }
 
 Result Session::check(std::size_t property, const Values& constants) const {
-    const Question asked = question(property, constants);
-    Result result = answer_with_precision(asked, options_.relative, options_.exact);
+    const Question resolved = question(property, constants);
+    Result result = answer_with_precision(resolved, options_.relative, options_.exact);
     if (result.kind != Result::Kind::unknown || options_.exact) return result;
-    const auto decided = [](const Result& each) { return each.kind != Result::Kind::unknown; };
+    const auto decided = [](const Result& candidate) { return candidate.kind != Result::Kind::unknown; };
     for (const double relative : {1e-9, 1e-13}) {
         if (relative >= options_.relative) continue;
-        Result narrower = answer_with_precision(asked, relative, false);
+        Result narrower = answer_with_precision(resolved, relative, false);
         if (decided(narrower) || narrower.reason == result.reason) {
             if (decided(narrower)) return narrower;
             break;
@@ -58,7 +58,7 @@ Result Session::check(std::size_t property, const Values& constants) const {
     }
     if (space_.chain().states() > few_states || space_.chain().exact.empty()) return result;
     try {
-        Result exact = answer_with_precision(asked, options_.relative, true);
+        Result exact = answer_with_precision(resolved, options_.relative, true);
         if (decided(exact)) return exact;
     } catch (const EvaluationError& error) {
         if (!error.is(rules::not_exact)) throw;
@@ -67,15 +67,15 @@ Result Session::check(std::size_t property, const Values& constants) const {
 }
 
 std::optional<Counterexample> Session::counterexample(std::size_t property, const Values& constants) const {
-    const Question asked = question(property, constants);
-    Code code = space_.code(asked.constants);
-    return prism::counterexample(space_, code, asked.expr, {options_.relative, false, options_.budget});
+    const Question resolved = question(property, constants);
+    Code code = space_.code(resolved.constants);
+    return prism::counterexample(space_, code, resolved.expr, {options_.relative, false, options_.budget});
 }
 
 std::vector<std::uint32_t> Session::best_choices(std::size_t property, const Values& constants) const {
-    const Question asked = question(property, constants);
-    Code code = space_.code(asked.constants);
-    return prism::best_choices(space_, code, asked.expr, {options_.relative, false, options_.budget});
+    const Question resolved = question(property, constants);
+    Code code = space_.code(resolved.constants);
+    return prism::best_choices(space_, code, resolved.expr, {options_.relative, false, options_.budget});
 }
 
 }  // namespace robochart::prism

@@ -34,8 +34,8 @@ std::uint64_t samples_of(const Method& method) {
     if (method.kind == Kind::sprt) return any_number;
     if (method.samples || !method.width) return method.samples.value_or(usual_samples);
     if (method.kind != Kind::apmc) return any_number;
-    const double wanted = statistics::hoeffding_samples(*method.width, method.confidence.value_or(usual_alpha));
-    return wanted < 1e18 ? static_cast<std::uint64_t>(std::max(1.0, wanted)) : any_number;
+    const double samples = statistics::hoeffding_samples(*method.width, method.confidence.value_or(usual_alpha));
+    return samples < 1e18 ? static_cast<std::uint64_t>(std::max(1.0, samples)) : any_number;
 }
 
 class Simulation {

@@ -26,7 +26,7 @@ void StateVector::add_undefined(UndefinedPtr why) {
 StateVector StateVector::from_set(const markov::StateSet& set) {
     StateVector result;
     result.truths.reserve(set.size());
-    for (const bool each : set) result.truths.push_back(each ? Truth::yes : Truth::no);
+    for (const bool inside : set) result.truths.push_back(inside ? Truth::yes : Truth::no);
     return result;
 }
 

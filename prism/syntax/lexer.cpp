@@ -142,8 +142,8 @@ private:
     /// Skips `#...#`, which is text for the preprocessor of PRISM, or for a tool that fills holes.
     void skip_preprocessor_text() {
         const std::size_t begin = at_++;
-        const std::size_t end = text_.find_first_of("#\n", at_);
-        at_ = std::min(end == std::string_view::npos ? text_.size() : end + (text_[end] == '#' ? 1 : 0), text_.size());
+        at_ = std::min(text_.find_first_of("#\n", at_), text_.size());
+        if (at_ < text_.size() && text_[at_] == '#') ++at_;
         diagnostics_.report(rules::not_supported, span(begin), {"text for a preprocessor (#...#)"});
     }
 

@@ -44,6 +44,12 @@ bool is_function(std::string_view word) {
     return false;
 }
 
+/// The operator X, F or G.
+Op temporal_operator(std::string_view word) {
+    if (word == "X") return Op::next;
+    return word == "F" ? Op::eventually : Op::globally;
+}
+
 }  // namespace
 
 ExprPtr Parser::make_checked_node(Expr expr, Span from) {
@@ -72,7 +78,9 @@ ExprPtr Parser::parse_expression() {
     const Depth depth(*this);
     ExprPtr left = parse_temporal();
     if (!at_infix_operator()) return left;
-    const Op op = at_text("U") ? Op::until : at_text("W") ? Op::weak_until : Op::release;
+    Op op = Op::release;
+    if (at_text("U")) op = Op::until;
+    if (at_text("W")) op = Op::weak_until;
     take_token();
     Expr expr;
     expr.op = op;
@@ -93,7 +101,7 @@ ExprPtr Parser::parse_temporal() {
     const Depth depth(*this);
     const Token& token = take_token();
     Expr expr;
-    expr.op = token.text == "X" ? Op::next : token.text == "F" ? Op::eventually : Op::globally;
+    expr.op = temporal_operator(token.text);
     if (expr.op != Op::next) expr.steps = parse_steps();
     const Within operand(*this, {surroundings_.enclosed, true, false});
     expr.parts = {parse_temporal()};
@@ -108,7 +116,7 @@ ExprPtr Parser::parse_temporal_operand() {
     const auto unclear = [&] { fail(rules::unclear_operand, token.span, {std::string(token.text)}); };
     if (surroundings_.joined) unclear();
     Expr expr;
-    expr.op = token.text == "X" ? Op::next : token.text == "F" ? Op::eventually : Op::globally;
+    expr.op = temporal_operator(token.text);
     if (expr.op != Op::next) expr.steps = parse_steps();
     expr.parts = {parse_binary(negation_level)};
     for (const std::string_view more : {"&", "|", "<=>", "=>", "?"})
@@ -169,8 +177,8 @@ ExprPtr Parser::parse_binary(int level) {
     ExprPtr left = parse_binary(level + 1);
     for (;;) {
         const Infix* next = nullptr;
-        for (const Infix& each : infixes)
-            if (each.level == level && at_text(each.symbol)) next = &each;
+        for (const Infix& infix : infixes)
+            if (infix.level == level && at_text(infix.symbol)) next = &infix;
         if (next == nullptr) return left;
         take_token();
         if (level < negation_level) record_connective();
@@ -204,12 +212,17 @@ ExprPtr Parser::parse_prefix() {
     return make_node(Op::minus, from, {std::move(operand)});
 }
 
+/// Makes a node of the next token.
+ExprPtr Parser::take_literal(Op op) {
+    const Token& token = take_token();
+    return make_node(op, token.span, {}, std::string(token.text));
+}
+
 ExprPtr Parser::parse_primary() {
     const Token& token = peek();
-    if (token.kind == Tok::integer)
-        return take_token(), make_node(Op::integer, token.span, {}, std::string(token.text));
-    if (token.kind == Tok::real) return take_token(), make_node(Op::real, token.span, {}, std::string(token.text));
-    if (token.kind == Tok::quoted) return take_token(), make_node(Op::label, token.span, {}, std::string(token.text));
+    if (token.kind == Tok::integer) return take_literal(Op::integer);
+    if (token.kind == Tok::real) return take_literal(Op::real);
+    if (token.kind == Tok::quoted) return take_literal(Op::label);
     if (token.kind == Tok::word) return parse_word();
     if (at_text("(")) {
         take_token();
@@ -228,9 +241,8 @@ ExprPtr Parser::parse_word() {
     if (at_query()) return parse_query();
     if (accept("A")) return parse_for_paths(Op::forall_paths);
     if (accept("E")) return parse_for_paths(Op::exists_path);
-    if (at_text("true") || at_text("false"))
-        return take_token(), make_node(Op::boolean, token.span, {}, std::string(token.text));
-    if (at_text("filter")) return take_token(), parse_filter(token.span);
+    if (at_text("true") || at_text("false")) return take_literal(Op::boolean);
+    if (accept("filter")) return parse_filter(token.span);
     if (at_text("T") && at_text("=", 1) && at_text("?", 2)) fail_unsupported("expected steps (T=?)", token.span);
     if (at_text("(", 1) && (is_function(token.text) || at_text("func"))) {
         take_token();

@@ -24,7 +24,9 @@ ExprPtr Parser::parse_query() {
     if (opener.text.size() > 4) fail_unsupported("several objectives or players", opener.span);
     Query query;
     Expr expr;
-    expr.op = opener.text[0] == 'P' ? Op::probability : opener.text[0] == 'S' ? Op::steady : Op::reward;
+    expr.op = Op::reward;
+    if (opener.text[0] == 'P') expr.op = Op::probability;
+    if (opener.text[0] == 'S') expr.op = Op::steady;
     if (opener.text.ends_with("min")) query.optimum = Optimum::minimum;
     if (opener.text.ends_with("max")) query.optimum = Optimum::maximum;
     if (expr.op == Op::reward) parse_reward_index(query);
@@ -86,7 +88,10 @@ ExprPtr Parser::parse_reward_body() {
         expect("=");
         return make_node(Op::instantaneous, from, {parse_expression()});
     }
-    if (at_text("S") && (at_text("]", 1) || at_text("{", 1))) return take_token(), make_node(Op::long_run, from, {});
+    if (at_text("S") && (at_text("]", 1) || at_text("{", 1))) {
+        take_token();
+        return make_node(Op::long_run, from, {});
+    }
     return parse_expression();
 }
 
@@ -109,7 +114,9 @@ ExprPtr Parser::parse_old_filter(ExprPtr question, Span from) {
         if (least || most) fail("'{states}'");
         return question;
     }
-    std::string kind = least && most ? "range" : least ? "min" : most ? "max" : "state";
+    std::string kind = "state";
+    if (least) kind = most ? "range" : "min";
+    if (most && !least) kind = "max";
     return make_node(Op::filter, from, {std::move(question), std::move(states)}, std::move(kind));
 }
 

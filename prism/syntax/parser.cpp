@@ -128,7 +128,9 @@ ModelFile Parser::model() {
     while (!at_end()) {
         diagnostics_.poll();
         // If the head of a module or of a rewards structure is malformed, the whole item is skipped.
-        const std::string_view end = at_text("module") ? "endmodule" : at_text("rewards") ? "endrewards" : "";
+        std::string_view end;
+        if (at_text("module")) end = "endmodule";
+        if (at_text("rewards")) end = "endrewards";
         const std::size_t errors = diagnostics_.error_count();
         parse_with_recovery([&] { parse_item(file); },
                             {"const", "formula", "global", "init", "label", "module", "rewards", "system"});

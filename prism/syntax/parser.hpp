@@ -101,6 +101,7 @@ private:
     ExprPtr parse_power();
     ExprPtr parse_prefix();
     ExprPtr parse_primary();
+    ExprPtr take_literal(Op op);
     ExprPtr parse_word();
     ExprPtr parse_call(std::string function, Span from);
     ExprPtr parse_filter(Span from);

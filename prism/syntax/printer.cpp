@@ -60,9 +60,15 @@ Spelling spelling(Op op) {
             return {" / ", 10};
         case Op::power:
             return {" ^ ", 11, true};
-        default:
-            return {"", tightest};
+        // clang-format off
+        case Op::boolean: case Op::integer: case Op::real: case Op::name: case Op::label: case Op::conditional:
+        case Op::negation: case Op::minus: case Op::call: case Op::probability: case Op::steady: case Op::reward:
+        case Op::forall_paths: case Op::exists_path: case Op::filter: case Op::next: case Op::eventually:
+        case Op::globally: case Op::cumulative: case Op::total: case Op::instantaneous: case Op::long_run:
+            break;
     }
+    // clang-format on
+    return {"", tightest};
 }
 
 std::string text_of(const ExprPtr& expr, int level);
@@ -85,7 +91,9 @@ std::string steps_text(const StepBound* steps) {
 
 std::string query_text(const Expr& expr) {
     const Query& query = *expr.query;
-    std::string text = expr.op == Op::probability ? "P" : expr.op == Op::steady ? "S" : "R";
+    std::string text = "R";
+    if (expr.op == Op::probability) text = "P";
+    if (expr.op == Op::steady) text = "S";
     if (!query.reward.text.empty()) text += fmt::format("{{\"{}\"}}", query.reward.text);
     if (query.reward_index) text += fmt::format("{{{}}}", text_of(query.reward_index, temporal_level));
     if (query.optimum == Optimum::minimum) text += "min";
@@ -148,9 +156,13 @@ std::pair<std::string, int> text_and_level(const Expr& expr) {
             return {fmt::format("{} ? {} : {}", text_of(expr.parts[0], conditional_level + 1),
                                 text_of(expr.parts[1], conditional_level), text_of(expr.parts[2], conditional_level)),
                     conditional_level};
-        default:
+        // clang-format off
+        case Op::implies: case Op::iff: case Op::disjunction: case Op::conjunction: case Op::equal: case Op::unequal:
+        case Op::less: case Op::less_equal: case Op::greater: case Op::greater_equal: case Op::add: case Op::subtract:
+        case Op::multiply: case Op::divide: case Op::power: case Op::until: case Op::weak_until: case Op::release:
             break;
     }
+    // clang-format on
     const Spelling how = spelling(expr.op);
     const bool path = how.level == temporal_level;
     const std::string steps = path ? steps_text(expr.steps.get()) + " " : "";
@@ -181,8 +193,8 @@ std::string branch_text(const Branch& branch) {
     std::string text = branch.probability ? text_of(branch.probability, temporal_level) + " : " : "";
     if (branch.assignments.empty()) return text + "true";
     bool first = true;
-    for (const Assignment& each : branch.assignments) {
-        text += fmt::format("{}({}' = {})", first ? "" : " & ", each.variable.text, print(each.value));
+    for (const Assignment& assignment : branch.assignments) {
+        text += fmt::format("{}({}' = {})", first ? "" : " & ", assignment.variable.text, print(assignment.value));
         first = false;
     }
     return text;
@@ -197,8 +209,8 @@ std::string command_text(const Command& command) {
 
 std::string renamings_text(const std::vector<Renaming>& renamings, std::string_view between) {
     std::string text;
-    for (const Renaming& each : renamings)
-        text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", each.from.text, between, each.to.text);
+    for (const Renaming& renaming : renamings)
+        text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", renaming.from.text, between, renaming.to.text);
     return text;
 }
 
@@ -207,8 +219,8 @@ std::string module_text(const Module& module) {
         return fmt::format("module {} = {} [ {} ] endmodule\n", module.name.text, module.base.text,
                            renamings_text(module.renamings, " = "));
     std::string text = fmt::format("module {}\n", module.name.text);
-    for (const Variable& each : module.variables) text += "  " + variable_text(each);
-    for (const Command& each : module.commands) text += command_text(each);
+    for (const Variable& variable : module.variables) text += "  " + variable_text(variable);
+    for (const Command& command : module.commands) text += command_text(command);
     return text + "endmodule\n";
 }
 
@@ -225,7 +237,7 @@ std::string rewards_text(const RewardStructure& rewards) {
 
 std::string actions_text(const std::vector<Name>& actions) {
     std::string text;
-    for (const Name& each : actions) text += (text.empty() ? "" : ", ") + each.text;
+    for (const Name& action : actions) text += (text.empty() ? "" : ", ") + action.text;
     return text;
 }
 
@@ -254,7 +266,8 @@ std::string composition_text(const Composition& system) {
 
 std::string labels_text(const std::vector<Definition>& labels) {
     std::string text;
-    for (const Definition& each : labels) text += fmt::format("label \"{}\" = {};\n", each.name.text, print(each.body));
+    for (const Definition& label : labels)
+        text += fmt::format("label \"{}\" = {};\n", label.name.text, print(label.body));
     return text;
 }
 
@@ -266,24 +279,24 @@ std::string print(const ExprPtr& expr) {
 
 std::string print(const ModelFile& file) {
     std::string text = file.kind == ModelKind::dtmc ? "dtmc\n" : "mdp\n";
-    for (const Constant& each : file.constants) text += constant_text(each);
-    for (const Definition& each : file.formulas)
-        text += fmt::format("formula {} = {};\n", each.name.text, print(each.body));
-    for (const Variable& each : file.globals) text += "global " + variable_text(each);
-    for (const Module& each : file.modules) text += module_text(each);
+    for (const Constant& constant : file.constants) text += constant_text(constant);
+    for (const Definition& formula : file.formulas)
+        text += fmt::format("formula {} = {};\n", formula.name.text, print(formula.body));
+    for (const Variable& variable : file.globals) text += "global " + variable_text(variable);
+    for (const Module& module : file.modules) text += module_text(module);
     if (file.initial) text += fmt::format("init\n  {}\nendinit\n", print(file.initial));
     if (file.system) text += fmt::format("system\n  {}\nendsystem\n", composition_text(*file.system));
-    for (const RewardStructure& each : file.rewards) text += rewards_text(each);
+    for (const RewardStructure& structure : file.rewards) text += rewards_text(structure);
     return text + labels_text(file.labels);
 }
 
 std::string print(const PropertyFile& file) {
     std::string text;
-    for (const Constant& each : file.constants) text += constant_text(each);
+    for (const Constant& constant : file.constants) text += constant_text(constant);
     text += labels_text(file.labels);
-    for (const Property& each : file.properties) {
-        if (!each.name.text.empty()) text += fmt::format("\"{}\": ", each.name.text);
-        text += print(each.expression) + ";\n";
+    for (const Property& property : file.properties) {
+        if (!property.name.text.empty()) text += fmt::format("\"{}\": ", property.name.text);
+        text += print(property.expression) + ";\n";
     }
     return text;
 }

@@ -30,13 +30,13 @@ Solution solve_precisely(const Precision& precision,
                          const std::function<Result<Interval>(const Precision&)>& operation) {
     constexpr double share = 64;
     constexpr double finest = 1e-15;
-    Precision asked = precision;
-    asked.relative = std::max(precision.relative / share, finest);
+    Precision working_precision = precision;
+    working_precision.relative = std::max(precision.relative / share, finest);
     while (true) {
         Result<Interval> result;
         {
             const RoundUpward mode;
-            result = operation(asked);
+            result = operation(working_precision);
         }
         Solution solution{enclosures(result), std::move(result.strategy), std::move(result.shortfall)};
         const double width = greatest_width(solution.values);
@@ -44,10 +44,10 @@ Solution solve_precisely(const Precision& precision,
             solution.shortfall.clear();
             return solution;
         }
-        if (solution.shortfall.empty() && asked.relative <= finest)
+        if (solution.shortfall.empty() && working_precision.relative <= finest)
             solution.shortfall = fmt::format("rounding allows no relative width under {:.1e}", width);
         if (!solution.shortfall.empty()) return solution;
-        asked.relative = std::max(asked.relative / 1e3, finest);
+        working_precision.relative = std::max(working_precision.relative / 1e3, finest);
     }
 }
 

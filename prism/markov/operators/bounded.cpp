@@ -16,25 +16,26 @@ Precision of_steps(diagnostics::Budget* budget) {
 }  // namespace
 
 std::vector<Enclosure> next(const Model& model, const StateSet& set, Direction direction, diagnostics::Budget* budget) {
-    return solve_precisely(
-               of_steps(budget),
-               [&](const Precision& asked) { return BoundedOperators<Interval>::next(model, set, direction, asked); })
+    return solve_precisely(of_steps(budget),
+                           [&](const Precision& working_precision) {
+                               return BoundedOperators<Interval>::next(model, set, direction, working_precision);
+                           })
         .values;
 }
 
 Solution bounded_until(const Model& model, const StateSet& left, const StateSet& right, std::uint64_t from,
                        std::optional<std::uint64_t> to, Direction direction, const Precision& precision) {
-    return solve_precisely(to ? of_steps(precision.budget) : precision, [&](const Precision& asked) {
-        return BoundedOperators<Interval>::until(model, left, right, from, to, direction, asked);
+    return solve_precisely(to ? of_steps(precision.budget) : precision, [&](const Precision& working_precision) {
+        return BoundedOperators<Interval>::until(model, left, right, from, to, direction, working_precision);
     });
 }
 
 std::vector<Enclosure> cumulative_reward(const Model& model, const Rewards& rewards, std::uint64_t steps,
                                          Direction direction, diagnostics::Budget* budget) {
     return solve_precisely(of_steps(budget),
-                           [&](const Precision& asked) {
+                           [&](const Precision& working_precision) {
                                return BoundedOperators<Interval>::cumulative_reward(model, rewards, steps, direction,
-                                                                                    asked);
+                                                                                    working_precision);
                            })
         .values;
 }
@@ -42,9 +43,9 @@ std::vector<Enclosure> cumulative_reward(const Model& model, const Rewards& rewa
 std::vector<Enclosure> instantaneous_reward(const Model& model, const Rewards& rewards, std::uint64_t steps,
                                             Direction direction, diagnostics::Budget* budget) {
     return solve_precisely(of_steps(budget),
-                           [&](const Precision& asked) {
+                           [&](const Precision& working_precision) {
                                return BoundedOperators<Interval>::instantaneous_reward(model, rewards, steps, direction,
-                                                                                       asked);
+                                                                                       working_precision);
                            })
         .values;
 }

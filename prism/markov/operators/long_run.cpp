@@ -6,13 +6,15 @@
 namespace robochart::markov {
 
 Solution long_run_probability(const Model& model, const StateSet& set, const Precision& precision) {
-    return solve_precisely(
-        precision, [&](const Precision& asked) { return LongRunOperators<Interval>::probability(model, set, asked); });
+    return solve_precisely(precision, [&](const Precision& working_precision) {
+        return LongRunOperators<Interval>::probability(model, set, working_precision);
+    });
 }
 
 Solution long_run_reward(const Model& model, const Rewards& rewards, const Precision& precision) {
-    return solve_precisely(
-        precision, [&](const Precision& asked) { return LongRunOperators<Interval>::reward(model, rewards, asked); });
+    return solve_precisely(precision, [&](const Precision& working_precision) {
+        return LongRunOperators<Interval>::reward(model, rewards, working_precision);
+    });
 }
 
 }  // namespace robochart::markov

@@ -74,7 +74,7 @@ private:
                                    {Direction::maximum, precision_},
                                    false};
         std::vector<std::uint32_t> strategy;
-        equations.asked.precision.strategy = false;
+        equations.goal.precision.strategy = false;
         solve(equations, strategy, result_.shortfall);
         values = std::move(equations.values);
     }

@@ -39,16 +39,16 @@ Interval remaining_mass(const Interval& whole, const Interval& part) {
 double within_bounds(const UncertainRow& row, const std::vector<double>& worth) {
     Interval sum = point(0);
     Interval left = point(1);
-    for (const UncertainBranch& each : row.branches) {
-        sum += point(each.low) * point(worth[each.target]);
-        left = left - point(each.low);
+    for (const UncertainBranch& branch : row.branches) {
+        sum += point(branch.low) * point(worth[branch.target]);
+        left = left - point(branch.low);
     }
     if (left.high < 0) throw std::invalid_argument("the least probabilities of a state are more than 1 together");
     left = remaining_mass(left, point(0));
     for (const std::size_t at : by_worth(row, worth)) {
-        const UncertainBranch& each = row.branches[at];
-        const Interval more = lesser_bounds(left, point(each.high) - point(each.low));
-        sum += more * point(worth[each.target]);
+        const UncertainBranch& branch = row.branches[at];
+        const Interval more = lesser_bounds(left, point(branch.high) - point(branch.low));
+        sum += more * point(worth[branch.target]);
         left = remaining_mass(left, more);
     }
     if (left.low() > 0) throw std::invalid_argument("the greatest probabilities of a state are less than 1 together");
@@ -98,7 +98,7 @@ StateSet states_kept_forever(const UncertainChain& chain, const StateSet& goal, 
             }
     }
     StateSet result;
-    for (const double each : inside) result.push_back(each > 0);
+    for (const double indicator : inside) result.push_back(indicator > 0);
     return result;
 }
 
@@ -139,7 +139,7 @@ double greatest_change(const std::vector<double>& before, const std::vector<doub
 std::vector<double> inductive(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
                               std::vector<double> worth) {
     constexpr double more = 1 + 1e-6;
-    for (double& each : worth) each *= more;
+    for (double& state_worth : worth) state_worth *= more;
     const std::vector<double> once = costs_behind(chain, done, cost, worth, 1);
     for (std::size_t state = 0; state < chain.size(); ++state)
         if (!done[state] && cost[state] == 0) worth[state] = once[state];
@@ -157,10 +157,10 @@ StateSet reachable(const UncertainChain& chain, State from) {
     while (!open.empty()) {
         const UncertainRow& row = chain[open.back()];
         open.pop_back();
-        for (const UncertainBranch& each : row.branches)
-            if ((!row.centre.empty() || each.high > 0) && !found[each.target]) {
-                found[each.target] = true;
-                open.push_back(each.target);
+        for (const UncertainBranch& branch : row.branches)
+            if ((!row.centre.empty() || branch.high > 0) && !found[branch.target]) {
+                found[branch.target] = true;
+                open.push_back(branch.target);
             }
     }
     return found;
@@ -178,7 +178,7 @@ std::vector<std::vector<double>> reach_bounds(const UncertainChain& chain, const
     std::vector<std::vector<double>> result;
     const auto note = [&] {
         std::vector<double>& bounds = result.emplace_back();
-        for (const double each : worth) bounds.push_back(value(each));
+        for (const double state_worth : worth) bounds.push_back(value(state_worth));
     };
     note();
     for (std::uint64_t step = 0; step < steps; ++step) {
@@ -197,12 +197,12 @@ std::vector<std::vector<double>> value_bounds(const UncertainChain& chain, const
     const RoundUpward rounding;
     const double sign = sign_of(direction);
     std::vector<double> worth;
-    for (const double each : value) worth.push_back(sign * each);
+    for (const double state_value : value) worth.push_back(sign * state_value);
     std::vector<std::vector<double>> result;
     for (std::uint64_t step = 0; step <= steps; ++step) {
         poll(budget);
         std::vector<double>& bounds = result.emplace_back();
-        for (const double each : worth) bounds.push_back(sign * each);
+        for (const double state_worth : worth) bounds.push_back(sign * state_worth);
         std::vector<double> next;
         for (const UncertainRow& row : chain) next.push_back(expectation(row, worth));
         worth = std::move(next);
@@ -235,8 +235,12 @@ std::vector<double> cost_bounds(const UncertainChain& chain, const StateSet& goa
         if (worth.empty()) infinite.assign(chain.size(), true);
         worth.resize(chain.size());
     }
-    for (std::size_t state = 0; state < chain.size(); ++state)
-        worth[state] = goal[state] ? 0 : infinite[state] ? forever : std::max(0.0, sign * worth[state]);
+    for (std::size_t state = 0; state < chain.size(); ++state) {
+        if (goal[state])
+            worth[state] = 0;
+        else
+            worth[state] = infinite[state] ? forever : std::max(0.0, sign * worth[state]);
+    }
     return worth;
 }
 
@@ -245,7 +249,7 @@ double average_bound(const UncertainChain& chain, State from, const std::vector<
     constexpr double near = 1e-9;
     const RoundUpward rounding;
     const double sign = sign_of(direction);
-    const StateSet asked = reachable(chain, from);
+    const StateSet reached = reachable(chain, from);
     std::vector<double> worth(chain.size());
     double least = std::numeric_limits<double>::infinity();
     for (std::uint64_t round = 0; round < most_rounds; ++round) {
@@ -254,7 +258,7 @@ double average_bound(const UncertainChain& chain, State from, const std::vector<
         double other = std::numeric_limits<double>::infinity();
         std::vector<double> next(chain.size());
         for (std::size_t state = 0; state < chain.size(); ++state) {
-            if (!asked[state]) continue;
+            if (!reached[state]) continue;
             const double gain = sign * value[state] + expectation(chain[state], worth) - worth[state];
             bound = std::max(bound, gain);
             other = std::min(other, gain);
@@ -263,7 +267,7 @@ double average_bound(const UncertainChain& chain, State from, const std::vector<
         least = std::min(least, bound);
         if (bound - other < near) break;
         const double shift = next[from];
-        for (double& each : next) each -= shift;
+        for (double& state_worth : next) state_worth -= shift;
         worth = std::move(next);
     }
     return sign * least;

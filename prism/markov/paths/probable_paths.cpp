@@ -21,9 +21,9 @@ constexpr std::size_t most_beginnings = 5'000'000;
 
 class Search {
 public:
-    explicit Search(const PathsWanted& wanted)
-        : wanted_(wanted),
-          model_(wanted.graph.model()),
+    explicit Search(const PathsWanted& request)
+        : request_(request),
+          model_(request.graph.model()),
           cost_(model_.states(), infinity),
           toward_(model_.states(), nowhere) {}
 
@@ -31,16 +31,16 @@ public:
         measure_distances();
         PathSet result;
         Interval total;
-        if (cost_[wanted_.from] == infinity) return result;
-        push(wanted_.from, none, 0, 0);
+        if (cost_[request_.from] == infinity) return result;
+        push(request_.from, none, 0, 0);
         const RoundUpward rounding;
-        while (!queue_.empty() && result.paths.size() < wanted_.most && beginnings_.size() < most_beginnings) {
+        while (!queue_.empty() && result.paths.size() < request_.most && beginnings_.size() < most_beginnings) {
             const std::optional<Path> path = extend_to_target(queue_.top().second);
             if (!path) continue;
             result.paths.push_back(*path);
             total += Interval(path->probability.low, path->probability.high);
             result.total = total.enclosure();
-            result.enough = wanted_.strict ? result.total.low > wanted_.bound : result.total.low >= wanted_.bound;
+            result.enough = request_.strict ? result.total.low > request_.bound : result.total.low >= request_.bound;
             if (result.enough || out_of_reach(result)) break;
         }
         return result;
@@ -58,8 +58,8 @@ private:
 
     /// Whether the bound cannot be reached, because the remaining paths are less probable than the last one.
     [[nodiscard]] bool out_of_reach(const PathSet& found) const {
-        const auto left = static_cast<double>(wanted_.most - found.paths.size());
-        return left * found.paths.back().probability.high < wanted_.bound - found.total.low;
+        const auto left = static_cast<double>(request_.most - found.paths.size());
+        return left * found.paths.back().probability.high < request_.bound - found.total.low;
     }
 
     [[nodiscard]] Number branch_probability(std::uint64_t branch) const {
@@ -70,12 +70,12 @@ private:
     }
 
     void poll() const {
-        if (wanted_.budget != nullptr) wanted_.budget->poll();
+        if (request_.budget != nullptr) request_.budget->poll();
     }
 
     /// Returns the branch of the strategy's choice that leads to a state.
     [[nodiscard]] std::uint64_t branch(State state, State to) const {
-        const std::uint32_t choice = wanted_.strategy[state];
+        const std::uint32_t choice = request_.strategy[state];
         const std::span<const State> all = targets(model_, choice);
         return model_.first_branch[choice] +
                static_cast<std::uint64_t>(std::ranges::lower_bound(all, to) - all.begin());
@@ -84,7 +84,7 @@ private:
     void measure_distances() {
         std::priority_queue<std::pair<double, State>, std::vector<std::pair<double, State>>, std::greater<>> queue;
         for (State state = 0; state < model_.states(); ++state)
-            if (wanted_.right[state]) {
+            if (request_.right[state]) {
                 cost_[state] = 0;
                 queue.emplace(0, state);
             }
@@ -93,9 +93,9 @@ private:
             const auto [known, state] = queue.top();
             queue.pop();
             if (known > cost_[state]) continue;
-            for (const std::uint32_t choice : wanted_.graph.choices_to(state)) {
-                const State source = wanted_.graph.source(choice);
-                if (wanted_.strategy[source] != choice || !wanted_.left[source] || wanted_.right[source]) continue;
+            for (const std::uint32_t choice : request_.graph.choices_to(state)) {
+                const State source = request_.graph.source(choice);
+                if (request_.strategy[source] != choice || !request_.left[source] || request_.right[source]) continue;
                 const double found = known + branch_cost(branch(source, state));
                 if (!(found < cost_[source])) continue;
                 cost_[source] = found;
@@ -116,11 +116,11 @@ private:
     /// too long.
     std::optional<Path> extend_to_target(std::uint32_t number) {
         queue_.pop();
-        while (!wanted_.right[beginnings_[number].state]) {
+        while (!request_.right[beginnings_[number].state]) {
             poll();
             const Beginning at = beginnings_[number];
-            if (wanted_.steps && at.steps >= *wanted_.steps) return std::nullopt;
-            const std::uint32_t choice = wanted_.strategy[at.state];
+            if (request_.steps && at.steps >= *request_.steps) return std::nullopt;
+            const std::uint32_t choice = request_.strategy[at.state];
             for (std::uint64_t i = model_.first_branch[choice]; i < model_.first_branch[choice + 1]; ++i) {
                 const State to = model_.target[i];
                 if (to != toward_[at.state] && cost_[to] < infinity)
@@ -146,7 +146,7 @@ private:
         return result;
     }
 
-    const PathsWanted& wanted_;
+    const PathsWanted& request_;
     const Model& model_;
     std::vector<double> cost_;  ///< costs of the cheapest paths to the goal
     std::vector<State> toward_;
@@ -156,8 +156,8 @@ private:
 
 }  // namespace
 
-PathSet probable_paths(const PathsWanted& wanted) {
-    return Search(wanted)();
+PathSet probable_paths(const PathsWanted& request) {
+    return Search(request)();
 }
 
 }  // namespace robochart::markov

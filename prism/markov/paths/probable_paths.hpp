@@ -40,6 +40,6 @@ struct PathSet {
 
 /// The smallest number of most probable paths whose total reaches the bound. If `most` paths cannot reach it, the
 /// result contains only some paths. Throws LimitReached.
-[[nodiscard]] PathSet probable_paths(const PathsWanted& wanted);
+[[nodiscard]] PathSet probable_paths(const PathsWanted& request);
 
 }  // namespace robochart::markov

@@ -61,8 +61,9 @@ Enclosure hull_of_corners(Enclosure left, Enclosure right, Operation operation) 
 
 double Enclosure::middle() const {
     if (low == high) return low;
-    if (std::isinf(low) || std::isinf(high))
-        return std::isinf(low) && std::isinf(high) ? 0 : std::isinf(low) ? low : high;
+    if (std::isinf(low) && std::isinf(high)) return 0;
+    if (std::isinf(low)) return low;
+    if (std::isinf(high)) return high;
     return std::clamp(low / 2 + high / 2, low, high);
 }
 

@@ -52,13 +52,13 @@ Rational limit_probability(Rational value, bool) {
     return value;
 }
 
-SystemSolution<Interval> optimum_of(const System<Interval>& system, const Optimum& asked, bool probabilities,
+SystemSolution<Interval> optimum_of(const System<Interval>& system, const Optimum& goal, bool probabilities,
                                     std::string& shortfall) {
-    return optimum(system, asked, probabilities ? 1.0 : infinity, shortfall);
+    return optimum(system, goal, probabilities ? 1.0 : infinity, shortfall);
 }
 
-SystemSolution<Rational> optimum_of(const System<Rational>& system, const Optimum& asked, bool, std::string&) {
-    return optimum(system, asked);
+SystemSolution<Rational> optimum_of(const System<Rational>& system, const Optimum& goal, bool, std::string&) {
+    return optimum(system, goal);
 }
 
 template <class Value>
@@ -84,7 +84,7 @@ public:
             });
         };
         lts::strong_components({model_.states(), successors}, roots, [this](std::span<const State> members, bool) {
-            poll(equations_.asked.precision.budget);
+            poll(equations_.goal.precision.budget);
             if (members.size() == 1)
                 solve_alone(members.front());
             else
@@ -117,7 +117,7 @@ private:
     }
 
     void solve_alone(State first) {
-        const Direction direction = equations_.asked.direction;
+        const Direction direction = equations_.goal.direction;
         Value value{};
         Value of_taken{};
         std::uint32_t taken = none;
@@ -158,7 +158,7 @@ private:
             system.first_choice.push_back(static_cast<std::uint32_t>(system.choices()));
         }
         const SystemSolution<Value> solution =
-            optimum_of(system, equations_.asked, equations_.probabilities, shortfall_);
+            optimum_of(system, equations_.goal, equations_.probabilities, shortfall_);
         for (std::uint32_t unknown = 0; unknown < members.size(); ++unknown) {
             place_[members[unknown]] = none;
             set(members[unknown], solution.values[unknown], choices_[solution.policy[unknown]]);
@@ -190,7 +190,7 @@ private:
     /// leaves the component.
     void set(State first, const Value& value, std::uint32_t choice) {
         classes_.for_each_member(first, [&](State member) { equations_.values[member] = value; });
-        if (!equations_.asked.precision.strategy || choice == none) return;
+        if (!equations_.goal.precision.strategy || choice == none) return;
         if (const EndComponent* component = classes_.end_component(first))
             lead_to(equations_.graph, *component, choice, strategy_);
         else

@@ -22,7 +22,7 @@ struct Equations {
                                           ///< value
     Earnings<Value> earnings;
     std::vector<Value> values;  ///< by state; computed for open states
-    Optimum asked;
+    Optimum goal;
     bool probabilities = false;  ///< no value exceeds 1
 };
 

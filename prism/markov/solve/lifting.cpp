@@ -142,7 +142,7 @@ private:
         for (std::size_t row = 0; row < rows_.size(); ++row) side.push_back(residue<prime>(left_[row]) * inverse_[row]);
         factors_.solve(side);
         std::vector<std::uint32_t> digit;
-        for (const Residue<prime> each : side) digit.push_back(each.value());
+        for (const Residue<prime> entry : side) digit.push_back(entry.value());
         for (std::size_t row = 0; row < rows_.size(); ++row) {
             poll(limit_.budget);
             left_[row] -= rows_.left_side(row, digit);

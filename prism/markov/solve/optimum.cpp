@@ -24,11 +24,11 @@ System<double> in_doubles(const System<Interval>& system, std::vector<double>& n
 
 class Enclosing {
 public:
-    Enclosing(const System<Interval>& system, const Optimum& asked, double most)
+    Enclosing(const System<Interval>& system, const Optimum& goal, double most)
         : system_(system),
-          asked_(asked),
+          goal_(goal),
           most_(most),
-          iteration_(system, asked.direction),
+          iteration_(system, goal.direction),
           deterministic_(system.choices() == system.size()) {}
 
     SystemSolution<Interval> solve(std::string& shortfall) {
@@ -61,15 +61,15 @@ private:
             if (eliminate_within(visits / visits_for_an_operation)) return true;
             if (visits == first_visits && bound_with_rationals()) return true;
             const std::uint64_t sweeps = sweeps_ + 1 + visits / (system_.unknown.size() + system_.choices());
-            if (!stands_still_ && sweep_up_to(std::min(sweeps, asked_.precision.most_sweeps))) return true;
-            if (sweeps_ >= asked_.precision.most_sweeps || (stands_still_ && visits >= last_visits)) return false;
+            if (!stands_still_ && sweep_up_to(std::min(sweeps, goal_.precision.most_sweeps))) return true;
+            if (sweeps_ >= goal_.precision.most_sweeps || (stands_still_ && visits >= last_visits)) return false;
         }
     }
 
     bool eliminate_within(std::uint64_t operations) {
         if (operations < system_.unknown.size()) return false;
         const EliminationLimit limit{deterministic_ ? operations : operations / rounds_of_policies, most_entries,
-                                     asked_.precision.budget};
+                                     goal_.precision.budget};
         return deterministic_ ? eliminate_rows(limit) : eliminate_policies(limit);
     }
 
@@ -86,11 +86,11 @@ private:
         std::vector<double> numbers;
         System<double> system = in_doubles(system_, numbers);
         const auto improves = [this](double value, double offered) {
-            return is_better(offered, value, asked_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
+            return is_better(offered, value, goal_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
         };
         // After some sweeps, the best choices according to the guesses are nearly optimal. For a minimum, the best
         // choices might never leave the component.
-        const bool guessed = sweeps_ > 0 && asked_.direction == Direction::maximum;
+        const bool guessed = sweeps_ > 0 && goal_.direction == Direction::maximum;
         auto found = iterate_policies<double>(
             system, guessed ? iteration_.policy() : leaving_policy(system_), limit, improves,
             [](std::uint32_t) { return true; }, most_rounds);
@@ -104,8 +104,8 @@ private:
 
     bool bound_with_rationals() {
         if (deterministic_ || system_.size() > few_unknowns) return false;
-        auto found = rational_bounds(system_, leaving_ ? *leaving_ : leaving_policy(system_), asked_.direction, most_,
-                                     {few_rational_operations, most_entries, asked_.precision.budget});
+        auto found = rational_bounds(system_, leaving_ ? *leaving_ : leaving_policy(system_), goal_.direction, most_,
+                                     {few_rational_operations, most_entries, goal_.precision.budget});
         const bool reached = found && keep_if_narrower(std::move(found->values));
         if (reached) policy_ = std::move(found->policy);
         return reached;
@@ -146,11 +146,11 @@ private:
         std::uint64_t next_proof = sweeps_ + 8;
         std::uint64_t failures = 0;
         while (sweeps_ < most) {
-            if (asked_.precision.budget != nullptr) asked_.precision.budget->check();
+            if (goal_.precision.budget != nullptr) goal_.precision.budget->check();
             const double change = iteration_.sweep();
             ++sweeps_;
             const bool still = change == 0;
-            if (!still && (sweeps_ < next_proof || change > asked_.precision.relative)) continue;
+            if (!still && (sweeps_ < next_proof || change > goal_.precision.relative)) continue;
             if (prove_guesses()) {
                 improve_bounds();
                 return true;
@@ -166,7 +166,7 @@ private:
     /// Adds half as many sweeps, which improve the bounds.
     void improve_bounds() {
         for (std::uint64_t more = sweeps_ / 2 + 4; more > 0 && width_ > sharp; --more) {
-            if (asked_.precision.budget != nullptr) asked_.precision.budget->check();
+            if (goal_.precision.budget != nullptr) goal_.precision.budget->check();
             iteration_.sweep();
             ++sweeps_;
         }
@@ -174,7 +174,7 @@ private:
     }
 
     bool prove_guesses() {
-        auto values = prove(system_, asked_.direction, iteration_.guesses(), most_);
+        auto values = prove(system_, goal_.direction, iteration_.guesses(), most_);
         return values && keep_if_narrower(std::move(*values));
     }
 
@@ -185,11 +185,11 @@ private:
             width_ = width;
             values_ = std::move(values);
         }
-        return width_ <= asked_.precision.relative;
+        return width_ <= goal_.precision.relative;
     }
 
     const System<Interval>& system_;
-    const Optimum& asked_;
+    const Optimum& goal_;
     const double most_;
     GuessIteration iteration_;
     const bool deterministic_;
@@ -205,20 +205,20 @@ private:
 
 }  // namespace
 
-SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& asked) {
+SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& goal) {
     const auto improves = [&](const Rational& value, const Rational& offered) {
-        return is_better(offered, value, asked.direction);
+        return is_better(offered, value, goal.direction);
     };
-    const EliminationLimit limit{.budget = asked.precision.budget};
+    const EliminationLimit limit{.budget = goal.precision.budget};
     auto found = iterate_policies<Rational>(
         system, leaving_policy(system), limit, improves, [](std::uint32_t) { return true; },
         std::numeric_limits<std::uint64_t>::max());
     return std::move(found.value());
 }
 
-SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& asked, double most,
+SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& goal, double most,
                                  std::string& shortfall) {
-    return Enclosing(system, asked, most).solve(shortfall);
+    return Enclosing(system, goal, most).solve(shortfall);
 }
 
 }  // namespace robochart::markov

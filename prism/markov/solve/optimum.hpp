@@ -18,11 +18,11 @@ struct Optimum {
 };
 
 /// Computes the optimum by policy iteration. The first policy leaves the component with probability 1.
-[[nodiscard]] SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& asked);
+[[nodiscard]] SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& goal);
 
 /// Computes enclosures. If they cannot be made as narrow as requested, `shortfall` contains the reason. `most`: an
 /// upper bound on all values.
-[[nodiscard]] SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& asked, double most,
+[[nodiscard]] SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& goal, double most,
                                                std::string& shortfall);
 
 }  // namespace robochart::markov

@@ -43,12 +43,12 @@ void lead_to(const Graph& graph, const EndComponent& component, std::uint32_t ch
 }
 
 GraphStrategy::GraphStrategy(const Graph& graph, const Precision& precision, std::vector<std::uint32_t>& strategy)
-    : graph_(graph), asked_(precision.strategy), strategy_(strategy) {
-    if (asked_) strategy_.assign(graph.model().first_choice.begin(), graph.model().first_choice.end() - 1);
+    : graph_(graph), requested_(precision.strategy), strategy_(strategy) {
+    if (requested_) strategy_.assign(graph.model().first_choice.begin(), graph.model().first_choice.end() - 1);
 }
 
 void GraphStrategy::stay_in_set(const StateSet& set) {
-    if (!asked_) return;
+    if (!requested_) return;
     const std::vector<bool> staying = choices_within(graph_.model(), set);
     for_each_choice_of(graph_.model(), set, [&](State state, std::uint32_t choice) {
         if (staying[choice]) strategy_[state] = choice;
@@ -56,11 +56,11 @@ void GraphStrategy::stay_in_set(const StateSet& set) {
 }
 
 void GraphStrategy::may_reach(const StateSet& goal, const StateSet& set) {
-    if (asked_) go_back(goal, set, std::vector<bool>(graph_.model().choices(), true));
+    if (requested_) go_back(goal, set, std::vector<bool>(graph_.model().choices(), true));
 }
 
 void GraphStrategy::reach_goal(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted) {
-    if (!asked_) return;
+    if (!requested_) return;
     std::vector<bool> staying = choices_within(graph_.model(), set);
     for (std::size_t choice = 0; choice < staying.size(); ++choice)
         staying[choice] = staying[choice] && admitted[choice];
@@ -84,7 +84,7 @@ void GraphStrategy::go_back(const StateSet& goal, const StateSet& set, const std
 }
 
 void GraphStrategy::repeat_choice(const EndComponent& component, std::uint32_t choice) {
-    if (asked_) lead_to(graph_, component, choice, strategy_);
+    if (requested_) lead_to(graph_, component, choice, strategy_);
 }
 
 }  // namespace robochart::markov

@@ -34,7 +34,7 @@ private:
     void go_back(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
 
     const Graph& graph_;
-    const bool asked_;
+    const bool requested_;
     std::vector<std::uint32_t>& strategy_;
 };
 
