@@ -28,15 +28,15 @@ bool can_go_on_internally(cspm::Session& session, const cspm::ExprPtr& process, 
 
 driver::Basis basis_of(cspm::Session& session, const cspm::Decl& assertion, const cspm::AssertionResult& result,
                        const driver::SearchContext& search) {
-    const cspm::Assertion& asked = assertion.assertion;
-    const bool holds = result.verdict.outcome == refine::Outcome::holds && !asked.negated;
-    const bool of_failures = asked.model == cspm::Model::failures && asked.kind != cspm::AssertionKind::has_trace;
+    const cspm::Assertion& claim = assertion.assertion;
+    const bool holds = result.verdict.outcome == refine::Outcome::holds && !claim.negated;
+    const bool of_failures = claim.model == cspm::Model::failures && claim.kind != cspm::AssertionKind::has_trace;
     if (!holds || !of_failures || result.verdict.statistics.states > most_states) return {};
-    const bool refinement = asked.kind == cspm::AssertionKind::refinement;
+    const bool refinement = claim.kind == cspm::AssertionKind::refinement;
     try {
         // With tau priority the implementation is a different process, because priorities can prevent internal events.
-        if (asked.tau_priority ||
-            !can_go_on_internally(session, refinement ? asked.implementation : asked.specification, assertion, search))
+        if (claim.tau_priority ||
+            !can_go_on_internally(session, refinement ? claim.implementation : claim.specification, assertion, search))
             return {};
     } catch (const diagnostics::LimitReached&) {
         return {};

@@ -34,11 +34,11 @@ ScriptAssertion undecided_assertion(const cspm::Decl& assertion, std::size_t num
     result.number = number;
     result.text = text_of(assertion);
     result.place = sources.path_and_line(assertion.span);
-    const cspm::Assertion& asked = assertion.assertion;
-    const bool refinement = asked.kind == cspm::AssertionKind::refinement;
-    if (refinement) result.specification = cspm::print(asked.specification);
-    result.process = cspm::print(refinement ? asked.implementation : asked.specification);
-    result.result.negated = asked.negated;
+    const cspm::Assertion& claim = assertion.assertion;
+    const bool refinement = claim.kind == cspm::AssertionKind::refinement;
+    if (refinement) result.specification = cspm::print(claim.specification);
+    result.process = cspm::print(refinement ? claim.implementation : claim.specification);
+    result.result.negated = claim.negated;
     result.errors = {driver::undecided_at_limit};
     return result;
 }

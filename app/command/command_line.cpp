@@ -42,7 +42,8 @@ void store_option(const OptionRow& row, const std::vector<std::string>& words, O
 
 void add_option(CLI::App& app, const OptionRow& row, Options& options) {
     const auto callback = [&row, &options](const CLI::results_t& words) {
-        return store_option(row, words, options), true;
+        store_option(row, words, options);
+        return true;
     };
     CLI::Option* option = app.add_option(row.names, callback)->allow_extra_args(false);
     const auto words = static_cast<int>(words_after(row.argument));
@@ -176,9 +177,9 @@ std::string unknown_option(const std::string& given, const std::string& verb) {
     const VerbRow* row = find_verb(verb);
     for (const OptionRow* option : options_of(row == nullptr ? no_verb : verb_bit(row->verb)))
         known.emplace_back(long_name(*option));
-    for (const VerbRow& each : verb_table())
-        for (const OptionRow* option : options_of(verb_bit(each.verb)))
-            if (long_name(*option) == name) owners.push_back(full_name(each));
+    for (const VerbRow& verb_row : verb_table())
+        for (const OptionRow* option : options_of(verb_bit(verb_row.verb)))
+            if (long_name(*option) == name) owners.push_back(full_name(verb_row));
     const std::string who = verb.empty() ? "the program" : fmt::format("`{}`", verb);
     std::string text = fmt::format("{} has no option {}", who, name);
     if (!owners.empty()) return text + fmt::format("; `{}` has", fmt::join(owners, "`, `"));
@@ -188,8 +189,8 @@ std::string unknown_option(const std::string& given, const std::string& verb) {
 /// The argument of the verb's option, such as "FILE"; "" if there is no such option.
 std::string argument_of(const std::string& option, const std::string& verb) {
     const VerbRow* row = find_verb(verb);
-    for (const OptionRow* each : options_of(row == nullptr ? no_verb : verb_bit(row->verb)))
-        if (long_name(*each) == option || short_name(*each) == option) return each->argument.name;
+    for (const OptionRow* option_row : options_of(row == nullptr ? no_verb : verb_bit(row->verb)))
+        if (long_name(*option_row) == option || short_name(*option_row) == option) return option_row->argument.name;
     return "";
 }
 
@@ -199,8 +200,8 @@ std::string wrong_count(const CLI::ArgumentMismatch& error, const std::string& v
     const std::string message = error.what();
     const std::string option = message.substr(0, message.find(':'));
     if (message.find("At Most") != std::string::npos) return option + " is given twice";
-    const std::string wanted = argument_of(option, verb);
-    return wanted.empty() ? message : fmt::format("{} needs {}", option, wanted);
+    const std::string argument = argument_of(option, verb);
+    return argument.empty() ? message : fmt::format("{} needs {}", option, argument);
 }
 
 Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
@@ -218,14 +219,19 @@ Parsed parse_failed(const CLI::App& app, const CLI::Error& error) {
     return wrong_usage(error.what(), verb);
 }
 
+/// The option that names the output file of this format.
+const char* file_option(Format format) {
+    if (format == Format::json) return "--json";
+    return format == Format::sarif ? "--sarif" : "--junit";
+}
+
 /// The output files that options name, as pairs of option and file.
 std::vector<std::pair<std::string, std::string>> written_files(const Options& options) {
     std::vector<std::pair<std::string, std::string>> files;
     const auto add = [&](const std::string& option, const std::string& path) {
         if (!path.empty()) files.emplace_back(option, path);
     };
-    for (const auto& [format, path] : options.output.files)
-        add(format == Format::json ? "--json" : format == Format::sarif ? "--sarif" : "--junit", path);
+    for (const auto& [format, path] : options.output.files) add(file_option(format), path);
     add("--html", options.output.html);
     add("--plot", options.prism.plot);
     add("--export", options.conform.exported_code);

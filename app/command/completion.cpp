@@ -81,9 +81,16 @@ std::string bash_argument(const Argument& argument) {
             return "<folder>";
         case Kind::warning:
             return "<warning>";
-        default:
-            return "<value>";
+        case Kind::none:
+        case Kind::text:
+        case Kind::name:
+        case Kind::whole:
+        case Kind::seconds:
+        case Kind::size:
+        case Kind::fraction:
+            break;
     }
+    return "<value>";
 }
 
 std::string bash_arguments() {

@@ -38,9 +38,9 @@ Exit refusal_code(const driver::Project& project) {
                                    &ir::rules::ranges_not_nested,    &ir::rules::range_too_large};
     const std::vector<diagnostics::Diagnostic> all = project.diagnostics.sorted_findings();
     // Errors that the text of the model causes have a place in this text.
-    const auto about_the_model = [&](const diagnostics::Diagnostic& each) {
-        return each.rule->severity == diagnostics::Severity::error &&
-               (each.span.is_known() || std::ranges::find(about_options, each.rule) == about_options.end());
+    const auto about_the_model = [&](const diagnostics::Diagnostic& finding) {
+        return finding.rule->severity == diagnostics::Severity::error &&
+               (finding.span.is_known() || std::ranges::find(about_options, finding.rule) == about_options.end());
     };
     return project.diagnostics.ok() || std::ranges::any_of(all, about_the_model) ? Exit::bad_input : Exit::usage;
 }
@@ -69,11 +69,11 @@ void show_findings(const driver::Project& project, const Options& options) {
     if (options.output.quiet && good) {
         // These warnings are shown even with --quiet, because the verdicts are about a model that differs from the
         // text.
-        diagnostics::Diagnostics kept;
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
-            if (each.rule == &ir::rules::literal_outside_range || each.rule == &csp_emit::rules::inputs_hidden)
-                kept.report(*each.rule, each.span, each.arguments);
-        if (kept.warning_count() > 0) print_error_styled(diagnostics::render_text(project.sources, kept, style));
+        diagnostics::Diagnostics shown;
+        for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings())
+            if (finding.rule == &ir::rules::literal_outside_range || finding.rule == &csp_emit::rules::inputs_hidden)
+                shown.report(*finding.rule, finding.span, finding.arguments);
+        if (shown.warning_count() > 0) print_error_styled(diagnostics::render_text(project.sources, shown, style));
         return;
     }
     print_error_styled(diagnostics::render_text(project.sources, project.diagnostics, style));

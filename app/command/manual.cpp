@@ -75,9 +75,8 @@ std::string owning_verbs(const OptionRow& row) {
     std::vector<std::string> names;
     for (const VerbRow& verb : verb_table())
         if ((row.verbs & verb_bit(verb.verb)) != 0) names.push_back(full_name(verb));
-    return names.size() == verb_table().size() ? "all verbs"
-           : names.empty()                     ? "without a verb"
-                                               : fmt::format("{}", fmt::join(names, ", "));
+    if (names.size() == verb_table().size()) return "all verbs";
+    return names.empty() ? "without a verb" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string option_paragraph(const OptionRow& row) {

@@ -63,7 +63,7 @@ std::string full_name(const VerbRow& row) {
 
 const VerbRow* find_verb(std::string_view name) {
     const auto& rows = verb_table();
-    const auto row = std::ranges::find_if(rows, [&](const VerbRow& each) { return full_name(each) == name; });
+    const auto row = std::ranges::find_if(rows, [&](const VerbRow& candidate) { return full_name(candidate) == name; });
     return row == rows.end() ? nullptr : &*row;
 }
 
@@ -578,8 +578,8 @@ std::size_t words_after(const Argument& argument) {
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
     std::string meant = diagnostics::nearest_spelling(word, known);
     std::set<std::string> begun;
-    for (const std::string& each : known)
-        if (word.size() > 1 && each.starts_with(word)) begun.insert(each);
+    for (const std::string& candidate : known)
+        if (word.size() > 1 && candidate.starts_with(word)) begun.insert(candidate);
     if (meant.empty() && begun.size() == 1) meant = *begun.begin();
     return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
 }
@@ -621,32 +621,33 @@ bool parse_seconds(const std::string& text, double& seconds) {
 
 /// True if the word is a number that the argument accepts. Some texts that a number parser accepts (nan, -1, 1e300) are
 /// rejected.
-bool is_number(const Argument& wanted, const std::string& word, std::uint64_t& value) {
-    if (wanted.kind == Kind::seconds) {
+bool is_number(const Argument& argument, const std::string& word, std::uint64_t& value) {
+    if (argument.kind == Kind::seconds) {
         double seconds = 0;
-        return parse_seconds(word, seconds) && seconds >= static_cast<double>(wanted.least) &&
-               seconds <= static_cast<double>(wanted.most);
+        return parse_seconds(word, seconds) && seconds >= static_cast<double>(argument.least) &&
+               seconds <= static_cast<double>(argument.most);
     }
-    return (wanted.kind == Kind::size ? parse_size(word, value) : parse_whole(word, value)) && value >= wanted.least &&
-           value <= wanted.most;
+    return (argument.kind == Kind::size ? parse_size(word, value) : parse_whole(word, value)) &&
+           value >= argument.least && value <= argument.most;
 }
 
-std::string wanted_number(const Argument& wanted) {
-    if (wanted.kind == Kind::size) return "expected a size above 0 with a unit, such as 300M or 4GiB";
-    const std::string range = wanted.most == any_number ? fmt::format("from {}", wanted.least)
-                                                        : fmt::format("from {} to {}", wanted.least, wanted.most);
-    return fmt::format("expected a {} {}", wanted.kind == Kind::seconds ? "number of seconds" : "whole number", range);
+std::string wanted_number(const Argument& argument) {
+    if (argument.kind == Kind::size) return "expected a size above 0 with a unit, such as 300M or 4GiB";
+    const std::string range = argument.most == any_number ? fmt::format("from {}", argument.least)
+                                                          : fmt::format("from {} to {}", argument.least, argument.most);
+    return fmt::format("expected a {} {}", argument.kind == Kind::seconds ? "number of seconds" : "whole number",
+                       range);
 }
 
-std::string wrong_number(const Argument& wanted, std::string& word) {
+std::string wrong_number(const Argument& argument, std::string& word) {
     std::uint64_t value = 0;
-    if (!is_number(wanted, word, value)) return fmt::format("{}: {}", word, wanted_number(wanted));
-    if (wanted.kind == Kind::size) word = fmt::format("{}", value);
+    if (!is_number(argument, word, value)) return fmt::format("{}: {}", word, wanted_number(argument));
+    if (argument.kind == Kind::size) word = fmt::format("{}", value);
     return "";
 }
 
-std::string wrong_choice(const Argument& wanted, const std::string& word) {
-    const std::vector<std::string> known = choices_of(wanted);
+std::string wrong_choice(const Argument& argument, const std::string& word) {
+    const std::vector<std::string> known = choices_of(argument);
     if (std::ranges::find(known, word) != known.end()) return "";
     return fmt::format("'{}' is not one of {}{}", word, fmt::join(known, ", "), did_you_mean(word, known));
 }
@@ -660,13 +661,13 @@ std::string wrong_fraction(const std::string& word) {
 
 /// Returns an error unless the word is the code of a rule that warns.
 std::string wrong_warning(std::string& code) {
-    const auto warns = [](const std::string& each) {
-        const auto rules = find_rules(each);
+    const auto warns = [](const std::string& candidate) {
+        const auto rules = find_rules(candidate);
         return std::ranges::any_of(
             rules, [](const diagnostics::Rule* rule) { return rule->severity == diagnostics::Severity::warning; });
     };
     std::vector<std::string> meant_codes = codes_meant(code);
-    std::erase_if(meant_codes, [&](const std::string& each) { return !warns(each); });
+    std::erase_if(meant_codes, [&](const std::string& candidate) { return !warns(candidate); });
     if (meant_codes.size() == 1) {
         code = meant_codes.front();
         return "";
@@ -681,13 +682,13 @@ std::string wrong_warning(std::string& code) {
 
 }  // namespace
 
-std::string wrong_word(const Argument& wanted, std::size_t at, std::string& word) {
-    switch (wanted.kind) {
+std::string wrong_word(const Argument& argument, std::size_t at, std::string& word) {
+    switch (argument.kind) {
         case Kind::none:
         case Kind::text:
             return "";
         case Kind::choice:
-            return at == 0 ? wrong_choice(wanted, word) : "";
+            return at == 0 ? wrong_choice(argument, word) : "";
         case Kind::name:
         case Kind::file:
         case Kind::folder:
@@ -697,7 +698,7 @@ std::string wrong_word(const Argument& wanted, std::size_t at, std::string& word
         case Kind::whole:
         case Kind::seconds:
         case Kind::size:
-            return wrong_number(wanted, word);
+            return wrong_number(argument, word);
         case Kind::warning:
             return wrong_warning(word);
     }

@@ -328,9 +328,9 @@ void allow_many_files() {
     constexpr rlim_t most = rlim_t{1} << 20U;
     rlimit limit{};
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
-    const rlim_t wanted = std::min(limit.rlim_max, most);
-    if (limit.rlim_cur >= wanted) return;
-    limit.rlim_cur = wanted;
+    const rlim_t target = std::min(limit.rlim_max, most);
+    if (limit.rlim_cur >= target) return;
+    limit.rlim_cur = target;
     (void)setrlimit(RLIMIT_NOFILE, &limit);
 }
 

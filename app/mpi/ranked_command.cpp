@@ -60,7 +60,7 @@ int run_ranked(int argc, char** argv, refine::Exchange& exchange) {
 void block_signals() {
     sigset_t signals;
     sigemptyset(&signals);
-    for (const int each : ending) sigaddset(&signals, each);
+    for (const int signal_number : ending) sigaddset(&signals, signal_number);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
@@ -68,7 +68,7 @@ int ranked_command(int argc, char** argv, refine::Exchange& exchange) {
     try {
         if (exchange.rank() == 0) return run_ranked(argc, argv, exchange);
         allow_many_files();  // rank 0 calls it in run_command
-        for (const int each : ending) signal(each, SIG_IGN);
+        for (const int signal_number : ending) signal(signal_number, SIG_IGN);
         ranks::serve_searches(exchange, command_identity());
         return 0;
     } catch (const std::bad_alloc&) {

@@ -29,9 +29,8 @@ using diagnostics::xml_text;
 constexpr std::size_t most_steps = 2000;
 
 const char* answer_class(driver::Answer answer) {
-    return answer == driver::Answer::holds || answer == driver::Answer::computed ? "holds"
-           : answer == driver::Answer::fails                                     ? "fails"
-                                                                                 : "other";
+    if (answer == driver::Answer::holds || answer == driver::Answer::computed) return "holds";
+    return answer == driver::Answer::fails ? "fails" : "other";
 }
 
 std::string title_of(const driver::AssertionReport& assertion) {
@@ -162,8 +161,8 @@ void ReportPage::write_head() {
     if (const auto& code = report_.conformance; !code.empty())
         counts.push_back(fmt::format("{} of {} components conform",
                                      std::ranges::count_if(code,
-                                                           [](const ConformanceReport& each) {
-                                                               return each.result.outcome ==
+                                                           [](const ConformanceReport& component_report) {
+                                                               return component_report.result.outcome ==
                                                                       conformance::Outcome::conforms;
                                                            }),
                                      code.size()));
@@ -204,13 +203,13 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
     shown += basis_list(assertion.basis);
     if (assertion.probability) shown += values_table(*assertion.probability);
     const bool information = assertion.core && assertion.core->information;
+    const bool holds = assertion.answer == driver::Answer::holds;
+    const bool good = holds || assertion.answer == driver::Answer::computed || information;
+    std::string_view word = answer_word(assertion.answer);
+    if (information) word = holds ? "yes" : "no";
     out_ += fmt::format(
         "<tr class=\"{}\"><td class=\"answer {}\">{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td></tr>\n",
-        assertion.answer == driver::Answer::holds || assertion.answer == driver::Answer::computed || information
-            ? "good"
-            : "bad",
-        information ? "" : answer_class(assertion.answer),
-        information ? (assertion.answer == driver::Answer::holds ? "yes" : "no") : answer_word(assertion.answer), shown,
+        good ? "good" : "bad", information ? "" : answer_class(assertion.answer), word, shown,
         place_text(assertion.place), assertion.statistics.states);
 }
 
@@ -235,7 +234,7 @@ Marks ReportPage::fired_marks(const runs::Step& step) const {
             if (!id.empty() && machines_[i].first == event.component) marks.emplace_back(i, id);
     };
     add(step.event);
-    for (const runs::Event& each : step.with) add(each);
+    for (const runs::Event& event : step.with) add(event);
     return marks;
 }
 
@@ -256,7 +255,7 @@ std::string step_text(const runs::Step& step) {
 std::string also_possible(const runs::Step& step) {
     if (step.offered.empty()) return "";
     std::vector<std::string> offered;
-    for (const runs::Event& each : step.offered) offered.push_back(xml_text(each.text));
+    for (const runs::Event& event : step.offered) offered.push_back(xml_text(event.text));
     if (step.more_offered > 0) offered.push_back(fmt::format("and {} more", step.more_offered));
     return fmt::format("<details><summary>{}</summary>{}</details>", step.offered.size() + step.more_offered,
                        fmt::join(offered, "<br>"));
@@ -265,7 +264,7 @@ std::string also_possible(const runs::Step& step) {
 /// "<dt>the specification allows</dt><dd>…</dd>"; "" for none.
 std::string end_entry(const char* title, const std::vector<runs::Event>& events) {
     std::vector<std::string> texts;
-    for (const runs::Event& each : events) texts.push_back(xml_text(each.text));
+    for (const runs::Event& event : events) texts.push_back(xml_text(event.text));
     return texts.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>\n", title, fmt::join(texts, "<br>"));
 }
 
@@ -274,11 +273,11 @@ std::string end_text(const runs::End& end) {
     std::string text = end_entry("possible", end.offered) + end_entry("the specification allows", end.allowed) +
                        end_entry("it refuses, against the specification", end.refused);
     std::size_t number = 0;
-    for (const std::vector<runs::Event>& each : end.required)
-        text += end_entry(++number == 1 ? "the specification requires" : "or", each);
-    for (const runs::Cause& each : end.causes)
-        text += fmt::format("<dt>{}</dt><dd>{}{}</dd>\n", xml_text(each.component), xml_text(each.text),
-                            each.place ? " " + place_text(*each.place) : "");
+    for (const std::vector<runs::Event>& required : end.required)
+        text += end_entry(++number == 1 ? "the specification requires" : "or", required);
+    for (const runs::Cause& cause : end.causes)
+        text += fmt::format("<dt>{}</dt><dd>{}{}</dd>\n", xml_text(cause.component), xml_text(cause.text),
+                            cause.place ? " " + place_text(*cause.place) : "");
     return text.empty()
                ? ""
                : fmt::format("<details class=\"ends\"><summary>where it ends</summary><dl>\n{}</dl></details>\n", text);
@@ -288,8 +287,8 @@ std::string end_text(const runs::End& end) {
 std::string component_step_text(const runs::Step& step, const std::string& component) {
     std::vector<std::string> parts;
     if (step.event.component == component) parts.push_back(runs::text_of(step.event));
-    for (const runs::Event& each : step.with)
-        if (each.component == component) parts.push_back(runs::text_of(each));
+    for (const runs::Event& event : step.with)
+        if (event.component == component) parts.push_back(runs::text_of(event));
     for (const runs::Change& change : step.changes)
         if (const std::string news = change_text(step, change); change.component == component && !news.empty())
             parts.push_back(news);
@@ -298,7 +297,7 @@ std::string component_step_text(const runs::Step& step, const std::string& compo
 
 const runs::Machine* find(const std::vector<runs::Machine>& machines, const std::string& component) {
     const auto found =
-        std::ranges::find_if(machines, [&](const runs::Machine& each) { return each.component == component; });
+        std::ranges::find_if(machines, [&](const runs::Machine& machine) { return machine.component == component; });
     return found == machines.end() ? nullptr : &*found;
 }
 
@@ -306,9 +305,10 @@ const runs::Machine* find(const std::vector<runs::Machine>& machines, const std:
 std::string ReportPage::lane_name(const std::string& component) const {
     const auto last = [](const std::string& name) { return name.substr(name.rfind(':') + 1); };
     const auto alike =
-        std::ranges::count_if(machines_, [&](const auto& each) { return last(each.first) == last(component); });
+        std::ranges::count_if(machines_, [&](const auto& machine) { return last(machine.first) == last(component); });
+    if (alike == 1) return last(component);
     const std::size_t whole = component.find("::");
-    return alike == 1 ? last(component) : component.substr(whole == std::string::npos ? 0 : whole + 2);
+    return component.substr(whole == std::string::npos ? 0 : whole + 2);
 }
 
 /// The variables of machines in which a variable changed, by the machine's number. An entry contains the name, the
@@ -321,12 +321,12 @@ std::string ReportPage::values_json(const std::vector<runs::Machine>& before,
         const runs::Machine* const is = find(after, machines_[i].first);
         if (is == nullptr || (was != nullptr && runs::values_text(*was) == runs::values_text(*is))) continue;
         diagnostics::Json list = diagnostics::Json::array();
-        for (const runs::Variable& each : is->variables) {
-            if (each.kind == runs::VariableKind::constant || !each.value) continue;
+        for (const runs::Variable& variable : is->variables) {
+            if (variable.kind == runs::VariableKind::constant || !variable.value) continue;
             const bool same = was != nullptr && std::ranges::any_of(was->variables, [&](const runs::Variable& other) {
-                                  return other.name == each.name && other.value == each.value;
+                                  return other.name == variable.name && other.value == variable.value;
                               });
-            list.push_back({each.name, *each.value, was != nullptr && !same});
+            list.push_back({variable.name, *variable.value, was != nullptr && !same});
         }
         all[fmt::format("{}", i)] = std::move(list);
     }
@@ -346,18 +346,22 @@ void ReportPage::write_row(std::size_t number, const runs::Step* step, const std
     if (timed_)
         out_ += fmt::format("<td class=\"number\">{}</td>",
                             step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
-    bool said = false;
+    bool any_done = false;
     for (const auto& [component, definition] : machines_) {
         const std::string done = step == nullptr ? "" : component_step_text(*step, component);
         const runs::Machine* const was = find(before, component);
         const runs::Machine* const is = find(after, component);
-        const std::string then = is == nullptr ? (was == nullptr ? "" : "ended") : is->text;
+        std::string then;
+        if (is != nullptr)
+            then = is->text;
+        else if (was != nullptr)
+            then = "ended";
         const bool news = step == nullptr || was == nullptr || is == nullptr || was->text != then;
-        said = said || !done.empty();
+        any_done = any_done || !done.empty();
         out_ += fmt::format("<td class=\"lane\">{}{}</td>", xml_text(done),
                             news && !then.empty() ? fmt::format("<div class=\"then\">{}</div>", xml_text(then)) : "");
     }
-    out_ += fmt::format("<td>{}</td>", step == nullptr || said ? "" : xml_text(what));
+    out_ += fmt::format("<td>{}</td>", step == nullptr || any_done ? "" : xml_text(what));
     const bool placed = step != nullptr && step->event.place;
     out_ += fmt::format("<td>{}</td><td>{}</td></tr>\n", placed ? place_text(*step->event.place) : "",
                         step == nullptr ? "" : also_possible(*step));
@@ -455,10 +459,10 @@ void ReportPage::write_replay(const std::string& id, const runs::Run& run) {
     machines_.clear();
     timed_ = run.timed;
     const auto add = [&](const std::vector<runs::Machine>& machines) {
-        for (const runs::Machine& each : machines) {
+        for (const runs::Machine& machine : machines) {
             const auto known =
-                std::ranges::any_of(machines_, [&](const auto& pair) { return pair.first == each.component; });
-            if (!known) machines_.emplace_back(each.component, each.machine);
+                std::ranges::any_of(machines_, [&](const auto& pair) { return pair.first == machine.component; });
+            if (!known) machines_.emplace_back(machine.component, machine.machine);
         }
     };
     add(run.initial);
@@ -519,22 +523,22 @@ void ReportPage::model_runs(std::size_t number, const ConformanceReport& report)
         model_run(fmt::format("c{}", number), coded(title, explanation.rule), differs ? expected : explanation.remedy,
                   *explanation.run);
     }
-    const auto aside = [&](const char* id, const char* title, const std::optional<conformance::Aside>& each) {
-        if (!each || !each->run) return;
-        model_run(fmt::format("{}{}", id, number), coded(report.component + title, each->rule),
-                  std::string(conformance::meaning_of(*each)), *each->run);
+    const auto add_aside = [&](const char* id, const char* title, const std::optional<conformance::Aside>& aside) {
+        if (!aside || !aside->run) return;
+        model_run(fmt::format("{}{}", id, number), coded(report.component + title, aside->rule),
+                  std::string(conformance::meaning_of(*aside)), *aside->run);
     };
-    aside("o", " does not run in register cycles", result.register_cycles);
-    aside("t", " may miss a deadline", result.deadlines);
+    add_aside("o", " does not run in register cycles", result.register_cycles);
+    add_aside("t", " may miss a deadline", result.deadlines);
 }
 
 void ReportPage::write_conformance() {
     if (report_.conformance.empty()) return;
     out_ += "<section id=\"conformance\">\n<h2>Conformance of the generated C++</h2>\n";
     for (std::size_t i = 0; i < report_.conformance.size(); ++i) {
-        const ConformanceReport& each = report_.conformance[i];
-        out_ += preformatted_block(conformance_text(each)) + "\n";
-        model_runs(i, each);
+        const ConformanceReport& component_report = report_.conformance[i];
+        out_ += preformatted_block(conformance_text(component_report)) + "\n";
+        model_runs(i, component_report);
     }
     out_ += "</section>\n";
 }
@@ -542,14 +546,15 @@ void ReportPage::write_conformance() {
 /// The elements for which a claim was checked, but which no run exercises.
 std::set<std::string> ReportPage::unexercised_elements() const {
     std::set<std::string> result, exercised;
-    for (const driver::AssertionReport& each : report_.assertions) {
-        if (!each.core || (each.answer != driver::Answer::holds && each.answer != driver::Answer::fails)) continue;
-        const std::vector<std::string>& never = each.core->unexercised;
+    for (const driver::AssertionReport& assertion : report_.assertions) {
+        if (!assertion.core || (assertion.answer != driver::Answer::holds && assertion.answer != driver::Answer::fails))
+            continue;
+        const std::vector<std::string>& never = assertion.core->unexercised;
         result.insert(never.begin(), never.end());
-        for (const std::string& element : each.core->elements)
+        for (const std::string& element : assertion.core->elements)
             if (std::ranges::find(never, element) == never.end()) exercised.insert(element);
     }
-    for (const std::string& each : exercised) result.erase(each);
+    for (const std::string& element : exercised) result.erase(element);
     return result;
 }
 
@@ -558,8 +563,8 @@ void ReportPage::write_diagrams() {
     if (subjects.empty()) return;
     out_ += "<section id=\"diagrams\">\n<h2>Diagrams</h2>\n";
     PartDiagrams::Classes classes;
-    for (const std::string& each : unexercised_elements())
-        if (const std::string id = diagrams_.id_of_name(each); !id.empty()) classes[id] = "unexercised";
+    for (const std::string& element : unexercised_elements())
+        if (const std::string id = diagrams_.id_of_name(element); !id.empty()) classes[id] = "unexercised";
     if (!classes.empty())
         out_ += fmt::format("<p>{} {} dashed: no run exercises {}.</p>\n", classes.size(),
                             classes.size() == 1 ? "element is" : "elements are", classes.size() == 1 ? "it" : "them");

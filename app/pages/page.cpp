@@ -36,7 +36,7 @@ std::string page_text(const Page& page) {
     std::set<std::string> styles = styles_of(page.body);
     styles.insert(style);
     std::vector<std::string> hashes;
-    for (const std::string& each : styles) hashes.push_back("'" + diagnostics::policy_hash(each) + "'");
+    for (const std::string& style_text : styles) hashes.push_back("'" + diagnostics::policy_hash(style_text) + "'");
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; script-src '{}'; "

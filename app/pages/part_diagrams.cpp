@@ -75,9 +75,9 @@ PartDiagrams::PartDiagrams(const std::vector<driver::Project*>& projects, diagno
 void PartDiagrams::add(driver::Project& project) {
     elements_.push_back(std::make_unique<diagrams::Elements>(*project.model, next_));
     next_ += elements_.back()->all_elements().size();
-    for (const diagrams::Element& each : elements_.back()->all_elements()) {
-        note_place(project.sources, each.span, each.id);
-        note_place(project.sources, each.name_span, each.id);
+    for (const diagrams::Element& element : elements_.back()->all_elements()) {
+        note_place(project.sources, element.span, element.id);
+        note_place(project.sources, element.name_span, element.id);
     }
     name_elements(project);
     stored_findings_.set_budget(&budget_);
@@ -129,9 +129,9 @@ std::string PartDiagrams::draw_diagram(const PartSubject& subject, const std::st
 
 std::string PartDiagrams::draw_diagram(const std::string& component, const std::string& prefix,
                                        const Classes& classes) const {
-    for (const PartSubject& each : subjects_)
-        if (each.subject.component != nullptr && each.subject.name == component)
-            return draw_diagram(each, prefix, classes);
+    for (const PartSubject& part_subject : subjects_)
+        if (part_subject.subject.component != nullptr && part_subject.subject.name == component)
+            return draw_diagram(part_subject, prefix, classes);
     return "";
 }
 
@@ -139,10 +139,10 @@ std::vector<PartDiagrams::Drawn> PartDiagrams::draw_operations(const std::set<st
                                                                const std::string& prefix,
                                                                const Classes& classes) const {
     std::vector<Drawn> result;
-    for (const PartSubject& each : subjects_) {
-        const frontend::Declaration* const declared = each.subject.component;
+    for (const PartSubject& part_subject : subjects_) {
+        const frontend::Declaration* const declared = part_subject.subject.component;
         if (declared == nullptr || declared->kind != frontend::DeclKind::operation) continue;
-        std::string diagram = draw_diagram(each, fmt::format("{}{}-", prefix, result.size()), classes);
+        std::string diagram = draw_diagram(part_subject, fmt::format("{}{}-", prefix, result.size()), classes);
         if (std::ranges::any_of(elements, [&](const std::string& id) {
                 return diagram.find(fmt::format("data-element=\"{}\"", id)) != std::string::npos;
             }))

@@ -74,8 +74,8 @@ private:
         for (const KindModel& kind : run.kinds) projects.push_back(kind.project);
         return projects;
     }
-    static const ir::Machine& machine_of(const KindModel& kind, const cpp_emit::DriveMachine& each) {
-        return kind.project->system.machines[each.machine.index];
+    static const ir::Machine& machine_of(const KindModel& kind, const cpp_emit::DriveMachine& machine) {
+        return kind.project->system.machines[machine.machine.index];
     }
     [[nodiscard]] bool has_several_kinds() const { return run_.kinds.size() > 1; }
     /// "state of rig::go"; with a number if each kind has its own machines.
@@ -130,6 +130,11 @@ void SimulationPage::write_head() {
                         xml_text(diagnostics::on_one_line(simulation::run_text(scenario_, result_))));
 }
 
+const char* answer_class(const simulation::RunResult& result) {
+    if (result.all_hold()) return "holds";
+    return result.has_failed() ? "fails" : "other";
+}
+
 std::string SimulationPage::verdict_html() const {
     std::size_t stopped = 0;
     for (const auto& trial : result_.trials) stopped += trial.stop ? 1U : 0U;
@@ -137,11 +142,7 @@ std::string SimulationPage::verdict_html() const {
     if (stopped > 0 && result_.stops_are_errors)
         text = fmt::format("<p class=\"answer fails\">a controller stopped in {}</p>\n", counted(stopped, "trial"));
     else if (!result_.bands.empty() || !result_.claims.empty())
-        text = fmt::format("<p class=\"answer {}\">{}</p>\n",
-                           result_.all_hold()     ? "holds"
-                           : result_.has_failed() ? "fails"
-                                                  : "other",
-                           simulation::summary_text(result_));
+        text = fmt::format("<p class=\"answer {}\">{}</p>\n", answer_class(result_), simulation::summary_text(result_));
     if (run_.monitors.empty()) return text + "<p>No monitor compared the controllers with the model (--monitor).</p>\n";
     return text + fmt::format("<p>{}{}</p>\n", xml_text(diagnostics::on_one_line(run_.monitors)),
                               stopped == 0 ? "; none did what its model does not allow" : "");
@@ -230,9 +231,9 @@ std::string SimulationPage::strip_svg(std::size_t band) const {
 simulation::View SimulationPage::common_view() const {
     simulation::View all = simulation::view_of(scenario_, {});
     for (const std::size_t t : shown_.trials) {
-        const simulation::View each = simulation::view_of(scenario_, result_.trials[t].frames);
-        if (each.width > all.width) all.left = each.left, all.width = each.width;
-        if (each.height > all.height) all.top = each.top, all.height = each.height;
+        const simulation::View view = simulation::view_of(scenario_, result_.trials[t].frames);
+        if (view.width > all.width) all.left = view.left, all.width = view.width;
+        if (view.height > all.height) all.top = view.top, all.height = view.height;
     }
     return all;
 }
@@ -328,9 +329,10 @@ void SimulationPage::write_diagram(std::size_t kind, std::size_t number) {
     const std::string name = definition.package.empty() ? definition.path : definition.package + "::" + definition.path;
     const diagnostics::SourceManager& sources = run_.kinds[kind].project->sources;
     // Two models may have components with the same name.
-    const auto is_of = [&](const PartSubject& each) {
-        return each.subject.component != nullptr && each.subject.name == name && !definition.nodes.empty() &&
-               each.project->sources.path(each.subject.component->span.source) ==
+    const auto is_of = [&](const PartSubject& part_subject) {
+        return part_subject.subject.component != nullptr && part_subject.subject.name == name &&
+               !definition.nodes.empty() &&
+               part_subject.project->sources.path(part_subject.subject.component->span.source) ==
                    sources.path(definition.nodes.front().origin.span.source);
     };
     const auto subject = std::find_if(diagrams_.subjects().begin(), diagrams_.subjects().end(), is_of);
@@ -508,7 +510,7 @@ void SimulationPage::write_notes() {
         "End to the ends, [ and ] from robot to robot.</p>\n";
     const std::vector<std::string> missing = omitted_notes();
     if (!missing.empty()) out_ += "<p>What the page leaves out or changes:</p>\n<ul>";
-    for (const std::string& each : missing) out_ += fmt::format("<li>{}</li>", each);
+    for (const std::string& note : missing) out_ += fmt::format("<li>{}</li>", note);
     if (!missing.empty()) out_ += "</ul>\n";
     if (!run_.files.empty()) {
         out_ += "<p>Files of this run:</p>\n<ul>";

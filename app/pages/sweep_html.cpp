@@ -13,15 +13,19 @@ namespace {
 
 using diagnostics::xml_text;
 
+const char* answer_class(std::string_view word) {
+    if (word == "proved") return "holds";
+    return word == "refuted" ? "fails" : "other";
+}
+
 std::string sweep_row(const simulation::Scenario& scenario, const simulation::PointResult& point, std::size_t claim) {
     const simulation::ClaimResult& found = point.claims[claim];
     const std::string word = simulation::point_word(point, claim);
-    const char* const look = word == "proved" ? "holds" : word == "refuted" ? "fails" : "other";
     std::string row = "<tr>";
     for (std::size_t v = 0; v < point.point.size(); ++v)
         row +=
             fmt::format("<td class=\"number\">{}</td>", simulation::value_text(scenario.variations[v], point.point[v]));
-    return row + fmt::format("<td class=\"answer {}\">{}</td><td>{}</td><td>{}</td></tr>\n", look, word,
+    return row + fmt::format("<td class=\"answer {}\">{}</td><td>{}</td><td>{}</td></tr>\n", answer_class(word), word,
                              xml_text(simulation::evidence_text(scenario.claims[claim], found)),
                              simulation::median_text(scenario.claims[claim], found));
 }

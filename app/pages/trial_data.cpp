@@ -47,15 +47,16 @@ ShownTrials shown_trials(const simulation::Scenario& scenario, const simulation:
     shown.robots = std::min<std::size_t>(scenario.all_robots(), most_robots);
     const std::size_t letters = std::max<std::size_t>(1, shown.robots * (6 + 2 * machines));
     const std::size_t frames = std::max<std::size_t>(2, most_letters / letters);
-    const std::size_t wanted = std::min(enough_frames, std::max<std::size_t>(recorded, 1));
-    const std::size_t trials = std::clamp<std::size_t>(frames / wanted, 1, most_trials);
+    const std::size_t needed_frames = std::min(enough_frames, std::max<std::size_t>(recorded, 1));
+    const std::size_t trials = std::clamp<std::size_t>(frames / needed_frames, 1, most_trials);
     std::ranges::stable_sort(shown.trials, [&](std::size_t a, std::size_t b) {
         return rank_of_trial(scenario, result.trials[a]) < rank_of_trial(scenario, result.trials[b]);
     });
     if (shown.trials.size() > trials) shown.trials.resize(trials);
     std::ranges::sort(shown.trials);
-    const std::size_t each = std::max<std::size_t>(2, frames / std::max<std::size_t>(1, shown.trials.size()));
-    shown.every = simulation::thinning_factor(recorded, each);
+    const std::size_t frames_per_trial =
+        std::max<std::size_t>(2, frames / std::max<std::size_t>(1, shown.trials.size()));
+    shown.every = simulation::thinning_factor(recorded, frames_per_trial);
     return shown;
 }
 

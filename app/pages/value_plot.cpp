@@ -32,8 +32,8 @@ std::optional<Point> point_of_row(const driver::ProbabilityReport& report, const
     const auto constants = varying_constants(report, row);
     if (constants.size() != 1 || row.results.empty()) return std::nullopt;
     const auto x = to_number(constants.front().second);
-    const bool numbers = std::ranges::all_of(row.results, [](const prism::Result& each) {
-        return each.kind == prism::Result::Kind::number && std::isfinite(each.low.bounds().high);
+    const bool numbers = std::ranges::all_of(row.results, [](const prism::Result& result) {
+        return result.kind == prism::Result::Kind::number && std::isfinite(result.low.bounds().high);
     });
     if (!x || !numbers) return std::nullopt;
     return Point{*x, interval_of(row.results.front()).low, interval_of(row.results.back()).high};
@@ -58,9 +58,9 @@ std::string value_plot(const driver::ProbabilityReport& report) {
     if (all.size() < 2 || all.front().x == all.back().x) return "";
     double least = all.front().low;
     double most = all.front().high;
-    for (const Point& each : all) {
-        least = std::min(least, each.low);
-        most = std::max(most, each.high);
+    for (const Point& point : all) {
+        least = std::min(least, point.low);
+        most = std::max(most, point.high);
     }
     if (least == most) most = least + 1;
     const auto at = [&](double x, double y) {
@@ -68,10 +68,10 @@ std::string value_plot(const driver::ProbabilityReport& report) {
                            top + height * (most - y) / (most - least));
     };
     std::string line;
-    for (const Point& each : all) line += at(each.x, each.high);
+    for (const Point& point : all) line += at(point.x, point.high);
     const bool band =
         std::ranges::any_of(report.rows, [](const probability::Row& row) { return row.results.size() > 1; });
-    for (auto each = all.rbegin(); band && each != all.rend(); ++each) line += at(each->x, each->low);
+    for (auto point = all.rbegin(); band && point != all.rend(); ++point) line += at(point->x, point->low);
     const auto label = [](double x, double y, const char* anchor, const std::string& text) {
         return fmt::format(
             "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"{}\" fill=\"currentColor\">{}</text>", x, y, anchor,

@@ -117,13 +117,13 @@ Experiment make_experiment(const LoadedModel& loaded, const Options& options) {
     std::vector<prism::Series> model, properties;
     try {
         for (const std::string& text : options.instantiation.constants)
-            for (prism::Series& each : prism::read_series(text, open)) {
-                const auto same = [&](const auto& other) { return other.name == each.name; };
+            for (prism::Series& series : prism::read_series(text, open)) {
+                const auto same = [&](const auto& other) { return other.name == series.name; };
                 if (std::ranges::any_of(model, same) || std::ranges::any_of(properties, same))
-                    throw prism::BadValue(fmt::format("'{}' is given twice", each.name));
+                    throw prism::BadValue(fmt::format("'{}' is given twice", series.name));
                 const bool in_model =
-                    std::ranges::any_of(of_model, [&](const auto& c) { return c.name.text == each.name; });
-                (in_model ? model : properties).push_back(std::move(each));
+                    std::ranges::any_of(of_model, [&](const auto& c) { return c.name.text == series.name; });
+                (in_model ? model : properties).push_back(std::move(series));
             }
         return {prism::combinations(model), prism::combinations(properties)};
     } catch (const prism::BadValue& error) {

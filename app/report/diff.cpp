@@ -135,7 +135,8 @@ std::vector<Edit> edits_between(const Lines& before, const Lines& after) {
 }
 
 std::string range_text(std::size_t first, std::size_t count) {
-    return count == 1 ? fmt::format("{}", first + 1) : fmt::format("{},{}", count == 0 ? first : first + 1, count);
+    if (count == 1) return fmt::format("{}", first + 1);
+    return fmt::format("{},{}", count == 0 ? first : first + 1, count);
 }
 
 using Place = std::vector<Edit>::const_iterator;

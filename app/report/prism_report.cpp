@@ -82,7 +82,8 @@ Json estimate_json(const prism::Estimate& estimate) {
 
 std::string sampled_text(const prism::Result& result) {
     const prism::Estimate& estimate = *result.estimate;
-    const std::string answer = result.kind == Kind::number ? estimate_text(estimate) : result.truth ? "true" : "false";
+    std::string answer = result.truth ? "true" : "false";
+    if (result.kind == Kind::number) answer = estimate_text(estimate);
     return answer + " " + paths_text(estimate);
 }
 
@@ -100,9 +101,9 @@ std::string result_text(const PrismAnswer& answer) {
     if (result.estimate && result.kind != Kind::unknown) return sampled_text(result);
     switch (result.kind) {
         case Kind::truth:
-            return result.truth           ? "true"
-                   : result.where.empty() ? "false"
-                                          : fmt::format("false, for example in the state {}", result.where);
+            if (!result.truth && !result.where.empty())
+                return fmt::format("false, for example in the state {}", result.where);
+            return result.truth ? "true" : "false";
         case Kind::number:
             return value_text(result.low);
         case Kind::range:
@@ -141,8 +142,8 @@ std::string run_text(const PrismReport& report, const PrismRun& run) {
 
 std::string value_of(const std::string& name, const PrismRun& run, const PrismAnswer& answer) {
     for (const NamedValues* constants : {&run.constants, &answer.constants})
-        for (const auto& [each, value] : *constants)
-            if (each == name) return value;
+        for (const auto& [constant, value] : *constants)
+            if (constant == name) return value;
     return "";
 }
 
@@ -152,8 +153,8 @@ NamedValues varying(const PrismReport& report, const PrismRun& run, const PrismA
     all.insert(all.end(), answer.constants.begin(), answer.constants.end());
     std::erase_if(all, [&](const auto& constant) {
         for (const PrismRun& other : report.runs)
-            for (const PrismAnswer& each : other.answers)
-                if (value_of(constant.first, other, each) != constant.second) return false;
+            for (const PrismAnswer& other_answer : other.answers)
+                if (value_of(constant.first, other, other_answer) != constant.second) return false;
         return true;
     });
     return all;
@@ -164,22 +165,24 @@ std::string total_text(const prism::Enclosure& total) {
     return total.is_exact() ? double_text(total.low) : fmt::format("{:.6g}", total.middle());
 }
 
+const char* way_text(const prism::Counterexample& found) {
+    if (!found.never) return found.holds ? "on which the formula holds" : "on which the formula does not hold";
+    return found.holds ? "after which the formula holds whatever follows"
+                       : "after which the formula cannot hold any more";
+}
+
 /// The most probable path, step by step.
 std::string counterexample_text(const PrismReport& report, const prism::Counterexample& found,
                                 const std::string& indent) {
     constexpr std::size_t most = 3;
-    const char* const way = found.never
-                                ? (found.holds ? "after which the formula holds whatever follows"
-                                               : "after which the formula cannot hold any more")
-                                : (found.holds ? "on which the formula holds" : "on which the formula does not hold");
+    std::string paths = "a path";
+    if (found.count != 1) paths = fmt::format("{} paths{}", found.count, found.scheduled ? " of one scheduler" : "");
     const std::string bound = found.bound.text();
-    std::string text = fmt::format(
-        "{}{} {} {} {}{}\n", indent,
-        found.count == 1 ? "a path"
-                         : fmt::format("{} paths{}", found.count, found.scheduled ? " of one scheduler" : ""),
-        way, found.count == 1 ? "has probability" : "have probability", total_text(found.total),
-        !found.enough ? fmt::format(" together; {} takes more", bound)
-                      : fmt::format(", {} {}", found.strict ? "above" : "which reaches", bound));
+    std::string comparison = fmt::format(" together; {} takes more", bound);
+    if (found.enough) comparison = fmt::format(", {} {}", found.strict ? "above" : "which reaches", bound);
+    std::string text =
+        fmt::format("{}{} {} {} {}{}\n", indent, paths, way_text(found),
+                    found.count == 1 ? "has probability" : "have probability", total_text(found.total), comparison);
     for (std::size_t i = 0; i < std::min(most, found.paths.size()); ++i) {
         const prism::ProbablePath& path = found.paths[i];
         text += fmt::format("{}{}: {}\n", indent, total_text(path.probability), path.from);
@@ -311,9 +314,9 @@ std::string csv_row(const PrismReport& report, const PrismRun& run, const PrismA
     const bool number = answer.error.empty() && (result.kind == Kind::number || result.kind == Kind::range);
     if (!number) return row + ",,,\n";
     const prism::Enclosure bounds = interval_of(result);
-    const std::string value = result.kind == Kind::range ? ""
-                              : result.estimate          ? double_text(result.estimate->mean)
-                                                         : double_text(middle_of(result.low));
+    std::string value;
+    if (result.kind != Kind::range)
+        value = double_text(result.estimate ? result.estimate->mean : middle_of(result.low));
     return row + fmt::format(",{},{},{}\n", value, double_text(bounds.low), double_text(bounds.high));
 }
 
@@ -343,7 +346,8 @@ Exit exit_of(const PrismReport& report) {
             failed = failed || (answer.result.kind == Kind::truth && !answer.result.truth);
             open = open || answer.result.kind == Kind::unknown;
         }
-    return failed ? Exit::failed : open ? Exit::inconclusive : Exit::success;
+    if (failed) return Exit::failed;
+    return open ? Exit::inconclusive : Exit::success;
 }
 
 /// Lists the properties of a single run. For several runs, prints one table per property.
@@ -371,8 +375,8 @@ std::string prism_json(const PrismReport& report) {
     if (report.kind) json["kind"] = report.kind == prism::ModelKind::mdp ? "mdp" : "dtmc";
     if (!report.scheduler.empty()) json["scheduler"] = report.scheduler;
     json["properties"] = Json::array();
-    for (const PrismProperty& each : report.properties)
-        json["properties"].push_back({{"name", each.name}, {"text", each.text}});
+    for (const PrismProperty& property : report.properties)
+        json["properties"].push_back({{"name", property.name}, {"text", property.text}});
     json["runs"] = Json::array();
     for (const PrismRun& run : report.runs) {
         Json one{{"constants", constants_json(run.constants)}};

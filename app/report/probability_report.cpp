@@ -25,9 +25,9 @@ std::string result_text(const prism::Result& result) {
     }
     switch (result.kind) {
         case Kind::truth:
-            return result.truth           ? "true"
-                   : result.where.empty() ? "false"
-                                          : fmt::format("false, for example in the state {}", result.where);
+            if (!result.truth && !result.where.empty())
+                return fmt::format("false, for example in the state {}", result.where);
+            return result.truth ? "true" : "false";
         case Kind::number:
             return value_text(result.low) +
                    (result.reason.empty() ? "" : fmt::format("; wider than asked for: {}", result.reason));
@@ -42,8 +42,8 @@ std::string result_text(const prism::Result& result) {
 
 const char* word_of(const Row& row) {
     if (!row.error.empty()) return "error";
-    for (const prism::Result& each : row.results)
-        if (each.kind == Kind::unknown) return "not decided";
+    for (const prism::Result& result : row.results)
+        if (result.kind == Kind::unknown) return "not decided";
     if (row.path) return "path";
     const prism::Result& first = row.results.front();
     if (first.kind == Kind::truth) return first.truth ? "true" : "false";
@@ -66,9 +66,9 @@ Json row_json(const Row& row) {
     for (const auto& [name, value] : row.constants) json["constants"][name] = value;
     if (!row.error.empty()) json["reason"] = row.error;
     if (row.path) json["path"] = path_json(*row.path);
-    for (const prism::Result& each : row.results) {
-        if (!each.reason.empty()) json["reason"] = each.reason;
-        if (!each.where.empty()) json["state"] = each.where;
+    for (const prism::Result& result : row.results) {
+        if (!result.reason.empty()) json["reason"] = result.reason;
+        if (!result.where.empty()) json["state"] = result.where;
     }
     if (!row.results.empty() && row.results.front().estimate) {
         const prism::Result& sampled = row.results.front();
@@ -76,7 +76,8 @@ Json row_json(const Row& row) {
         if (sampled.kind == Kind::number) json.update(interval_json(sampled));
         return json;
     }
-    const bool values = std::ranges::all_of(row.results, [](const auto& each) { return each.kind == Kind::number; });
+    const bool values =
+        std::ranges::all_of(row.results, [](const auto& result) { return result.kind == Kind::number; });
     if (!values || row.results.empty()) return json;
     if (row.results.size() == 1) {
         json.update(real_json(row.results.front().low));
@@ -87,12 +88,18 @@ Json row_json(const Row& row) {
     return json;
 }
 
+const char* schedulers_text(std::string_view scheduler) {
+    if (scheduler == "any") return "over all schedulers";
+    if (scheduler == "urgent") return "over the schedulers by which inputs and time wait for all that needs neither";
+    return "where all possible steps are equally likely";
+}
+
 }  // namespace
 
 std::string row_text(const Row& row) {
     if (!row.error.empty()) return "error: " + row.error;
     const auto open =
-        std::ranges::find_if(row.results, [](const prism::Result& each) { return each.kind == Kind::unknown; });
+        std::ranges::find_if(row.results, [](const prism::Result& result) { return result.kind == Kind::unknown; });
     if (open != row.results.end()) return result_text(*open);
     if (row.path)
         return fmt::format("a random path of {} steps{}", row.path->steps.size(),
@@ -123,17 +130,13 @@ std::vector<std::pair<std::string, std::string>> varying_constants(const driver:
 
 std::string reading_of(const driver::ProbabilityReport& report) {
     const auto sampled = [](const Row& row) {
-        return row.path ||
-               std::ranges::any_of(row.results, [](const prism::Result& each) { return each.estimate.has_value(); });
+        return row.path || std::ranges::any_of(row.results,
+                                               [](const prism::Result& result) { return result.estimate.has_value(); });
     };
     if (report.encoding == "robotool")
         return fmt::format("{} RoboTool's encoding, where all possible steps are equally likely and bounds count steps",
                            std::ranges::any_of(report.rows, sampled) ? "by random paths in" : "in");
-    const std::string who = report.scheduler == "any" ? "over all schedulers"
-                            : report.scheduler == "urgent"
-                                ? "over the schedulers by which inputs and time wait for all that needs neither"
-                                : "where all possible steps are equally likely";
-    return fmt::format("in the timed CSP semantics, {}; bounds count time units", who);
+    return fmt::format("in the timed CSP semantics, {}; bounds count time units", schedulers_text(report.scheduler));
 }
 
 std::string probability_text(const driver::ProbabilityReport& report, const std::string& indent) {

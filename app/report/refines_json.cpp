@@ -39,7 +39,7 @@ private:
 
 Json event_map(const std::vector<ScriptAssertion>& assertions) {
     std::map<Event, std::string> names;
-    for (const ScriptAssertion& each : assertions) names.insert(each.events.begin(), each.events.end());
+    for (const ScriptAssertion& assertion : assertions) names.insert(assertion.events.begin(), assertion.events.end());
     Json map{{"0", "0"}, {"1", "τ"}, {"2", "✓"}};
     for (const auto& [event, name] : names) map[std::to_string(std::uint64_t{event} + 1)] = name;
     return map;
@@ -116,8 +116,8 @@ public:
                   {"trace", events_.event_numbers(trace)},
                   {"states", Json::array({name})}};
         json["allowed"] = Json::array();
-        for (const process::EventSet& each : counterexample_.required)
-            json["allowed"].push_back(events_.event_numbers(each));
+        for (const process::EventSet& event_set : counterexample_.required)
+            json["allowed"].push_back(events_.event_numbers(event_set));
         return json;
     }
 
@@ -150,8 +150,8 @@ private:
     void add_children(Json& json, const process::Behaviour& behaviour, Offence offence) {
         if (behaviour.parts.empty()) return;
         json["child_behaviours"] = Json::array();
-        for (const process::Behaviour& each : behaviour.parts)
-            json["child_behaviours"].push_back(part_json(each, offence_of(each, behaviour, offence)));
+        for (const process::Behaviour& part : behaviour.parts)
+            json["child_behaviours"].push_back(part_json(part, offence_of(part, behaviour, offence)));
     }
     [[nodiscard]] const char* behaviour_type() const {
         switch (counterexample_.kind) {
@@ -160,9 +160,13 @@ private:
                 return "trace";
             case ViolationKind::divergence:
                 return "loop";
-            default:
-                return "min_acceptance";
+            case ViolationKind::refusal:
+            case ViolationKind::deadlock:
+            case ViolationKind::nondeterminism:
+            case ViolationKind::no_return:
+                break;
         }
+        return "min_acceptance";
     }
     /// A state that can terminate may always do so, so its least acceptance is {✓}.
     static process::EventSet least_acceptance(const process::EventSet& offered) {
@@ -210,13 +214,18 @@ Json script_counterexample_json(const ScriptAssertion& assertion, EventMap& even
     return json;
 }
 
+/// 1, 0 or null, as in FDR's output.
+Json result_number(driver::Answer answer) {
+    if (answer == driver::Answer::holds) return 1;
+    if (answer == driver::Answer::fails) return 0;
+    return nullptr;
+}
+
 Json script_result_json(const ScriptAssertion& a, EventMap& events, const Options& options) {
     constexpr std::array<const char*, 5> words{"holds", "fails", "inconclusive", "no check", "error"};
     const refine::Verdict& verdict = a.result.verdict;
     Json json{{"assertion_string", a.text}, {"errors", a.errors}, {"is_negated", a.result.negated ? 1 : 0}};
-    json["result"] = a.answer == driver::Answer::holds   ? Json(1)
-                     : a.answer == driver::Answer::fails ? Json(0)
-                                                         : Json(nullptr);
+    json["result"] = result_number(a.answer);
     json["visited_states"] = verdict.statistics.states;
     json["visited_transitions"] = verdict.statistics.transitions;
     json["visited_plys"] = verdict.statistics.depth;
@@ -250,11 +259,12 @@ void name_events(ScriptAssertion& assertion, const process::EventTable& table, c
 std::string refines_json(const ScriptReport& report, const Options& options) {
     EventMap events;
     Json results = Json::array();
-    for (const ScriptAssertion& each : report.assertions) results.push_back(script_result_json(each, events, options));
+    for (const ScriptAssertion& assertion : report.assertions)
+        results.push_back(script_result_json(assertion, events, options));
     Json prints = Json::array();
-    for (const ScriptPrint& each : report.prints) {
-        const Json errors = each.error.empty() ? Json::array() : Json::array({each.error});
-        prints.push_back({{"print_statement", each.expression}, {"result", each.value}, {"errors", errors}});
+    for (const ScriptPrint& statement : report.prints) {
+        const Json errors = statement.error.empty() ? Json::array() : Json::array({statement.error});
+        prints.push_back({{"print_statement", statement.expression}, {"result", statement.value}, {"errors", errors}});
     }
     Json json{{"schema", "robochart-verify/refines/1"},
               {"copyright_notice", std::string("robochart-verify ") + program_version},

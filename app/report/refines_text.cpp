@@ -51,12 +51,12 @@ private:
 
 std::string sets_text(const Names& names, const std::vector<process::EventSet>& list) {
     std::vector<std::string> shown;
-    for (const process::EventSet& each : list) shown.push_back(names.set_text(each));
+    for (const process::EventSet& event_set : list) shown.push_back(names.set_text(event_set));
     return fmt::format("{}", fmt::join(shown, " "));
 }
 
 std::string not_allowed(const refine::Counterexample& c, const Names& names, const std::string& event) {
-    const bool ends = std::ranges::all_of(c.required, [](const auto& each) { return each.empty(); });
+    const bool ends = std::ranges::all_of(c.required, [](const auto& event_set) { return event_set.empty(); });
     if (ends) return fmt::format("where the specification allows no event, so not {}", event);
     return fmt::format("where the specification does not allow {}, only {}", event, sets_text(names, c.required));
 }
@@ -105,7 +105,7 @@ std::string offence_text(const refine::Counterexample& c, const Names& names) {
 
 std::size_t count_parts(const Behaviour& part) {
     std::size_t parts = 1;
-    for (const Behaviour& each : part.parts) parts += count_parts(each);
+    for (const Behaviour& child : part.parts) parts += count_parts(child);
     return parts;
 }
 
@@ -119,7 +119,7 @@ void write_part(const Behaviour& part, std::size_t indent, const Names& names, s
                            names.set_text(part.offered));
     }
     out += '\n';
-    for (const Behaviour& each : part.parts) write_part(each, indent + 2, names, out);
+    for (const Behaviour& child : part.parts) write_part(child, indent + 2, names, out);
 }
 
 std::string split_text(const ScriptAssertion& a, std::size_t indent, const Names& names, const Options& options) {
@@ -184,7 +184,8 @@ std::string plain_counterexample(const ScriptAssertion& a, const Names& names, c
 
 const char* sentence_of(driver::Answer answer) {
     if (answer == driver::Answer::holds) return "Passed";
-    return answer == driver::Answer::fails ? "Failed" : answer == driver::Answer::error ? "Error" : "Inconclusive";
+    if (answer == driver::Answer::fails) return "Failed";
+    return answer == driver::Answer::error ? "Error" : "Inconclusive";
 }
 
 }  // namespace

@@ -105,9 +105,9 @@ std::string assertion_rest(const driver::AssertionReport& a, const std::string& 
     if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;
     if (!shared.shown_at.empty()) return out + fmt::format("               by the run of {} above\n", shared.shown_at);
-    const std::string claimed = a.place.empty() ? ""
-                                                : fmt::format("{} at {}; ", a.core ? "declared" : "claimed",
-                                                              diagnostics::escape_for_display(a.place));
+    std::string claimed;
+    if (!a.place.empty())
+        claimed = fmt::format("{} at {}; ", a.core ? "declared" : "claimed", diagnostics::escape_for_display(a.place));
     out += fmt::format("               {}the {} does:\n{}", claimed, subject, run_lines(a, options));
     if (!shared.others.empty())
         out += fmt::format("               the same run is one of {}\n", fmt::join(shared.others, " and of "));
@@ -172,11 +172,12 @@ std::string reason_text(const conformance::MissedEvent::Reason& reason) {
 /// Writes the largest number of consecutive cycles in which an event is lost. If there are two reasons, it is written
 /// for both.
 void write_missed(std::string& out, const std::vector<conformance::MissedEvent>& missed) {
-    for (const conformance::MissedEvent& each : missed) {
-        out += fmt::format("               event {} can be missed for ", each.event);
-        if (each.reasons.size() > 1) out += fmt::format("{} in a row, ", in_cycles(each.cycles));
+    for (const conformance::MissedEvent& missed_event : missed) {
+        out += fmt::format("               event {} can be missed for ", missed_event.event);
+        if (missed_event.reasons.size() > 1) out += fmt::format("{} in a row, ", in_cycles(missed_event.cycles));
         std::vector<std::string> reasons;
-        for (const conformance::MissedEvent::Reason& reason : each.reasons) reasons.push_back(reason_text(reason));
+        for (const conformance::MissedEvent::Reason& reason : missed_event.reasons)
+            reasons.push_back(reason_text(reason));
         out += fmt::format("{} [{}]\n", fmt::join(reasons, ", "), conformance::rules::event_missed.code);
     }
 }
@@ -233,9 +234,9 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     if (r.dispatched > 0)
         out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
                            with_commas(r.dispatched));
-    for (const conformance::FewValues& each : r.represented)
-        out += fmt::format("               {} values of {} explored, which the component only passes on\n", each.values,
-                           each.type);
+    for (const conformance::FewValues& represented : r.represented)
+        out += fmt::format("               {} values of {} explored, which the component only passes on\n",
+                           represented.values, represented.type);
     if (!r.reason.empty()) out += fmt::format("               {}{}\n", r.reason, code_of(r.explanation.rule));
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r.cycles);
@@ -304,8 +305,8 @@ std::string closing_line(const Report& report) {
     }
     if (!report.refused.empty()) {
         std::vector<std::string> names;
-        for (const RefusedReport& each : report.refused)
-            if (std::string name = diagnostics::escape_for_display(each.model);
+        for (const RefusedReport& refused : report.refused)
+            if (std::string name = diagnostics::escape_for_display(refused.model);
                 std::ranges::find(names, name) == names.end())
                 names.push_back(std::move(name));
         parts.push_back(fmt::format("refused, with errors: {}", fmt::join(names, ", ")));
@@ -333,16 +334,17 @@ std::size_t Report::count_answers(driver::Answer answer) const {
 
 bool Report::all_decided() const {
     return limit.empty() && refused.empty() && !nothing_checked &&
-           std::ranges::none_of(assertions, [](const driver::AssertionReport& each) {
-               return each.answer == driver::Answer::inconclusive || each.answer == driver::Answer::error;
+           std::ranges::none_of(assertions, [](const driver::AssertionReport& assertion) {
+               return assertion.answer == driver::Answer::inconclusive || assertion.answer == driver::Answer::error;
            });
 }
 
 std::string Report::limit_advice() const {
     const auto met = [&](std::string_view words) {
         return limit.find(words) != std::string::npos ||
-               std::ranges::any_of(assertions, [&](const driver::AssertionReport& each) {
-                   return each.answer == driver::Answer::inconclusive && each.reason.find(words) != std::string::npos;
+               std::ranges::any_of(assertions, [&](const driver::AssertionReport& assertion) {
+                   return assertion.answer == driver::Answer::inconclusive &&
+                          assertion.reason.find(words) != std::string::npos;
                });
     };
     std::vector<std::string> helps;

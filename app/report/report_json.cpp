@@ -106,8 +106,8 @@ Json conformance_json(const ConformanceReport& c) {
               {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
               {"dispatched", r.dispatched},  {"statistics", statistics_json(r.product)},
               {"seconds", c.seconds}};
-    for (const conformance::FewValues& each : r.represented)
-        json["represented"].push_back({{"type", each.type}, {"values", each.values}});
+    for (const conformance::FewValues& represented : r.represented)
+        json["represented"].push_back({{"type", represented.type}, {"values", represented.values}});
     if (!r.reason.empty()) json["reason"] = r.reason;
     if (const conformance::Explanation& e = r.explanation; e.rule != nullptr) {
         json["code"] = e.rule->code;
@@ -122,8 +122,9 @@ Json conformance_json(const ConformanceReport& c) {
                                  {"dispatch", behaviour_json(r.api_difference->dispatched)}};
     if (r.register_cycles) json["registerCycles"] = aside_json(*r.register_cycles);
     if (r.deadlines) json["deadlinesMet"] = aside_json(*r.deadlines);
-    for (const conformance::MissedEvent& each : r.missed) json["missedEvents"].push_back(missed_json(each));
-    for (const conformance::OvertakenEvent& each : r.overtaken) json["overtakenEvents"].push_back(overtaken_json(each));
+    for (const conformance::MissedEvent& missed : r.missed) json["missedEvents"].push_back(missed_json(missed));
+    for (const conformance::OvertakenEvent& overtaken : r.overtaken)
+        json["overtakenEvents"].push_back(overtaken_json(overtaken));
     if (r.cycles.empty()) return json;
     json["cycles"] = cycles_json(r.cycles);
     json["expected"] = r.expected;
@@ -171,9 +172,9 @@ std::string render_json(const Report& report) {
     if (!report.monitor_files.empty()) json["monitorFiles"] = files_json(report.monitor_files);
     if (!report.test_files.empty()) json["testFiles"] = files_json(report.test_files);
     if (!report.remarks.empty()) json["remarks"] = report.remarks;
-    for (const RefusedReport& each : report.refused)
+    for (const RefusedReport& refused : report.refused)
         json["refused"].push_back(
-            {{"model", each.model}, {"diagnostics", Json::parse(each.diagnostics, nullptr, false)}});
+            {{"model", refused.model}, {"diagnostics", Json::parse(refused.diagnostics, nullptr, false)}});
     // json_text replaces bytes that are not UTF-8, which names of files may contain.
     return diagnostics::json_text(json, 2) + "\n";
 }

@@ -72,11 +72,11 @@ JunitCase about_run(const std::string& name, const std::string& message, const s
 
 std::string render_junit(const Report& report) {
     std::vector<JunitCase> cases;
-    for (const driver::AssertionReport& each : report.assertions)
-        if (!each.core || !each.core->information) cases.push_back(case_of(each, report.subject));
-    for (const ConformanceReport& each : report.conformance) cases.push_back(case_of(each));
-    for (const RefusedReport& each : report.refused)
-        cases.push_back(about_run(each.model, "refused, with errors", each.text));
+    for (const driver::AssertionReport& assertion : report.assertions)
+        if (!assertion.core || !assertion.core->information) cases.push_back(case_of(assertion, report.subject));
+    for (const ConformanceReport& component_report : report.conformance) cases.push_back(case_of(component_report));
+    for (const RefusedReport& refused : report.refused)
+        cases.push_back(about_run(refused.model, "refused, with errors", refused.text));
     const bool nothing = report.assertions.empty() && report.conformance.empty() && !report.unclaimed.empty();
     if (report.nothing_checked || nothing) cases.push_back(about_run("assertions", report.unclaimed, report.unclaimed));
     if (!report.limit.empty()) cases.push_back(about_run("limit", report.limit, report.limit));

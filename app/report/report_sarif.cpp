@@ -101,7 +101,8 @@ std::string_view words_of(driver::Answer answer) {
 void add(const driver::AssertionReport& a, const std::string& file, Json& results) {
     if (a.answer == driver::Answer::no_check || a.answer == driver::Answer::computed) return;
     if (a.answer == driver::Answer::holds && a.basis.empty()) return;
-    const std::string why = !a.reason.empty() ? a.reason : a.run ? a.run->end.why : "";
+    std::string why = a.reason;
+    if (why.empty() && a.run) why = a.run->end.why;
     std::string message = fmt::format("{}: {}{}{}", a.title, words_of(a.answer), why.empty() ? "" : ": ", why);
     Json related = Json::array();
     add_basis(a.basis, message, related);
@@ -137,9 +138,9 @@ std::string render_sarif(const Report& report, const std::string& verb) {
     run.what = fmt::format("{}/{}", verb, report.model);
     run.rules = sarif_rules();
     const std::string file = report.file.empty() ? report.model : report.file;
-    for (const driver::AssertionReport& each : report.assertions)
-        if (!each.core || !each.core->information) add(each, file, run.results);
-    for (const ConformanceReport& each : report.conformance) add(each, file, run.results);
+    for (const driver::AssertionReport& assertion : report.assertions)
+        if (!assertion.core || !assertion.core->information) add(assertion, file, run.results);
+    for (const ConformanceReport& component_report : report.conformance) add(component_report, file, run.results);
     run.limit = why_incomplete(report);
     run.properties = {{"model", report.model}, {"exit", static_cast<int>(report.exit_code())}};
     return diagnostics::sarif_log(run);

@@ -15,8 +15,10 @@ using diagnostics::Json;
 
 std::string rule_names(const RulesReport& report, const std::vector<std::size_t>& rules) {
     std::string text;
-    for (std::size_t i = 0; i < rules.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == rules.size() ? " and " : ", ") + report.rules[rules[i]].name;
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        if (i > 0) text += i + 1 == rules.size() ? " and " : ", ";
+        text += report.rules[rules[i]].name;
+    }
     return text;
 }
 
@@ -33,8 +35,9 @@ std::string conflict_text(const RulesReport& report, const RuleConflict& conflic
     if (!conflict.decided) return fmt::format("not decided: conflict of {}: {}\n", rules, conflict.reason);
     std::string text = fmt::format("conflict: {}\n", rules);
     for (const std::string& line : conflict.lines) text += fmt::format("  {}\n", line);
-    for (const std::string& each : conflict.suggested)
-        text += fmt::format("  {}: {}\n", &each == conflict.suggested.data() ? "no conflict with" : "and", each);
+    for (const std::string& suggestion : conflict.suggested)
+        text += fmt::format("  {}: {}\n", &suggestion == conflict.suggested.data() ? "no conflict with" : "and",
+                            suggestion);
     return text;
 }
 
@@ -43,7 +46,7 @@ std::string redundant_text(const RulesReport& report, const RedundantRule& found
     if (!found.reason.empty())
         return fmt::format("not decided: redundancy of {}: {} ({})\n", rule.name, found.reason, rule.place);
     std::string places = rule.place;
-    for (const std::size_t each : found.by) places += ", " + report.rules[each].place;
+    for (const std::size_t implying_rule : found.by) places += ", " + report.rules[implying_rule].place;
     return fmt::format("redundant: {}, which {} {} ({})\n", rule.name, rule_names(report, found.by),
                        found.by.size() == 1 ? "implies" : "together imply", places);
 }
@@ -53,10 +56,10 @@ std::string property_text(const RulesReport& report, const RuleProperty& propert
     if (!property.decided)
         return fmt::format("not decided: {} {}: {} ({})\n", what, property.name, property.reason, property.place);
     if (!property.concern) {
-        const std::string by = property.excluded.empty() ? "nothing can bring it about"
-                               : property.excluded.size() == 1
-                                   ? rule_names(report, property.excluded) + " excludes it"
-                                   : rule_names(report, property.excluded) + " together exclude it";
+        std::string by = "nothing can bring it about";
+        if (!property.excluded.empty())
+            by = rule_names(report, property.excluded) +
+                 (property.excluded.size() == 1 ? " excludes it" : " together exclude it");
         return fmt::format("purpose blocked: {}: {} ({})\n", property.name, by, property.place);
     }
     std::string text = fmt::format("concern raised: {}: the rules allow it ({})\n", property.name, property.place);
@@ -83,19 +86,25 @@ std::string number_of(std::size_t count, const char* noun) {
 
 std::string closing_text(const RulesReport& report) {
     std::size_t conflicts = 0, redundant = 0, undecided = 0;
-    for (const RedundantRule& each : report.redundant) ++(each.reason.empty() ? redundant : undecided);
-    for (const RuleConflict& each : report.conflicts) ++(each.decided ? conflicts : undecided);
-    for (const ComparedPair& each : report.pairs) {
-        if (in_conflict(each)) ++conflicts;
-        if (is_open(each)) ++undecided;
-        for (const auto& each_redundant : {each.first_redundant, each.second_redundant})
-            if (each_redundant.value_or(false)) ++redundant;
+    for (const RedundantRule& redundant_rule : report.redundant)
+        ++(redundant_rule.reason.empty() ? redundant : undecided);
+    for (const RuleConflict& conflict : report.conflicts) ++(conflict.decided ? conflicts : undecided);
+    for (const ComparedPair& pair : report.pairs) {
+        if (in_conflict(pair)) ++conflicts;
+        if (is_open(pair)) ++undecided;
+        for (const auto& implied : {pair.first_redundant, pair.second_redundant})
+            if (implied.value_or(false)) ++redundant;
     }
     std::string text =
         fmt::format("{}: {}, {}", number_of(report.rules.size(), "rule"), number_of(conflicts, "conflict"),
                     redundant == 1 ? "1 redundancy" : fmt::format("{} redundancies", redundant));
     std::size_t raised = 0, blocked = 0;
-    for (const RuleProperty& each : report.properties) ++(!each.decided ? undecided : each.concern ? raised : blocked);
+    for (const RuleProperty& property : report.properties) {
+        if (!property.decided)
+            ++undecided;
+        else
+            ++(property.concern ? raised : blocked);
+    }
     if (report.concerns > 0) text += fmt::format(", {} of {} raised", raised, number_of(report.concerns, "concern"));
     if (report.purposes > 0) text += fmt::format(", {} of {} blocked", blocked, number_of(report.purposes, "purpose"));
     if (undecided > 0) text += fmt::format(", {} not decided", undecided);
@@ -130,18 +139,18 @@ std::string verdict_text(const RulesReport& report, const driver::RuleVerdict& v
 std::string verdicts_text(const RulesReport& report, bool quiet) {
     std::string text;
     std::size_t broken = 0, undecided = 0, errors = report.errors.size();
-    for (const driver::RuleVerdict& each : report.verdicts) {
-        const bool failed = each.kind == driver::RuleVerdict::Kind::error;
-        const bool wrong = failed || each.kind == driver::RuleVerdict::Kind::broken ||
-                           each.kind == driver::RuleVerdict::Kind::not_decided;
-        if (wrong || !quiet) text += verdict_text(report, each);
-        if (each.kind == driver::RuleVerdict::Kind::broken) ++broken;
-        if (each.kind == driver::RuleVerdict::Kind::not_decided) ++undecided;
+    for (const driver::RuleVerdict& verdict : report.verdicts) {
+        const bool failed = verdict.kind == driver::RuleVerdict::Kind::error;
+        const bool wrong = failed || verdict.kind == driver::RuleVerdict::Kind::broken ||
+                           verdict.kind == driver::RuleVerdict::Kind::not_decided;
+        if (wrong || !quiet) text += verdict_text(report, verdict);
+        if (verdict.kind == driver::RuleVerdict::Kind::broken) ++broken;
+        if (verdict.kind == driver::RuleVerdict::Kind::not_decided) ++undecided;
         if (failed) ++errors;
     }
-    for (const std::string& each : report.errors) text += fmt::format("error: {}\n", each);
-    for (const std::string& each : report.time_stops) text += fmt::format("time can stop in {}\n", each);
-    for (const std::string& each : report.time_open) text += fmt::format("not decided: {}\n", each);
+    for (const std::string& error : report.errors) text += fmt::format("error: {}\n", error);
+    for (const std::string& component : report.time_stops) text += fmt::format("time can stop in {}\n", component);
+    for (const std::string& reason : report.time_open) text += fmt::format("not decided: {}\n", reason);
     if (!quiet) text += "an input counts as an event of the rules when the component takes it\n";
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
     return text + fmt::format("{}: {} broken, {} not decided{}\n", number_of(report.verdicts.size(), "verdict"), broken,
@@ -180,13 +189,16 @@ Json conflict_json(const RulesReport& report, const RuleConflict& conflict) {
     return json;
 }
 
+const char* verdict_word(const RuleProperty& property) {
+    if (!property.decided) return "not decided";
+    return property.concern ? "raised" : "blocked";
+}
+
 Json property_json(const RulesReport& report, const RuleProperty& property) {
     Json json{{"kind", property.concern ? "concern" : "purpose"},
               {"name", property.name},
               {"place", property.place},
-              {"verdict", !property.decided  ? "not decided"
-                          : property.concern ? "raised"
-                                             : "blocked"}};
+              {"verdict", verdict_word(property)}};
     if (!property.decided) json["reason"] = property.reason;
     if (!property.lines.empty()) json["history"] = property.lines;
     if (property.decided && !property.concern) {
@@ -202,18 +214,19 @@ Exit exit_of(const RulesReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
     bool failed = !report.time_stops.empty();
     bool undecided = !report.limit.empty() || !report.not_read.empty() || !report.time_open.empty();
-    for (const driver::RuleVerdict& each : report.verdicts) {
-        if (each.kind == driver::RuleVerdict::Kind::error) return Exit::bad_input;
-        failed = failed || each.kind == driver::RuleVerdict::Kind::broken;
-        undecided = undecided || each.kind == driver::RuleVerdict::Kind::not_decided;
+    for (const driver::RuleVerdict& verdict : report.verdicts) {
+        if (verdict.kind == driver::RuleVerdict::Kind::error) return Exit::bad_input;
+        failed = failed || verdict.kind == driver::RuleVerdict::Kind::broken;
+        undecided = undecided || verdict.kind == driver::RuleVerdict::Kind::not_decided;
     }
-    for (const RuleConflict& each : report.conflicts) (each.decided ? failed : undecided) = true;
-    for (const RuleProperty& each : report.properties) (each.decided ? failed : undecided) = true;
-    for (const ComparedPair& each : report.pairs) {
-        failed = failed || in_conflict(each);
-        undecided = undecided || is_open(each);
+    for (const RuleConflict& conflict : report.conflicts) (conflict.decided ? failed : undecided) = true;
+    for (const RuleProperty& property : report.properties) (property.decided ? failed : undecided) = true;
+    for (const ComparedPair& pair : report.pairs) {
+        failed = failed || in_conflict(pair);
+        undecided = undecided || is_open(pair);
     }
-    return failed ? Exit::failed : undecided ? Exit::inconclusive : Exit::success;
+    if (failed) return Exit::failed;
+    return undecided ? Exit::inconclusive : Exit::success;
 }
 
 std::string rules_text(const RulesReport& report, const Options& options) {
@@ -221,23 +234,23 @@ std::string rules_text(const RulesReport& report, const Options& options) {
     std::string text;
     if (!options.output.quiet && report.as_sleec_tk) {
         text += fmt::format("{}: as SLEEC-TK has it\n", report.file);
-        for (const std::string& each : report.ranges) text += fmt::format("  numeric values: {}\n", each);
+        for (const std::string& range : report.ranges) text += fmt::format("  numeric values: {}\n", range);
     }
-    for (const std::string& each : report.not_read) text += fmt::format("not decided: {}\n", each);
-    for (const RuleConflict& each : report.conflicts) text += conflict_text(report, each);
-    for (const ComparedPair& each : report.pairs) text += pair_text(report, each);
-    for (const RedundantRule& each : report.redundant) text += redundant_text(report, each);
+    for (const std::string& unread : report.not_read) text += fmt::format("not decided: {}\n", unread);
+    for (const RuleConflict& conflict : report.conflicts) text += conflict_text(report, conflict);
+    for (const ComparedPair& pair : report.pairs) text += pair_text(report, pair);
+    for (const RedundantRule& redundant_rule : report.redundant) text += redundant_text(report, redundant_rule);
     for (const std::size_t rule : report.asking_nothing)
         text += fmt::format("asks for nothing: {}, whatever the measures are ({})\n", report.rules[rule].name,
                             report.rules[rule].place);
-    for (const RuleProperty& each : report.properties) text += property_text(report, each);
+    for (const RuleProperty& property : report.properties) text += property_text(report, property);
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
     return text + closing_text(report);
 }
 
 Json redundant_json(const RulesReport& report, const RedundantRule& found) {
     Json json{{"rule", report.rules[found.rule].name}, {"decided", found.reason.empty()}, {"by", Json::array()}};
-    for (const std::size_t each : found.by) json["by"].push_back(report.rules[each].name);
+    for (const std::size_t implying_rule : found.by) json["by"].push_back(report.rules[implying_rule].name);
     if (!found.reason.empty()) json["reason"] = found.reason;
     return json;
 }
@@ -247,31 +260,35 @@ std::string rules_json(const RulesReport& report) {
     json["semantics"] = report.as_sleec_tk ? "SLEEC-TK" : "default";
     if (!report.as_sleec_tk) json["withoutLimit"] = report.without_limit;
     json["rules"] = Json::array();
-    for (const RuleName& each : report.rules) json["rules"].push_back({{"name", each.name}, {"place", each.place}});
+    for (const RuleName& rule : report.rules) json["rules"].push_back({{"name", rule.name}, {"place", rule.place}});
     if (!report.model.empty()) {
         json["model"] = report.model;
         json["verdicts"] = Json::array();
-        for (const driver::RuleVerdict& each : report.verdicts) json["verdicts"].push_back(verdict_json(report, each));
+        for (const driver::RuleVerdict& verdict : report.verdicts)
+            json["verdicts"].push_back(verdict_json(report, verdict));
         json["timeStops"] = report.time_stops;
         if (!report.time_open.empty()) json["timeNotDecided"] = report.time_open;
         json["inputsCount"] = "taken";
     } else if (report.as_sleec_tk) {
         json["numericValues"] = report.ranges;
         json["pairs"] = Json::array();
-        for (const ComparedPair& each : report.pairs) json["pairs"].push_back(pair_json(report, each));
+        for (const ComparedPair& pair : report.pairs) json["pairs"].push_back(pair_json(report, pair));
         if (!report.not_read.empty()) json["notRead"] = report.not_read;
     } else {
         json["questions"] = report.questions;
         json["conflicts"] = Json::array();
-        for (const RuleConflict& each : report.conflicts) json["conflicts"].push_back(conflict_json(report, each));
+        for (const RuleConflict& conflict : report.conflicts)
+            json["conflicts"].push_back(conflict_json(report, conflict));
         json["redundant"] = Json::array();
-        for (const RedundantRule& each : report.redundant) json["redundant"].push_back(redundant_json(report, each));
+        for (const RedundantRule& redundant_rule : report.redundant)
+            json["redundant"].push_back(redundant_json(report, redundant_rule));
         json["askingNothing"] = Json::array();
         for (const std::size_t rule : report.asking_nothing) json["askingNothing"].push_back(report.rules[rule].name);
         json["concerns"] = report.concerns;
         json["purposes"] = report.purposes;
         json["properties"] = Json::array();
-        for (const RuleProperty& each : report.properties) json["properties"].push_back(property_json(report, each));
+        for (const RuleProperty& property : report.properties)
+            json["properties"].push_back(property_json(report, property));
     }
     if (!report.errors.empty()) json["errors"] = report.errors;
     if (!report.limit.empty()) json["limit"] = report.limit;

@@ -13,7 +13,7 @@ void write(const process::Behaviour& part, std::size_t indent, const process::Ev
     out += fmt::format("{:{}}{}", "", indent, runs::part_text(part));
     if (part.parts.empty()) out += "  " + runs::offers_text(part, events);
     out += '\n';
-    for (const process::Behaviour& each : part.parts) write(each, indent + 2, events, out);
+    for (const process::Behaviour& child : part.parts) write(child, indent + 2, events, out);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void events_of(const sleec::DutyPtr& duty, std::vector<std::size_t>& events) {
     if (duty == nullptr) return;
     events.push_back(duty->event);
     events_of(duty->otherwise, events);
-    for (const sleec::CheckedDefeater& each : duty->defeaters) events_of(each.duty, events);
+    for (const sleec::CheckedDefeater& defeater : duty->defeaters) events_of(defeater.duty, events);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ public:
 
     [[nodiscard]] bool is_conclusive() const override {
         return std::ranges::none_of(
-            robots_, [](const Robot& each) { return each.given_up || !each.run.open_triggers().empty(); });
+            robots_, [](const Robot& robot) { return robot.given_up || !robot.run.open_triggers().empty(); });
     }
 
 private:
@@ -157,7 +157,7 @@ void RuleGuard::leave_out() {
         if (rule.assumed) return true;
         std::vector<std::size_t> events{rule.trigger};
         events_of(rule.duty, events);
-        const auto missing = std::ranges::find_if(events, [&](std::size_t each) { return !has_[each]; });
+        const auto missing = std::ranges::find_if(events, [&](std::size_t event) { return !has_[event]; });
         if (missing == events.end()) return false;
         left_out_.push_back(fmt::format("{}: the controller has no event and no operation '{}'",
                                         rule.written->name.text, rules_.event_name(*missing)));
@@ -174,7 +174,7 @@ simulation::Guard::Maker RuleGuard::make_observer(Maker other) {
 std::string RuleGuard::summary_lines() const {
     std::string text = fmt::format("  rules of {}: {} followed; robots watched: {}; a time unit is a second\n",
                                    diagnostics::escape_for_display(loaded_->path), followed_count(), robots_.load());
-    for (const std::string& each : left_out_) text += fmt::format("  not followed: {}\n", each);
+    for (const std::string& reason : left_out_) text += fmt::format("  not followed: {}\n", reason);
     if (!given_up_.empty()) text += fmt::format("  robots were not followed to the end: {}\n", given_up_);
     for (const auto& [rule, robots] : open_)
         text += fmt::format(

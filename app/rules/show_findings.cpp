@@ -9,11 +9,11 @@ namespace robochart::app {
 void show_rule_findings(const driver::LoadedRules& loaded, const Options& options) {
     const diagnostics::TextStyle style = findings_style(options);
     diagnostics::Diagnostics wrong;  // not printed with --quiet
-    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted_findings()) {
-        if (each.rule->severity == diagnostics::Severity::note) continue;
-        diagnostics::Diagnostic& kept = wrong.report(*each.rule, each.span, each.arguments);
-        kept.notes = each.notes;
-        kept.fixes = each.fixes;
+    for (const diagnostics::Diagnostic& finding : loaded.diagnostics.sorted_findings()) {
+        if (finding.rule->severity == diagnostics::Severity::note) continue;
+        diagnostics::Diagnostic& reported = wrong.report(*finding.rule, finding.span, finding.arguments);
+        reported.notes = finding.notes;
+        reported.fixes = finding.fixes;
     }
     print_error_styled(
         diagnostics::render_text(loaded.sources, options.output.quiet ? wrong : loaded.diagnostics, style));

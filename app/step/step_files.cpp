@@ -48,12 +48,12 @@ struct Cycle {
 
 std::vector<Cycle> cycles_of(const runs::Stepper& stepper, const Stepped& stepped) {
     std::vector<Cycle> cycles(1);
-    for (const runs::Taken& each : stepper.steps_taken()) {
-        if (each.offer.hidden) continue;
-        const LogRole role = log_role(each.offer.happening.event);
+    for (const runs::Taken& step : stepper.steps_taken()) {
+        if (step.offer.hidden) continue;
+        const LogRole role = log_role(step.offer.happening.event);
         Cycle& cycle = cycles.back();
         if (role == LogRole::tock) {
-            for (const runs::Offer& other : stepper.offers_at(each.before))
+            for (const runs::Offer& other : stepper.offers_at(step.before))
                 if (!other.hidden && log_role(other.happening.event) == LogRole::output)
                     throw Unsayable{fmt::format("time passes where {} is on offer; in cycles it is done at once",
                                                 other.happening.event.text)};
@@ -62,15 +62,15 @@ std::vector<Cycle> cycles_of(const runs::Stepper& stepper, const Stepped& steppe
         } else if (role == LogRole::termination) {
             cycle.terminates = true;
         } else if (role == LogRole::input) {
-            const std::string word = word_of(each.offer, stepped);
+            const std::string word = word_of(step.offer, stepped);
             const std::string name = word.substr(0, word.find('?'));
             for (const std::string& before : cycle.inputs)
                 if (before.substr(0, before.find('?')) == name)
                     throw Unsayable{fmt::format("{} happens twice within one time unit; a cycle reads each input once",
-                                                each.offer.happening.event.text)};
+                                                step.offer.happening.event.text)};
             cycle.inputs.push_back(word);
         } else if (role == LogRole::output) {
-            cycle.outputs.push_back(word_of(each.offer, stepped));
+            cycle.outputs.push_back(word_of(step.offer, stepped));
         }
     }
     return cycles;
@@ -103,10 +103,10 @@ constexpr std::size_t most_in_one = 100;
 std::string process_text(const runs::Stepper& stepper, const std::string& name) {
     std::string text = fmt::format("\t{} =", name);
     std::size_t events = 0;
-    for (const runs::Taken& each : stepper.steps_taken()) {
-        if (each.offer.hidden) continue;
-        if (each.offer.happening.event.kind == Kind::terminate) return text + " SKIP\n";
-        text += fmt::format(" {} ->\n\t ", each.offer.name);
+    for (const runs::Taken& step : stepper.steps_taken()) {
+        if (step.offer.hidden) continue;
+        if (step.offer.happening.event.kind == Kind::terminate) return text + " SKIP\n";
+        text += fmt::format(" {} ->\n\t ", step.offer.name);
         if (++events % most_in_one == 0) text += fmt::format(" {0}_{1}\n\t{0}_{1} =", name, events / most_in_one + 1);
     }
     return text + " STOP\n";
@@ -142,44 +142,44 @@ struct Wanted {
 };
 
 /// The state after this event; no value if the log does not allow the event here.
-std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& wanted, const Stepped& stepped) {
+std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wanted& expected, const Stepped& stepped) {
     Node result = node;
     result.term = offer.step.target;
     if (offer.hidden) return result;
     const LogRole role = log_role(offer.happening.event);
     if (role == LogRole::tock) {
-        if (node.tocks == wanted.tocks || node.outputs < wanted.outputs.size()) return std::nullopt;
+        if (node.tocks == expected.tocks || node.outputs < expected.outputs.size()) return std::nullopt;
         ++result.tocks;
         return result;
     }
-    if (role == LogRole::termination) return wanted.terminates ? std::optional(result) : std::nullopt;
+    if (role == LogRole::termination) return expected.terminates ? std::optional(result) : std::nullopt;
     const std::string word = word_of(offer, stepped);
     if (role == LogRole::input) return result.left.erase(word) > 0 ? std::optional(result) : std::nullopt;
     if (role != LogRole::output) return result;
-    if (node.outputs == wanted.outputs.size() || wanted.outputs[node.outputs] != word) return std::nullopt;
+    if (node.outputs == expected.outputs.size() || expected.outputs[node.outputs] != word) return std::nullopt;
     ++result.outputs;
     return result;
 }
 
 /// Takes steps of the model that match one cycle of the log. Returns false if the model has no such steps.
-bool follow_cycle(runs::Stepper& stepper, const Wanted& wanted, const Stepped& stepped, Run& run) {
-    std::vector<Node> nodes{{stepper.current_term(), wanted.inputs, 0, 0, 0, 0}};
+bool follow_cycle(runs::Stepper& stepper, const Wanted& expected, const Stepped& stepped, Run& run) {
+    std::vector<Node> nodes{{stepper.current_term(), expected.inputs, 0, 0, 0, 0}};
     using Key = std::tuple<process::TermId, std::set<std::string>, std::size_t, std::size_t>;
     std::set<Key> seen;
     const auto take_way_to = [&](std::size_t at) {
         std::vector<std::size_t> offers;
         for (; at != 0; at = nodes[at].parent) offers.push_back(nodes[at].offer);
-        for (auto each = offers.rbegin(); each != offers.rend(); ++each) stepper.take_offer(*each);
+        for (auto offer = offers.rbegin(); offer != offers.rend(); ++offer) stepper.take_offer(*offer);
     };
     for (std::size_t at = 0; at < nodes.size() && at < most_searched; ++at) {
         run.budget().poll();
-        if (nodes[at].outputs == wanted.outputs.size() && nodes[at].tocks == wanted.tocks) {
+        if (nodes[at].outputs == expected.outputs.size() && nodes[at].tocks == expected.tocks) {
             take_way_to(at);
             return true;
         }
         const std::vector<runs::Offer> offers = stepper.offers_at(nodes[at].term);
         for (std::size_t i = 0; i < offers.size(); ++i) {
-            auto found = next(nodes[at], offers[i], wanted, stepped);
+            auto found = next(nodes[at], offers[i], expected, stepped);
             if (!found || !seen.insert({found->term, found->left, found->outputs, found->tocks}).second) continue;
             found->parent = at;
             found->offer = i;
@@ -192,9 +192,9 @@ bool follow_cycle(runs::Stepper& stepper, const Wanted& wanted, const Stepped& s
 /// True if a constant of the model has the value of this "NAME=VALUE".
 bool has_constant(const Stepped& stepped, const std::string& constant) {
     if (stepped.project == nullptr) return false;
-    const auto& asked = stepped.project->asked.constants;
-    const auto found = asked.find(constant.substr(0, constant.find('=')));
-    return found != asked.end() && constant == found->first + "=" + found->second;
+    const auto& constants = stepped.project->asked.constants;
+    const auto found = constants.find(constant.substr(0, constant.find('=')));
+    return found != constants.end() && constant == found->first + "=" + found->second;
 }
 
 /// The cycles of the first run. Throws Unsayable if the log cannot be read.
@@ -243,10 +243,11 @@ std::vector<Wanted> read_log(const std::string& path, const Stepped& stepped) {
     }
     if (!header.component.empty() && header.component != stepped.name)
         throw Unsayable{fmt::format("{}: is a log of {}", path, header.component)};
-    for (const std::string& each : header.constants)
-        if (!stepped.any_constants && !has_constant(stepped, each))
+    for (const std::string& constant : header.constants)
+        if (!stepped.any_constants && !has_constant(stepped, constant))
             throw Unsayable{fmt::format("{}: is a log of the model with {} (--const {})", path,
-                                        diagnostics::escape_for_display(each), diagnostics::escape_for_display(each))};
+                                        diagnostics::escape_for_display(constant),
+                                        diagnostics::escape_for_display(constant))};
     return cycles;
 }
 

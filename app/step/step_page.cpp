@@ -56,7 +56,7 @@ struct Instance {
 
 std::vector<Instance> instances_of(const Exploration& space) {
     std::map<std::string, std::string> found;
-    for (const runs::Machine& each : space.machines) found.try_emplace(each.component, each.machine);
+    for (const runs::Machine& machine : space.machines) found.try_emplace(machine.component, machine.machine);
     std::vector<Instance> result;
     for (const auto& [component, machine] : found) result.push_back({component, machine});
     return result;
@@ -72,20 +72,21 @@ public:
     Json write() {
         const auto listed = [](const auto& items, const auto& one) {
             Json list = Json::array();
-            for (const auto& each : items) list.push_back(one(each));
+            for (const auto& item : items) list.push_back(one(item));
             return list;
         };
         Json json{{"timed", stepped_.time == csp_emit::Time::timed},
                   {"log", stepped_.project == nullptr ? Json(nullptr) : Json(log_head(stepped_))},
                   {"limit", space_.limit},
-                  {"instances", listed(instances_, [&](const Instance& each) { return text_number(each.component); })},
-                  {"machines", listed(space_.machines, [&](const auto& each) { return machine_json(each); })},
-                  {"labels", listed(space_.labels, [&](const auto& each) { return label_json(each); })},
-                  {"absences", listed(space_.absences, [&](const auto& each) { return absence_json(each); })},
-                  {"parts", listed(space_.parts, [&](const auto& each) { return part_json(each); })},
-                  {"states", listed(space_.states, [&](const auto& each) { return state_json(each); })},
-                  {"structures", listed(space_.states, [&](const auto& each) {
-                       return each.structure ? Json(*each.structure) : Json(-1);
+                  {"instances",
+                   listed(instances_, [&](const Instance& instance) { return text_number(instance.component); })},
+                  {"machines", listed(space_.machines, [&](const auto& machine) { return machine_json(machine); })},
+                  {"labels", listed(space_.labels, [&](const auto& label) { return label_json(label); })},
+                  {"absences", listed(space_.absences, [&](const auto& absence) { return absence_json(absence); })},
+                  {"parts", listed(space_.parts, [&](const auto& part) { return part_json(part); })},
+                  {"states", listed(space_.states, [&](const auto& state) { return state_json(state); })},
+                  {"structures", listed(space_.states, [&](const auto& state) {
+                       return state.structure ? Json(*state.structure) : Json(-1);
                    })}};
         json["texts"] = strings_.string_list();
         return json;
@@ -95,20 +96,20 @@ private:
     std::size_t text_number(const std::string& text) { return strings_.number_of(text); }
     [[nodiscard]] std::size_t instance_number(const std::string& component) const {
         const auto found =
-            std::ranges::find_if(instances_, [&](const Instance& each) { return each.component == component; });
+            std::ranges::find_if(instances_, [&](const Instance& instance) { return instance.component == component; });
         return static_cast<std::size_t>(found - instances_.begin());
     }
 
     /// [instance, text, place, [active elements], [name, value or -1, ...]]
     Json machine_json(const runs::Machine& machine) {
         Json active = Json::array();
-        for (const std::string& each : machine.active)
-            if (const std::string id = diagrams_.id_of_name(each); !id.empty()) active.push_back(text_number(id));
+        for (const std::string& element : machine.active)
+            if (const std::string id = diagrams_.id_of_name(element); !id.empty()) active.push_back(text_number(id));
         Json values = Json::array();
-        for (const runs::Variable& each : machine.variables) {
-            if (each.kind == runs::VariableKind::constant) continue;
-            values.push_back(text_number(each.name));
-            values.push_back(each.value ? Json(text_number(*each.value)) : Json(-1));
+        for (const runs::Variable& variable : machine.variables) {
+            if (variable.kind == runs::VariableKind::constant) continue;
+            values.push_back(text_number(variable.name));
+            values.push_back(variable.value ? Json(text_number(*variable.value)) : Json(-1));
         }
         return Json::array({instance_number(machine.component), text_number(machine.text),
                             text_number(place_text(machine.place)), std::move(active), std::move(values)});
@@ -119,7 +120,7 @@ private:
         const runs::Event& event = label.happening.event;
         Json fired = Json::array();
         add_fired(event, fired);
-        for (const runs::Event& each : label.happening.with) add_fired(each, fired);
+        for (const runs::Event& other_event : label.happening.with) add_fired(other_event, fired);
         const LogRole role = stepped_.project == nullptr ? LogRole::none : log_role(event);
         const auto word = role == LogRole::input || role == LogRole::output ? log_word(event, label.name, stepped_)
                                                                             : std::optional<std::string>();
@@ -144,16 +145,16 @@ private:
     /// [text, offers or 0, part, ...]
     Json part_json(const Exploration::Part& part) {
         Json json = Json::array({text_number(part.text), text_number(part.offers)});
-        for (const std::size_t each : part.parts) json.push_back(each);
+        for (const std::size_t child : part.parts) json.push_back(child);
         return json;
     }
 
     /// [[machines], [label, target or -1, ...], [absences], process, error]
     Json state_json(const Exploration::State& state) {
         Json offers = Json::array();
-        for (const Exploration::Transition& each : state.offers) {
-            offers.push_back(each.label);
-            offers.push_back(each.target ? Json(*each.target) : Json(-1));
+        for (const Exploration::Transition& transition : state.offers) {
+            offers.push_back(transition.label);
+            offers.push_back(transition.target ? Json(*transition.target) : Json(-1));
         }
         Json json = Json::array({state.machines, std::move(offers), state.absences});
         if (!state.process.empty() || !state.error.empty()) json.push_back(text_number(state.process));
@@ -176,13 +177,12 @@ public:
     std::string write(const std::string& figures) const {
         const bool timed = stepped_.time == csp_emit::Time::timed;
         const bool component = stepped_.project != nullptr;
+        std::string semantics;
+        if (component) semantics = timed ? ", timed semantics" : ", untimed semantics";
         return diagnostics::fill_template(
             page_part("explorer.html"),
             {{"NAME", xml_text(stepped_.name)},
-             {"OF", fmt::format("{}{}", xml_text(stepped_.model),
-                                !component ? ""
-                                : timed    ? ", timed semantics"
-                                           : ", untimed semantics")},
+             {"OF", fmt::format("{}{}", xml_text(stepped_.model), semantics)},
              {"COUNTS", xml_text(counts_text(space_))},
              {"VERSION", program_version},
              {"BUTTONS", std::string(timed ? "<button type=\"button\" id=\"tock\">one time unit</button>\n" : "") +
@@ -202,8 +202,8 @@ public:
 private:
     [[nodiscard]] std::string offers_html() const {
         std::string text;
-        for (const Exploration::Transition& each : first_.offers) {
-            const Exploration::Label& label = space_.labels[each.label];
+        for (const Exploration::Transition& transition : first_.offers) {
+            const Exploration::Label& label = space_.labels[transition.label];
             text += fmt::format("<li>{}{} <small>{}</small></li>\n", label.hidden ? "(hidden) " : "",
                                 xml_text(runs::text_of(label.happening.event, label.happening.with)),
                                 xml_text(place_text(label.happening.event.place)));
@@ -216,8 +216,8 @@ private:
     }
     [[nodiscard]] std::string absences_html() const {
         std::string text;
-        for (const std::size_t each : first_.absences) {
-            const runs::Absence& absence = space_.absences[each];
+        for (const std::size_t number : first_.absences) {
+            const runs::Absence& absence = space_.absences[number];
             text += fmt::format("<li>{}: {}: {}</li>\n", xml_text(absence.component), xml_text(absence.text),
                                 xml_text(absence.reason));
         }
@@ -225,9 +225,9 @@ private:
     }
     [[nodiscard]] std::string machines_html() const {
         std::string text;
-        for (const std::size_t each : first_.machines)
-            text += fmt::format("<li>{}: {}</li>\n", xml_text(space_.machines[each].component),
-                                xml_text(runs::text_of(space_.machines[each])));
+        for (const std::size_t number : first_.machines)
+            text += fmt::format("<li>{}: {}</li>\n", xml_text(space_.machines[number].component),
+                                xml_text(runs::text_of(space_.machines[number])));
         if (!first_.process.empty()) text += fmt::format("<li>{}</li>\n", xml_text(first_.process));
         return text;
     }
@@ -238,7 +238,7 @@ private:
         if (!part.offers.empty()) text += fmt::format(" <small>{}</small>", xml_text(part.offers));
         if (!part.parts.empty()) {
             text += "\n<ul>\n";
-            for (const std::size_t each : part.parts) text += tree_html(each);
+            for (const std::size_t child : part.parts) text += tree_html(child);
             text += "</ul>";
         }
         return text + "</li>\n";
@@ -265,9 +265,9 @@ std::string figures_of(const Exploration& space, const std::vector<Instance>& in
         if (const std::string drawn = diagrams.draw_diagram(instances[i].machine, prefix); !drawn.empty())
             text += figure_html(i, component, drawn);
         std::set<std::string> active;
-        for (const runs::Machine& each : space.machines)
-            if (each.component == component)
-                for (const std::string& state : each.active) active.insert(diagrams.id_of_name(state));
+        for (const runs::Machine& machine : space.machines)
+            if (machine.component == component)
+                for (const std::string& state : machine.active) active.insert(diagrams.id_of_name(state));
         for (const auto& [name, drawn] : diagrams.draw_operations(active, prefix))
             text += figure_html(i, fmt::format("{}: operation {}", component, name), drawn);
     }

@@ -13,7 +13,7 @@ namespace {
 
 const cspm::ExprPtr& process_of(const csp_emit::Emission& emission, const std::string& name) {
     const auto found = std::ranges::find_if(
-        emission.components, [&](const csp_emit::ComponentProcesses& each) { return each.path == name; });
+        emission.components, [&](const csp_emit::ComponentProcesses& component) { return component.path == name; });
     if (found == emission.components.end()) throw UsageError(fmt::format("{} has no separate process", name));
     return found->process;
 }

@@ -57,13 +57,16 @@ std::string reason_of(const conformance::RunReport& wrong) {
            "; allowed: " + (wrong.allowed.empty() ? "nothing" : fmt::format("{}", fmt::join(wrong.allowed, ", or ")));
 }
 
+driver::Answer answer_of(const conformance::LogReport& counts) {
+    if (counts.rejected > 0) return driver::Answer::fails;
+    return counts.inconclusive > 0 ? driver::Answer::inconclusive : driver::Answer::holds;
+}
+
 driver::AssertionReport report_of(const ComparedLog& log) {
     driver::AssertionReport one;
     one.title =
         fmt::format("the runs of {} ({}) are runs of {}", log.path, count_text(log.counts.runs, "run"), log.component);
-    one.answer = log.counts.rejected > 0       ? driver::Answer::fails
-                 : log.counts.inconclusive > 0 ? driver::Answer::inconclusive
-                                               : driver::Answer::holds;
+    one.answer = answer_of(log.counts);
     if (log.wrong) {
         one.place = fmt::format("{}:{}", log.path, log.wrong->at_line);
         one.reason = reason_of(*log.wrong);
