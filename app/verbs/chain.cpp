@@ -40,17 +40,23 @@ public:
         if (controller_ == nullptr || !project_.diagnostics.ok()) return show_refusal();
         scenario_ = simulation_.scenario;
         if (!find_states()) return show_refusal();
-        const auto asked = simulation::find_chain_questions(scenario_, *states_, project_.diagnostics);
+        const auto questions = simulation::find_chain_questions(scenario_, *states_, project_.diagnostics);
         if (!project_.diagnostics.ok()) return show_refusal();
-        result_.questions = asked.size();
+        result_.questions = questions.size();
         run_trials();
-        if (!project_.diagnostics.ok()) return show_diagnostics(project_, options_), Exit::failed;  // trials stopped
-        if (!result_.interrupted && !answer_questions(asked)) return show_diagnostics(project_, options_), Exit::failed;
+        const bool stopped = !project_.diagnostics.ok();  // trials stopped
+        if (stopped || (!result_.interrupted && !answer_questions(questions))) {
+            show_diagnostics(project_, options_);
+            return Exit::failed;
+        }
         return write_report();
     }
 
 private:
-    Exit show_refusal() const { return show_diagnostics(project_, options_), refusal_code(project_); }
+    Exit show_refusal() const {
+        show_diagnostics(project_, options_);
+        return refusal_code(project_);
+    }
 
     bool find_states() {
         try {
@@ -73,8 +79,8 @@ private:
     /// The states of the model whose numbers of robots are part of the chain's state.
     [[nodiscard]] std::vector<std::string> distinguished_states() const {
         std::vector<std::string> states;
-        for (const simulation::Distinction& each : scenario_.abstraction->distinctions) {
-            const simulation::Measure& measure = scenario_.measures[each.measure];
+        for (const simulation::Distinction& distinction : scenario_.abstraction->distinctions) {
+            const simulation::Measure& measure = scenario_.measures[distinction.measure];
             if (measure.kind == simulation::MeasureKind::in_state) states.push_back(measure.state.text);
         }
         return states;
@@ -93,8 +99,8 @@ private:
                 "several time units pass in a control step, what the code does in one is not of one of them";
             return std::nullopt;
         }
-        for (const simulation::Failure& each : scenario_.failures)
-            if (each.kind == simulation::FailureKind::whole) {
+        for (const simulation::Failure& failure : scenario_.failures)
+            if (failure.kind == simulation::FailureKind::whole) {
                 result_.proof = "robots that fail leave the model's semantics";
                 return std::nullopt;
             }
@@ -133,21 +139,21 @@ private:
         all.set_trials(2 * scenario_.trials);
         simulation::Plan plan = simulation_.plan;
         plan.scenario = &all;
-        simulation::RunOptions wanted;
-        wanted.threads = stage_.parallel ? options_.limits.threads : 1;
-        wanted.stage = stage_.make;
-        wanted.record = false;
-        wanted.interrupted = when_a_limit_is_reached(options_);
-        wanted.progress = progress_reports(options_, scenario_.name.text);
+        simulation::RunOptions run_options;
+        run_options.threads = stage_.parallel ? options_.limits.threads : 1;
+        run_options.stage = stage_.make;
+        run_options.record = false;
+        run_options.interrupted = when_a_limit_is_reached(options_);
+        run_options.progress = progress_reports(options_, scenario_.name.text);
         simulation::RunResult found =
-            simulation::run_trials(plan, drives_of(simulation_, *controller_), wanted, project_.diagnostics);
+            simulation::run_trials(plan, drives_of(simulation_, *controller_), run_options, project_.diagnostics);
         result_.cpu_seconds = found.cpu_seconds;
         result_.interrupted = found.interrupted;
         trials_ = std::move(found.trials);
     }
 
     /// Returns false if trials took transitions that the proof excludes.
-    bool answer_questions(const std::vector<simulation::ChainAsked>& asked) {
+    bool answer_questions(const std::vector<simulation::ChainAsked>& questions) {
         std::vector<simulation::Excluded> excluded;
         const auto sequences = simulation::sequences_of(scenario_, *states_, permitted_, trials_, excluded);
         if (!excluded.empty()) {
@@ -163,11 +169,11 @@ private:
             for (std::size_t to = 1; to < states_->size(); ++to)
                 if (counts_->count(from, to) > 0) ++result_.seen;
         try {
-            result_.order = simulation::order_finding(asked, permitted_, sequences, &options_.run->budget());
+            result_.order = simulation::order_finding(questions, permitted_, sequences, &options_.run->budget());
             result_.order_asked = true;
-            for (const simulation::ChainAsked& each : asked) {
-                result_.answers.push_back(
-                    simulation::chain_answer(scenario_, each, permitted_, sequences, trials_, &options_.run->budget()));
+            for (const simulation::ChainAsked& question : questions) {
+                result_.answers.push_back(simulation::chain_answer(scenario_, question, permitted_, sequences, trials_,
+                                                                   &options_.run->budget()));
                 result_.answers.back().of_no_chain = result_.order.has_value();
             }
         } catch (const diagnostics::LimitReached&) {
@@ -186,10 +192,11 @@ private:
                 add(fmt::format("chain-{}.svg", q + 1), simulation::answer_svg(result_.answers[q]), files);
         }
         options_.run->finish();
-        if (!project_.diagnostics.ok()) return show_diagnostics(project_, options_), Exit::bad_input;
-        const Exit exit = result_.has_failed()    ? Exit::failed
-                          : result_.is_complete() ? Exit::success
-                                                  : Exit::inconclusive;
+        if (!project_.diagnostics.ok()) {
+            show_diagnostics(project_, options_);
+            return Exit::bad_input;
+        }
+        const Exit exit = exit_code();
         app::output_document(options_, [&](Format) {
             return simulation::chain_json(scenario_, *states_, result_, files, static_cast<int>(exit));
         });
@@ -197,6 +204,11 @@ private:
         show_diagnostics(project_, options_);
         print_text(files);
         return exit;
+    }
+
+    [[nodiscard]] Exit exit_code() const {
+        if (result_.has_failed()) return Exit::failed;
+        return result_.is_complete() ? Exit::success : Exit::inconclusive;
     }
 
     void add(const std::string& name, const std::string& text, std::vector<std::string>& files) {

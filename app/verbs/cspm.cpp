@@ -37,8 +37,10 @@ std::string types_json(const std::string& path, const LoadedScript& loaded, cons
     diagnostics::Json json{{"schema", "robochart-verify/types/1"}, {"script", path}};
     if (!limit.empty()) json["limit"] = limit;
     diagnostics::Json& names = json["names"] = diagnostics::Json::array();
-    for (const cspm::NamedType& each : loaded.types)
-        names.push_back({{"name", each.name}, {"type", each.type}, {"place", loaded.sources.path_and_line(each.span)}});
+    for (const cspm::NamedType& named_type : loaded.types)
+        names.push_back({{"name", named_type.name},
+                         {"type", named_type.type},
+                         {"place", loaded.sources.path_and_line(named_type.span)}});
     return diagnostics::json_text(json) + "\n";
 }
 
@@ -62,7 +64,7 @@ void show_types(const std::string& path, const LoadedScript& loaded, const Optio
     if (options.output.format == Format::json) {
         print_answer(answer, options);
     } else if (options.script.types) {
-        for (const cspm::NamedType& each : loaded.types) print("{} :: {}\n", each.name, each.type);
+        for (const cspm::NamedType& named_type : loaded.types) print("{} :: {}\n", named_type.name, named_type.type);
     } else if (!options.output.quiet) {
         print("{}: the types of {} names are in order\n", diagnostics::escape_for_display(path), loaded.types.size());
     }
@@ -124,15 +126,15 @@ std::vector<ScriptPrint> print_statements(cspm::Session& session, const LoadedSc
 void show_prints(const ScriptReport& script, const Options& options) {
     if (options.output.quiet || (options.output.format != Format::text && options.output.format != Format::plain))
         return;
-    for (const ScriptPrint& each : script.prints)
-        print("{}: {}\n", each.expression, each.error.empty() ? each.value : each.error);
+    for (const ScriptPrint& statement : script.prints)
+        print("{}: {}\n", statement.expression, statement.error.empty() ? statement.value : statement.error);
 }
 
 /// Adds the findings to the report as texts, as in FDR's output.
 void take_findings(const LoadedScript& loaded, ScriptReport& report) {
-    for (const diagnostics::Diagnostic& each : loaded.diagnostics.sorted_findings()) {
-        const std::string text = fmt::format("{}: {}", loaded.sources.path_and_line(each.span), each.message());
-        (each.rule->severity == diagnostics::Severity::error ? report.errors : report.warnings).push_back(text);
+    for (const diagnostics::Diagnostic& finding : loaded.diagnostics.sorted_findings()) {
+        const std::string text = fmt::format("{}: {}", loaded.sources.path_and_line(finding.span), finding.message());
+        (finding.rule->severity == diagnostics::Severity::error ? report.errors : report.warnings).push_back(text);
     }
 }
 
@@ -285,7 +287,7 @@ Exit decide_loaded(const LoadedScript& loaded, const Options& options, Known& kn
     OpenScript open(loaded, options);
     reading.reset();
     std::vector<ScriptPrint> prints = print_statements(open.open_session(), loaded, options, stopped);
-    const bool failed = std::ranges::any_of(prints, [](const ScriptPrint& each) { return each.failed; });
+    const bool failed = std::ranges::any_of(prints, [](const ScriptPrint& statement) { return statement.failed; });
     {
         const auto edit = options.run->edit();
         script.prints = std::move(prints);
@@ -368,11 +370,12 @@ cspm::Script read_standard_input(LoadedScript& loaded) {
 Exit print_partial_result(const std::string& why, const Options& options, Known& known) {
     Report& report = known.report;
     report.limit = why;
-    for (driver::AssertionReport& each : report.assertions)
-        if (each.reason == driver::undecided_at_limit) each.reason = fmt::format("not decided: {}", why);
+    for (driver::AssertionReport& assertion : report.assertions)
+        if (assertion.reason == driver::undecided_at_limit) assertion.reason = fmt::format("not decided: {}", why);
     ScriptReport& script = known.script;
-    for (ScriptAssertion& each : script.assertions)
-        if (each.errors == std::vector<std::string>{driver::undecided_at_limit}) each.errors = {"not decided: " + why};
+    for (ScriptAssertion& assertion : script.assertions)
+        if (assertion.errors == std::vector<std::string>{driver::undecided_at_limit})
+            assertion.errors = {"not decided: " + why};
     script.errors.push_back(why);
     const bool is_open = !script.path.empty();
     const RunRecord record = record_of(options);
@@ -384,8 +387,9 @@ Exit print_partial_result(const std::string& why, const Options& options, Known&
         print_error("robochart-verify: {}\n", why);
     } else if (is_open) {
         if (options.output.format == Format::framed_json)
-            std::erase_if(script.assertions,
-                          [](const ScriptAssertion& each) { return each.answer != driver::Answer::inconclusive; });
+            std::erase_if(script.assertions, [](const ScriptAssertion& assertion) {
+                return assertion.answer != driver::Answer::inconclusive;
+            });
         print_exact(with_run(refines_json(script, options), record));
     }
     return report.exit_code();

@@ -38,7 +38,7 @@ class DiagramWriter {
 public:
     explicit DiagramWriter(const Options& options) : options_(options) {
         options_.load.inputs = {options.load.inputs.front()};
-        wanted_.assign(options.load.inputs.begin() + 1, options.load.inputs.end());
+        requested_.assign(options.load.inputs.begin() + 1, options.load.inputs.end());
         if (!options_.output.folder_given) options_.output.folder = "out/diagrams";
     }
 
@@ -48,7 +48,7 @@ public:
         choose_subjects();
         if (has_places() && !parts_.empty()) parts_.front().project->diagnostics.add(diagrams_->stored_findings());
         std::optional<diagnostics::Budget::Phase> phase(std::in_place, options_.run->budget(), "drawing");
-        written_ = wanted_.size() == 1 ? draw_one() : draw_all();
+        written_ = requested_.size() == 1 ? draw_one() : draw_all();
         phase.reset();
         options_.run->finish();
         bool good = written_;
@@ -63,25 +63,26 @@ public:
 private:
     /// Selects the subjects that the command line names, or all if it names none. Throws UsageError.
     void choose_subjects() {
-        for (const std::string& name : wanted_) chosen_.push_back(&find_subject(name));
-        if (!wanted_.empty()) return;
-        for (const PartSubject& each : diagrams_->subjects()) chosen_.push_back(&each);
+        for (const std::string& name : requested_) chosen_.push_back(&find_subject(name));
+        if (!requested_.empty()) return;
+        for (const PartSubject& part_subject : diagrams_->subjects()) chosen_.push_back(&part_subject);
     }
 
     [[nodiscard]] const PartSubject& find_subject(const std::string& name) const {
         std::vector<const PartSubject*> called;
         std::vector<std::string> known;
-        for (const PartSubject& each : diagrams_->subjects()) {
-            if (each.subject.name == name && each.subject.component != nullptr) return each;
-            if (is_called(each.subject, name)) called.push_back(&each);
-            known.push_back(each.subject.name);
-            if (each.subject.component != nullptr) known.push_back(each.subject.component->name);
+        for (const PartSubject& part_subject : diagrams_->subjects()) {
+            if (part_subject.subject.name == name && part_subject.subject.component != nullptr) return part_subject;
+            if (is_called(part_subject.subject, name)) called.push_back(&part_subject);
+            known.push_back(part_subject.subject.name);
+            if (part_subject.subject.component != nullptr) known.push_back(part_subject.subject.component->name);
         }
         if (called.empty())
             throw UsageError(fmt::format("the model has no component '{}'{}", name, did_you_mean(name, known)));
         if (called.size() == 1) return *called.front();
         std::vector<std::string> names;
-        for (const PartSubject* each : called) names.push_back(each->subject.file + " (" + each->subject.name + ")");
+        for (const PartSubject* part_subject : called)
+            names.push_back(part_subject->subject.file + " (" + part_subject->subject.name + ")");
         throw UsageError(fmt::format("'{}' may be {}", name, fmt::join(names, ", ")));
     }
 
@@ -173,8 +174,8 @@ private:
     bool draw_all() {
         const std::string extension = ending();
         bool good = true;
-        for (const PartSubject* each : chosen_) {
-            const PartSubject& drawn = *each;
+        for (const PartSubject* chosen : chosen_) {
+            const PartSubject& drawn = *chosen;
             const std::string file = drawn.subject.file + "." + extension;
             const auto text = text_of(drawn);
             if (!text || !write_output(*drawn.project, options_, file, *text)) {
@@ -188,7 +189,7 @@ private:
     }
 
     Options options_;
-    std::vector<std::string> wanted_;
+    std::vector<std::string> requested_;
     std::vector<driver::Part> parts_;
     std::optional<PartDiagrams> diagrams_;
     std::vector<const PartSubject*> chosen_;  ///< elements of diagrams_

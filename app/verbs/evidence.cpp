@@ -36,11 +36,11 @@ driver::Evidence::Files files_of(const driver::Project& project) {
 
 Options over_the_model(const Options& options, const simulation::Scenario& scenario, std::size_t controller,
                        Verb verb) {
-    Options wanted = options;
-    static_cast<driver::Settings&>(wanted) = settings_for(scenario, options, controller);
-    set_verb(wanted, verb);
-    wanted.limits.progress = false;
-    return wanted;
+    Options model_options = options;
+    static_cast<driver::Settings&>(model_options) = settings_for(scenario, options, controller);
+    set_verb(model_options, verb);
+    model_options.limits.progress = false;
+    return model_options;
 }
 
 /// The prefix of results about a controller: "leaders: ", or "" for the first controller.
@@ -50,16 +50,16 @@ std::string in_front(const simulation::Scenario& scenario, std::size_t controlle
 
 /// A model with its constants, for comparisons that do not depend on the notation of options.
 using ModelRead = std::vector<std::string>;
-ModelRead model_read(const Options& wanted, const std::vector<driver::Part>& parts) {
-    ModelRead subject{wanted.load.inputs.front()};
+ModelRead model_read(const Options& options, const std::vector<driver::Part>& parts) {
+    ModelRead subject{options.load.inputs.front()};
     for (const driver::Part& part : parts) {
         subject.push_back(part.project->name);
-        for (const std::string& each : constants_of(*part.project)) subject.push_back(each);
+        for (const std::string& constant : constants_of(*part.project)) subject.push_back(constant);
     }
     return subject;
 }
 
-void decide_assertions_of(const Options& wanted, const std::vector<driver::Part>& parts, const std::string& name,
+void decide_assertions_of(const Options& options, const std::vector<driver::Part>& parts, const std::string& name,
                           driver::Evidence& evidence) {
     if (!parts.empty())  // all parts share their sources
         for (const auto& [file, digest] : files_of(*parts.front().project))
@@ -70,19 +70,19 @@ void decide_assertions_of(const Options& wanted, const std::vector<driver::Part>
     for (const driver::Part& part : parts) {
         driver::Project& project = *part.project;
         Report report;
-        driver::Settings asked = wanted;
-        asked.claims.core = core_wanted(part, wanted);
-        if (is_acceptable(project, wanted.load)) check_assertions(project, {asked, *wanted.run}, report);
-        if (!is_acceptable(project, wanted.load)) {
-            for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
-                if (each.rule->severity == diagnostics::Severity::error)
-                    add(fmt::format("{}: {}", project.name, each.message()), "error");
+        driver::Settings settings = options;
+        settings.claims.core = core_wanted(part, options);
+        if (is_acceptable(project, options.load)) check_assertions(project, {settings, *options.run}, report);
+        if (!is_acceptable(project, options.load)) {
+            for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings())
+                if (finding.rule->severity == diagnostics::Severity::error)
+                    add(fmt::format("{}: {}", project.name, finding.message()), "error");
         }
-        for (const driver::AssertionReport& each : report.assertions) {
-            if (each.core && each.core->information) continue;
-            std::string subject = each.title;
-            if (each.core) subject = fmt::format("{} of {}", each.core->property, each.core->component);
-            add(subject, std::string(name_of(each.answer)));
+        for (const driver::AssertionReport& assertion : report.assertions) {
+            if (assertion.core && assertion.core->information) continue;
+            std::string subject = assertion.title;
+            if (assertion.core) subject = fmt::format("{} of {}", assertion.core->property, assertion.core->component);
+            add(subject, std::string(name_of(assertion.answer)));
         }
     }
 }
@@ -92,33 +92,34 @@ void decide_assertions_of(const Options& wanted, const std::vector<driver::Part>
 void decide_assertions(const Options& options, const simulation::Scenario& scenario, driver::Evidence& evidence) {
     std::set<ModelRead> done;
     for (std::size_t controller = 0; controller < scenario.controller_count(); ++controller) {
-        Options wanted = over_the_model(options, scenario, controller, Verb::check);
-        const std::vector<driver::Part> parts = driver::load_parts(wanted, wanted.run->budget());
-        record_projects(parts, wanted, options);
-        if (done.insert(model_read(wanted, parts)).second)
-            decide_assertions_of(wanted, parts, in_front(scenario, controller), evidence);
+        Options model_options = over_the_model(options, scenario, controller, Verb::check);
+        const std::vector<driver::Part> parts = driver::load_parts(model_options, model_options.run->budget());
+        record_projects(parts, model_options, options);
+        if (done.insert(model_read(model_options, parts)).second)
+            decide_assertions_of(model_options, parts, in_front(scenario, controller), evidence);
     }
 }
 
 void decide_conformance(const Options& options, const simulation::Scenario& scenario, driver::Evidence& evidence) {
     std::set<std::pair<std::string, ModelRead>> done;
     for (std::size_t controller = 0; controller < scenario.controller_count(); ++controller) {
-        Options wanted = over_the_model(options, scenario, controller, Verb::conform);
-        wanted.load.component = scenario.controller_at(controller).component.text;
-        wanted.code.cycle = scenario.units_per_step;
-        wanted.code.cycle_given = true;
-        const std::vector<driver::Part> parts = driver::load_parts(wanted, wanted.run->budget());
-        record_projects(parts, wanted, options);
-        if (!done.emplace(wanted.load.component, model_read(wanted, parts)).second) continue;
+        Options model_options = over_the_model(options, scenario, controller, Verb::conform);
+        model_options.load.component = scenario.controller_at(controller).component.text;
+        model_options.code.cycle = scenario.units_per_step;
+        model_options.code.cycle_given = true;
+        const std::vector<driver::Part> parts = driver::load_parts(model_options, model_options.run->budget());
+        record_projects(parts, model_options, options);
+        if (!done.emplace(model_options.load.component, model_read(model_options, parts)).second) continue;
         Report report;
         for (const driver::Part& part : parts)
-            if (is_acceptable(*part.project, wanted.load) && !part.again &&
-                !driver::code_components(part.project->system, wanted.load.component).empty())
-                check_conformance(*part.project, wanted, report);
+            if (is_acceptable(*part.project, model_options.load) && !part.again &&
+                !driver::code_components(part.project->system, model_options.load.component).empty())
+                check_conformance(*part.project, model_options, report);
         const std::string name = in_front(scenario, controller);
-        for (const ConformanceReport& each : report.conformance)
-            evidence.conformance.push_back({name + each.component, std::string(name_of(each.result.outcome))});
-        if (report.conformance.empty()) evidence.conformance.push_back({name + wanted.load.component, "error"});
+        for (const ConformanceReport& component_report : report.conformance)
+            evidence.conformance.push_back(
+                {name + component_report.component, std::string(name_of(component_report.result.outcome))});
+        if (report.conformance.empty()) evidence.conformance.push_back({name + model_options.load.component, "error"});
     }
 }
 
@@ -133,12 +134,12 @@ bool decide_claims(const Options& options, driver::Evidence& evidence, std::uniq
     scenario.abstraction.reset();  // the evidence does not include a chain
     simulation::Plan plan = simulation->plan;
     plan.scenario = &scenario;
-    simulation::RunOptions wanted;
-    wanted.threads = options.limits.threads;
-    wanted.record = false;
-    wanted.interrupted = when_a_limit_is_reached(options);
+    simulation::RunOptions run_options;
+    run_options.threads = options.limits.threads;
+    run_options.record = false;
+    run_options.interrupted = when_a_limit_is_reached(options);
     const simulation::RunResult found =
-        simulation::run_trials(plan, drives_of(*simulation, *controller), wanted, project.diagnostics);
+        simulation::run_trials(plan, drives_of(*simulation, *controller), run_options, project.diagnostics);
     if (!project.diagnostics.ok()) return false;
     if (found.interrupted) options.run->budget().check();  // throws the reached limit
     evidence.scenario = scenario.name.text;
@@ -147,9 +148,9 @@ bool decide_claims(const Options& options, driver::Evidence& evidence, std::uniq
     evidence.scenario_digest = driver::content_digest(texts);
     evidence.seed = scenario.seed;
     for (std::size_t c = 0; c < found.claims.size(); ++c) {
-        const simulation::ClaimResult& each = found.claims[c];
-        evidence.claims.push_back({scenario.claims[c].text, simulation::verdict_word(each.verdict), each.trial_count(),
-                                   each.successes, each.interval.low, each.interval.high});
+        const simulation::ClaimResult& claim = found.claims[c];
+        evidence.claims.push_back({scenario.claims[c].text, simulation::verdict_word(claim.verdict),
+                                   claim.trial_count(), claim.successes, claim.interval.low, claim.interval.high});
     }
     return true;
 }

@@ -58,14 +58,14 @@ void write_script(const LoadedScript& loaded, const cspm::ExprPtr& process, cons
 }
 
 Exit export_from(LoadedScript& loaded, const Options& options) {
-    const cspm::DeclPtr asked = parse_process(loaded, options.script.exported_process, "--export");
-    if (!asked) {
+    const cspm::DeclPtr parsed = parse_process(loaded, options.script.exported_process, "--export");
+    if (!parsed) {
         show_findings(loaded, options);
         return Exit::bad_input;
     }
     cspm::Session session(loaded.script, &options.run->budget());
     const refine::Limits bounds = limits(options, options.script.exported_process);
-    const cspm::ExprPtr& process = asked->assertion.specification;
+    const cspm::ExprPtr& process = parsed->assertion.specification;
     const auto system = session.system(process, bounds);
     std::size_t known = 0;
     const lts::Graph graph = driver::explore_graph(*system, bounds, known);

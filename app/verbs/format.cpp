@@ -135,10 +135,10 @@ void Formatting::format_input(const std::string& path) {
     const diagnostics::FilesBelow found = diagnostics::files_below(path, true);
     for (const auto& [folder, cause] : found.unreadable) report_failure(syntax::unreadable, {folder, cause});
     std::size_t ours = 0;
-    for (const fs::path each : found.files) {
-        if (!language_of(each)) continue;
+    for (const fs::path file : found.files) {
+        if (!language_of(file)) continue;
         ++ours;
-        format_file(each);
+        format_file(file);
     }
     if (ours == 0 && found.unreadable.empty()) report_failure(syntax::no_files, {path});
 }

@@ -87,8 +87,8 @@ public:
     }
 
     [[nodiscard]] bool is_conclusive() const override {
-        return std::ranges::none_of(monitors_,
-                                    [](const Monitor& each) { return each.verdict() == MonitorVerdict::unknown; });
+        return std::ranges::none_of(
+            monitors_, [](const Monitor& monitor) { return monitor.verdict() == MonitorVerdict::unknown; });
     }
 
 private:
@@ -102,7 +102,8 @@ private:
         const std::string where = monitor.where();
         const std::string element = monitor.element();
         objection_.cause = fmt::format("its model does not allow {} here", monitor.event());
-        objection_.place = element.empty() ? where : where.empty() ? element : fmt::format("{}; {}", where, element);
+        const char* const separator = element.empty() || where.empty() ? "" : "; ";
+        objection_.place = where + separator + element;
     }
 
     Monitors& all_;
@@ -184,10 +185,10 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Proj
         if (made == nullptr && project.diagnostics.ok())
             simulation.project->diagnostics.report(driver::rules::bad_option, {},
                                                    {fmt::format("--monitor: there is no monitor of {}", component)});
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
-            if (&project != simulation.project.get() && each.rule->severity == diagnostics::Severity::error)
-                simulation.project->diagnostics.report(driver::rules::bad_option, {},
-                                                       {fmt::format("--monitor: {}: {}", component, each.message())});
+        for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings())
+            if (&project != simulation.project.get() && finding.rule->severity == diagnostics::Severity::error)
+                simulation.project->diagnostics.report(
+                    driver::rules::bad_option, {}, {fmt::format("--monitor: {}: {}", component, finding.message())});
         return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), emission);
     }
     std::string error;

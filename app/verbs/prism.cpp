@@ -72,9 +72,9 @@ public:
             if (!loaded_.diagnostics.ok()) return end_refused();
         }
         begin_report();
-        const Experiment wanted = make_experiment(loaded_, options_);
-        if (options_.prism.exported != SpaceExport::none) return export_result(wanted);
-        run_all(wanted);
+        const Experiment experiment = make_experiment(loaded_, options_);
+        if (options_.prism.exported != SpaceExport::none) return export_result(experiment);
+        run_all(experiment);
         options_.run->finish();
         show_findings(loaded_, options_);
         if (!loaded_.diagnostics.ok() && report_->errors.empty()) note_errors();
@@ -95,10 +95,10 @@ private:
 
     void note_errors() {
         const auto edit = options_.run->edit();
-        for (const diagnostics::Diagnostic& each : loaded_.diagnostics.sorted_findings())
-            if (each.rule->severity == diagnostics::Severity::error)
-                report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.path_and_line(each.span),
-                                                      each.span.is_known() ? ": " : "", each.message()));
+        for (const diagnostics::Diagnostic& finding : loaded_.diagnostics.sorted_findings())
+            if (finding.rule->severity == diagnostics::Severity::error)
+                report_->errors.push_back(fmt::format("{}{}{}", loaded_.sources.path_and_line(finding.span),
+                                                      finding.span.is_known() ? ": " : "", finding.message()));
     }
 
     Exit end_refused() {
@@ -117,17 +117,17 @@ private:
         note_kind();
         report_->scheduler = loaded_.scheduled ? "uniform" : "";
         report_->sources = &loaded_.sources;
-        for (const prism::Property& each : loaded_.properties.properties)
-            report_->properties.push_back({each.name.text, prism::print(each.expression)});
+        for (const prism::Property& property : loaded_.properties.properties)
+            report_->properties.push_back({property.name.text, prism::print(property.expression)});
     }
 
     /// Processes several sets of the model's constants in parallel. For a single set, computes its answers in parallel.
-    void run_all(const Experiment& wanted) {
-        const std::size_t count = wanted.of_model.size();
+    void run_all(const Experiment& experiment) {
+        const std::size_t count = experiment.of_model.size();
         {
             const auto edit = options_.run->edit();
             report_->runs.resize(count);
-            for (std::size_t i = 0; i < count; ++i) report_->runs[i].constants = named_values(wanted.of_model[i]);
+            for (std::size_t i = 0; i < count; ++i) report_->runs[i].constants = named_values(experiment.of_model[i]);
         }
         std::vector<diagnostics::Diagnostics> findings(count);
         threads_ = diagnostics::threads_wanted(options_.limits.threads);
@@ -138,7 +138,7 @@ private:
         std::size_t done = count;
         try {
             diagnostics::in_parallel(count, threads_, [&](std::size_t number, unsigned) {
-                if (!run_for_constants(number, wanted, findings[number])) throw WrongModel(number);
+                if (!run_for_constants(number, experiment, findings[number])) throw WrongModel(number);
             });
         } catch (const WrongModel& first) {
             done = first.number() + 1;
@@ -149,18 +149,18 @@ private:
     }
 
     /// Returns false if the model is wrong.
-    bool run_for_constants(std::size_t number, const Experiment& wanted, diagnostics::Diagnostics& findings) {
+    bool run_for_constants(std::size_t number, const Experiment& experiment, diagnostics::Diagnostics& findings) {
         findings.set_budget(&options_.run->budget());
         for (const std::string& code : options_.load.allowed) findings.allow_code(code);
-        const prism::Values& constants = wanted.of_model[number];
-        const unsigned threads = wanted.of_model.size() == 1 ? threads_ : 1;
+        const prism::Values& constants = experiment.of_model[number];
+        const unsigned threads = experiment.of_model.size() == 1 ? threads_ : 1;
         try {
             if (options_.prism.sampling) {
-                sample_paths(number, prism::Instance(*loaded_.model, constants), wanted, findings, threads);
+                sample_paths(number, prism::Instance(*loaded_.model, constants), experiment, findings, threads);
                 return true;
             }
             std::optional<diagnostics::Budget::Phase> phase;
-            if (wanted.of_model.size() == 1)
+            if (experiment.of_model.size() == 1)
                 phase.emplace(options_.run->budget(), "exploring " + options_.load.inputs.front());
             const auto begin = std::chrono::steady_clock::now();
             const prism::StateSpace space(*loaded_.model, constants, explore_options(), findings);
@@ -168,7 +168,7 @@ private:
             note_size(space, number, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
             const prism::Session session(space, loaded_.properties, session_options());
             answer_all(
-                number, wanted, threads, findings,
+                number, experiment, threads, findings,
                 [&](std::size_t property, const prism::Values& values) { return session.check(property, values); },
                 [&](std::size_t property, const prism::Values& values) {
                     return find_evidence(session, property, values);
@@ -181,13 +181,13 @@ private:
     }
 
     /// Answers the properties by random paths, one property after another, with `threads` paths in parallel.
-    void sample_paths(std::size_t number, const prism::Instance& instance, const Experiment& wanted,
+    void sample_paths(std::size_t number, const prism::Instance& instance, const Experiment& experiment,
                       diagnostics::Diagnostics& findings, unsigned threads) {
         options_.run->recorder().set_seed(options_.probability.seed);
         const prism::SamplingOptions sampling{*options_.prism.sampling, options_.probability.seed, threads,
                                               &options_.run->budget()};
         answer_all(
-            number, wanted, 1, findings,
+            number, experiment, 1, findings,
             [&](std::size_t property, const prism::Values& values) {
                 return prism::simulate(instance, loaded_.properties, property, values, sampling, findings);
             },
@@ -209,14 +209,14 @@ private:
 
     /// Answers every property for all values of its constants. An answer is added to the report when all earlier
     /// answers are known. A false property is reported before the search for its counterexample.
-    void answer_all(std::size_t number, const Experiment& wanted, unsigned threads, diagnostics::Diagnostics& findings,
-                    const Decide& decide, const Explain& explain) {
-        const std::size_t sets = wanted.of_properties.size();
+    void answer_all(std::size_t number, const Experiment& experiment, unsigned threads,
+                    diagnostics::Diagnostics& findings, const Decide& decide, const Explain& explain) {
+        const std::size_t sets = experiment.of_properties.size();
         std::vector<std::optional<PrismAnswer>> answers(loaded_.properties.properties.size() * sets);
         std::vector<std::optional<prism::EvaluationError>> failures(answers.size());
         diagnostics::in_parallel(answers.size(), threads, [&](std::size_t at, unsigned) {
             const std::size_t property = at / sets;
-            const prism::Values& values = wanted.of_properties[at % sets];
+            const prism::Values& values = experiment.of_properties[at % sets];
             std::optional<diagnostics::Budget::Phase> phase;
             if (answers.size() == 1)
                 phase.emplace(options_.run->budget(), "deciding " + report_->properties[property].text);
@@ -243,8 +243,8 @@ private:
             const auto edit = options_.run->edit();
             (reported.size() > at ? reported[at] : *answers[at]).counterexample = std::move(found);
         });
-        for (const std::optional<prism::EvaluationError>& each : failures)
-            if (each) report_error(*each, findings);
+        for (const std::optional<prism::EvaluationError>& failure : failures)
+            if (failure) report_error(*failure, findings);
     }
 
     /// Reports a value outside its range. For a model of `emit prism`, the message explains how to set the range.
@@ -280,7 +280,7 @@ private:
     }
 
     /// Returns the reason why nothing could be exported; "" on success.
-    std::string export_part(const prism::StateSpace& space, const Experiment& wanted, const prism::TextSink& sink) {
+    std::string export_part(const prism::StateSpace& space, const Experiment& experiment, const prism::TextSink& sink) {
         switch (options_.prism.exported) {
             case SpaceExport::none:
                 break;
@@ -298,17 +298,17 @@ private:
                 break;
             case SpaceExport::strategy:
             case SpaceExport::counterexample:
-                return export_answer(space, wanted.of_properties.front(), sink);
+                return export_answer(space, experiment.of_properties.front(), sink);
         }
         return "";
     }
 
     /// Exports the state space, or the result for one property.
-    Exit export_result(const Experiment& wanted) {
+    Exit export_result(const Experiment& experiment) {
         if (options_.prism.sampling) throw UsageError("--export and --sim exclude each other");
         const SpaceExport wanted_part = options_.prism.exported;
         const bool of_property = wanted_part == SpaceExport::strategy || wanted_part == SpaceExport::counterexample;
-        if (wanted.of_model.size() != 1 || (of_property && wanted.of_properties.size() != 1))
+        if (experiment.of_model.size() != 1 || (of_property && experiment.of_properties.size() != 1))
             throw UsageError("--export needs one value for each constant");
         if (of_property && loaded_.properties.properties.size() != 1)
             throw UsageError(fmt::format("--export {} needs exactly one property",
@@ -316,13 +316,13 @@ private:
         std::string nothing;
         try {
             const diagnostics::Budget::Phase phase(options_.run->budget(), "exploring " + options_.load.inputs.front());
-            const prism::StateSpace space(*loaded_.model, wanted.of_model.front(), explore_options(),
+            const prism::StateSpace space(*loaded_.model, experiment.of_model.front(), explore_options(),
                                           loaded_.diagnostics);
             const prism::TextSink sink = [this](std::string_view text) {
                 options_.run->finish();
                 print_exact(text);
             };
-            nothing = export_part(space, wanted, sink);
+            nothing = export_part(space, experiment, sink);
         } catch (const prism::EvaluationError& error) {
             report_error(error, loaded_.diagnostics);
         }

@@ -87,8 +87,8 @@ private:
     void begin(const std::vector<TraceToken>& tokens, std::uint64_t line, const conformance::TraceHeader& header) {
         end();
         hidden_.clear();
-        for (const std::string& each : header.unobserved)
-            if (!words_.events_of_word(each).empty()) hidden_ = each;
+        for (const std::string& word : header.unobserved)
+            if (!words_.events_of_word(word).empty()) hidden_ = word;
         name_.clear();
         for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
         begun_ = line;
@@ -98,7 +98,7 @@ private:
     void follow_tokens(const std::vector<TraceToken>& tokens, std::uint64_t line) {
         if (tokens.size() == 1 && (tokens[0].text == "late" || tokens[0].text == "lost"))
             return run_->drop_obligations();
-        for (const TraceToken& each : tokens) follow_word(each.text, line);
+        for (const TraceToken& token : tokens) follow_word(token.text, line);
     }
 
     void follow_word(std::string_view word, std::uint64_t line) {
@@ -115,7 +115,10 @@ private:
         report_.seconds += static_cast<std::uint64_t>(run_->elapsed_seconds());
         const bool broken = run_->is_broken() && hidden_.empty();
         const bool open = !broken && (!run_->open_triggers().empty() || !hidden_.empty());
-        ++(broken ? report_.broken : open ? report_.open : report_.accepted);
+        if (broken)
+            ++report_.broken;
+        else
+            ++(open ? report_.open : report_.accepted);
         if ((broken || open) && report_.reported.size() < most_reported) {
             LoggedRun entry{path_, name_, broken ? run_->violation_line() : begun_, broken, {}};
             if (broken) entry.lines = run_->violation_text();
@@ -180,17 +183,18 @@ void read_log(const driver::LoadedRules& of, const std::string& path, RuleLogRep
 
 Exit exit_of(const RuleLogReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
-    return report.broken > 0 ? Exit::failed : report.open > 0 ? Exit::inconclusive : Exit::success;
+    if (report.broken > 0) return Exit::failed;
+    return report.open > 0 ? Exit::inconclusive : Exit::success;
 }
 
 void print_logs(const RuleLogReport& report) {
-    for (const LoggedRun& each : report.reported) {
-        print("{} {}:{}: run {}\n", each.broken ? "broken      " : "inconclusive",
-              diagnostics::escape_for_display(each.log), each.line,
-              each.run.empty() ? "without a name" : diagnostics::escape_for_display(each.run));
-        for (const std::string& line : each.lines) print("  {}\n", line);
+    for (const LoggedRun& logged : report.reported) {
+        print("{} {}:{}: run {}\n", logged.broken ? "broken      " : "inconclusive",
+              diagnostics::escape_for_display(logged.log), logged.line,
+              logged.run.empty() ? "without a name" : diagnostics::escape_for_display(logged.run));
+        for (const std::string& line : logged.lines) print("  {}\n", line);
     }
-    for (const std::string& each : report.errors) print_error("robochart-verify: {}\n", each);
+    for (const std::string& error : report.errors) print_error("robochart-verify: {}\n", error);
     print("an input counts as an event of the rules when it is raised, also if the controller misses it\n");
     print("{} in {}, {}: {} obey the rules, {} do not, {} inconclusive\n", count_text(report.runs, "run"),
           count_text(report.logs, "log"), count_text(report.seconds, "second"), with_commas(report.accepted),
@@ -209,12 +213,12 @@ std::string logs_json(const RuleLogReport& report) {
                            {"errors", report.errors},
                            {"exit", static_cast<int>(exit_of(report))}};
     diagnostics::Json& reported = json["reported"] = diagnostics::Json::array();
-    for (const LoggedRun& each : report.reported)
-        reported.push_back({{"log", each.log},
-                            {"line", each.line},
-                            {"run", each.run},
-                            {"verdict", each.broken ? "broken" : "inconclusive"},
-                            {"lines", each.lines}});
+    for (const LoggedRun& logged : report.reported)
+        reported.push_back({{"log", logged.log},
+                            {"line", logged.line},
+                            {"run", logged.run},
+                            {"verdict", logged.broken ? "broken" : "inconclusive"},
+                            {"lines", logged.lines}});
     return diagnostics::json_text(json) + "\n";
 }
 

@@ -77,8 +77,8 @@ private:
     void describe_rules() {
         const auto edit = options_.run->edit();
         report_->dialect = sleec::dialect_name(rules().file->dialect);
-        for (const sleec::CheckedRule& each : rules().rules)
-            report_->rules.push_back({each.written->name.text, loaded_.sources.path_and_line(each.written->span)});
+        for (const sleec::CheckedRule& rule : rules().rules)
+            report_->rules.push_back({rule.written->name.text, loaded_.sources.path_and_line(rule.written->span)});
     }
 
     // The default analysis.
@@ -92,14 +92,14 @@ private:
         sleec::for_each_question(rules(), analysis,
                                  [&](const sleec::ConflictAnswer& answer) { note_conflict(answer, analysis); });
         find_redundancies(analysis);
-        for (const sleec::CheckedProperty& each : rules().concerns) ask_property(each, true, analysis);
-        for (const sleec::CheckedProperty& each : rules().purposes) ask_property(each, false, analysis);
+        for (const sleec::CheckedProperty& concern : rules().concerns) ask_property(concern, true, analysis);
+        for (const sleec::CheckedProperty& purpose : rules().purposes) ask_property(purpose, false, analysis);
     }
 
     /// A concern must be impossible if the rules are satisfied; a purpose must be possible.
     void ask_property(const sleec::CheckedProperty& property, bool concern, const sleec::AnalysisOptions& analysis) {
         const sleec::PropertyAnswer answer = sleec::check_possible(rules(), property, analysis);
-        const sleec::Answer wanted = concern ? sleec::Answer::no : sleec::Answer::yes;
+        const sleec::Answer expected = concern ? sleec::Answer::no : sleec::Answer::yes;
         RuleProperty found{concern,
                            property.written->name.text,
                            loaded_.sources.path_and_line(property.written->span),
@@ -107,13 +107,13 @@ private:
                            answer.reason,
                            {},
                            {}};
-        if (found.decided && answer.possible != wanted && concern)
+        if (found.decided && answer.possible != expected && concern)
             found.lines = sleec::history_lines(answer.history, property, rules());
-        if (found.decided && answer.possible != wanted && !concern)
+        if (found.decided && answer.possible != expected && !concern)
             found.excluded = sleec::excluding_rules(rules(), property, analysis);
         const auto edit = options_.run->edit();
         ++(concern ? report_->concerns : report_->purposes);
-        if (answer.possible != wanted) report_->properties.push_back(std::move(found));
+        if (answer.possible != expected) report_->properties.push_back(std::move(found));
     }
 
     void note_conflict(const sleec::ConflictAnswer& answer, const sleec::AnalysisOptions& analysis) {
@@ -121,8 +121,8 @@ private:
                               answer.states};
         if (answer.example) conflict.lines = sleec::explain_conflict(*answer.example, rules(), loaded_.sources);
         if (answer.example && options_.rules.suggest)
-            for (const sleec::Suggestion& each : sleec::suggest_defeaters(rules(), answer.rules, analysis))
-                conflict.suggested.push_back(fmt::format("{} ... {}", rules().name(each.rule), each.text));
+            for (const sleec::Suggestion& suggestion : sleec::suggest_defeaters(rules(), answer.rules, analysis))
+                conflict.suggested.push_back(fmt::format("{} ... {}", rules().name(suggestion.rule), suggestion.text));
         const auto edit = options_.run->edit();
         ++report_->questions;
         if (answer.conflict != sleec::Answer::no) report_->conflicts.push_back(std::move(conflict));
@@ -194,11 +194,11 @@ private:
             return;
         }
         note_ranges(*encoding);
-        const std::vector<std::size_t> asked = encodable_rules(*encoding);
+        const std::vector<std::size_t> encodable = encodable_rules(*encoding);
         std::vector<std::pair<std::size_t, std::size_t>> pairs;
-        for (std::size_t i = 0; i < asked.size(); ++i)
-            for (std::size_t k = i + 1; k < asked.size(); ++k)
-                if (encoding->are_related(asked[i], asked[k])) pairs.emplace_back(asked[i], asked[k]);
+        for (std::size_t i = 0; i < encodable.size(); ++i)
+            for (std::size_t k = i + 1; k < encodable.size(); ++k)
+                if (encoding->are_related(encodable[i], encodable[k])) pairs.emplace_back(encodable[i], encodable[k]);
         {
             const auto edit = options_.run->edit();
             for (const auto& [first, second] : pairs) report_->pairs.push_back({first, second, {}, {}, {}, {}});
@@ -244,24 +244,25 @@ private:
         app::show_findings(*project, options_);
         if (emission == nullptr || !is_acceptable(*project, of_model.load))
             return end_refused(project->diagnostics, project->sources, refusal_code(*project));
-        for (const ir::ComponentRef& each : driver::code_components(project->system, options_.load.component))
+        for (const ir::ComponentRef& code_component : driver::code_components(project->system, options_.load.component))
             for (const csp_emit::ComponentProcesses& component : emission->components)
-                if (component.path == each.path || component.path == each.package + "::" + each.path)
+                if (component.path == code_component.path ||
+                    component.path == code_component.package + "::" + code_component.path)
                     judge_component(*project, *emission, component);
         return std::nullopt;
     }
 
     void judge_component(const driver::Project& project, const csp_emit::Emission& emission,
                          const csp_emit::ComponentProcesses& component) {
-        const driver::ModelRules asked({rules(), loaded_.sources}, project, emission, component,
-                                       search_context(options_));
+        const driver::ModelRules model_rules({rules(), loaded_.sources}, project, emission, component,
+                                             search_context(options_));
         for (std::size_t i = 0; i < rules().rules.size(); ++i) {
             if (rules().rules[i].assumed) continue;
-            driver::RuleVerdict verdict = asked.judge_rule(i).verdict;
+            driver::RuleVerdict verdict = model_rules.judge_rule(i).verdict;
             const auto edit = options_.run->edit();
             report_->verdicts.push_back(std::move(verdict));
         }
-        const driver::TimeStops time = asked.time_stops();
+        const driver::TimeStops time = model_rules.time_stops();
         const auto edit = options_.run->edit();
         if (time.stops) report_->time_stops.push_back(component.path);
         if (time.unknown.empty()) return;

@@ -29,9 +29,19 @@ Exit run_verb(const Options& options) {
             return run_tune(options);
         case Verb::validate:
             return run_validate(options);
-        default:
-            return run_model(options);
+        case Verb::verify:
+        case Verb::check:
+        case Verb::emit_csp:
+        case Verb::emit_cpp:
+        case Verb::emit_monitor:
+        case Verb::emit_prism:
+        case Verb::emit_tests:
+        case Verb::conform:
+        case Verb::help:
+        case Verb::version:
+            break;
     }
+    return run_model(options);
 }
 
 }  // namespace robochart::app

@@ -61,8 +61,8 @@ simulation::Scenario read_scenario_of(driver::Project& project, const Options& o
 std::string model_of(const simulation::Scenario& scenario, const std::string& path, std::size_t controller) {
     const fs::path folder = fs::path(path).parent_path();
     const std::string& own = scenario.controller_at(controller).model;
-    const std::string& said = own.empty() ? scenario.model : own;
-    const fs::path model = said.empty() ? folder : folder / said;
+    const std::string& given = own.empty() ? scenario.model : own;
+    const fs::path model = given.empty() ? folder : folder / given;
     return model.empty() ? "." : model.string();
 }
 
@@ -74,18 +74,20 @@ std::string name_in(const std::string& constant) {
 
 /// Reports names in `--const` that are not controllers of the scenario.
 void check_addresses(driver::Project& project, const simulation::Scenario& scenario, const Options& options) {
-    for (const std::string& each : options.instantiation.constants) {
-        if (simulation::find_constant_address(scenario, name_in(each))) continue;
+    for (const std::string& constant : options.instantiation.constants) {
+        if (simulation::find_constant_address(scenario, name_in(constant))) continue;
         const std::vector<std::string> known = simulation::controller_names(scenario);
-        const std::string given = each.substr(0, each.find('.'));
+        const std::string given = constant.substr(0, constant.find('.'));
         const std::string meant = diagnostics::nearest_spelling(given, known);
+        std::string help;
+        if (!meant.empty())
+            help = fmt::format(", did you mean {}?", meant);
+        else if (!known.empty())
+            help = fmt::format("; there is {}", fmt::join(known, ", "));
         project.diagnostics.report(
             driver::rules::bad_option, {},
             {fmt::format("--const {}: there is no kind of robots called {} in the scenario{}",
-                         diagnostics::escape_for_display(each), diagnostics::escape_for_display(given),
-                         !meant.empty()  ? fmt::format(", did you mean {}?", meant)
-                         : known.empty() ? ""
-                                         : fmt::format("; there is {}", fmt::join(known, ", ")))});
+                         diagnostics::escape_for_display(constant), diagnostics::escape_for_display(given), help)});
     }
 }
 
@@ -93,10 +95,10 @@ void check_addresses(driver::Project& project, const simulation::Scenario& scena
 
 driver::Settings settings_for(const simulation::Scenario& scenario, driver::Settings settings, std::size_t controller) {
     std::vector<std::string> own;
-    for (const std::string& each : settings.instantiation.constants) {
-        const auto address = simulation::find_constant_address(scenario, name_in(each));
+    for (const std::string& constant : settings.instantiation.constants) {
+        const auto address = simulation::find_constant_address(scenario, name_in(constant));
         if (address && address->controller == controller)
-            own.push_back(address->constant + each.substr(std::min(each.find('='), each.size())));
+            own.push_back(address->constant + constant.substr(std::min(constant.find('='), constant.size())));
     }
     settings.load.inputs = {model_of(scenario, settings.load.inputs.front(), controller)};
     settings.instantiation.constants = std::move(own);
@@ -143,14 +145,14 @@ cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& 
 /// findings are shown.
 bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
-    const driver::Settings wanted = settings_for(simulation.scenario, options, number);
-    other.model = wanted.load.inputs.front();
-    other.project = driver::load_project(wanted, options.run->budget());
-    record_project(*other.project, wanted, options);
-    if (is_acceptable(*other.project, wanted.load))
+    const driver::Settings settings = settings_for(simulation.scenario, options, number);
+    other.model = settings.load.inputs.front();
+    other.project = driver::load_project(settings, options.run->budget());
+    record_project(*other.project, settings, options);
+    if (is_acceptable(*other.project, settings.load))
         other.emission = emit_component(simulation, *other.project, simulation.scenario.controller_at(number).component,
                                         other.model);
-    const bool good = is_acceptable(*other.project, wanted.load);
+    const bool good = is_acceptable(*other.project, settings.load);
     if (!good) simulation.project = std::move(other.project);
     simulation.others.push_back(std::move(other));
     return good && simulation.project->diagnostics.ok();
@@ -267,21 +269,22 @@ struct LogFailure {
 
 simulation::Guard::Maker log_maker_of(const Simulation& simulation, std::size_t kind, const Options& options,
                                       LogFailure& failure) {
-    simulation::TraceLogOptions wanted;
-    wanted.folder = options.simulate.log;
-    wanted.component = simulation.scenario.kind_at(kind).component.text;
-    wanted.model = model_of(simulation.scenario, options.load.inputs.front(), kind);
-    wanted.constants = constants_of(simulation.project_of(kind));
-    wanted.first = simulation.scenario.first_robot(kind);
-    wanted.scenario = simulation.scenario.name.text;
-    wanted.run = run_line(record_of(options));
-    wanted.budget = &options.run->budget();
-    wanted.failed = [&failure](const std::string& error) {
+    simulation::TraceLogOptions log_options;
+    log_options.folder = options.simulate.log;
+    log_options.component = simulation.scenario.kind_at(kind).component.text;
+    log_options.model = model_of(simulation.scenario, options.load.inputs.front(), kind);
+    log_options.constants = constants_of(simulation.project_of(kind));
+    log_options.first = simulation.scenario.first_robot(kind);
+    log_options.scenario = simulation.scenario.name.text;
+    log_options.run = run_line(record_of(options));
+    log_options.budget = &options.run->budget();
+    log_options.failed = [&failure](const std::string& error) {
         const std::lock_guard lock(failure.mutex);
         if (failure.text.empty()) failure.text = error;
     };
-    return [&simulation, kind, wanted](std::uint32_t trial) {
-        return std::make_unique<simulation::TraceLog>(wanted, simulation.scenario, simulation.emission_of(kind), trial);
+    return [&simulation, kind, log_options](std::uint32_t trial) {
+        return std::make_unique<simulation::TraceLog>(log_options, simulation.scenario, simulation.emission_of(kind),
+                                                      trial);
     };
 }
 
@@ -346,11 +349,14 @@ void show_all_diagnostics(const Simulation& simulation, const Options& options) 
     // Findings that two kinds of one model share are shown once.
     const auto is_new = [&](const driver::Project& project) {
         bool found = false;
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings()) {
-            const std::string path = each.span.is_known() ? std::string(project.sources.path(each.span.source)) : "";
-            found = shown.insert(fmt::format("{}:{}:{}:{}", path, each.span.begin, each.rule->code, each.message()))
-                        .second ||
-                    found;
+        for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings()) {
+            const std::string path =
+                finding.span.is_known() ? std::string(project.sources.path(finding.span.source)) : "";
+            found =
+                shown
+                    .insert(fmt::format("{}:{}:{}:{}", path, finding.span.begin, finding.rule->code, finding.message()))
+                    .second ||
+                found;
         }
         return found;
     };
@@ -391,6 +397,11 @@ void write_page(Simulation& simulation, const simulation::RunResult& result, con
     if (!error.empty()) simulation.project->diagnostics.report(rules::unwritable, {}, {error});
 }
 
+Exit show_errors(const driver::Project& project, const Options& options, Exit exit) {
+    show_diagnostics(project, options);
+    return exit;
+}
+
 Exit simulate(const Options& options, const OtherStage& stage) {
     const auto simulation = load_simulation(options);
     if (!simulation->scenario.variations.empty()) return sweep(options, stage);
@@ -398,27 +409,30 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     if (!options.simulate.compare.empty())
         project.diagnostics.report(driver::rules::bad_option, {},
                                    {"--compare takes a scenario in which something varies"});
-    if (!is_acceptable(project, options.load)) return show_diagnostics(project, options), refusal_code(project);
+    if (!is_acceptable(project, options.load)) {
+        show_diagnostics(project, options);
+        return refusal_code(project);
+    }
     if (simulation->scenario.abstraction) return study_chain(*simulation, options, stage);
     const auto controller = build_controller(*simulation, options);
-    if (controller == nullptr || !project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
-    simulation::RunOptions wanted;
-    wanted.threads = stage.parallel ? options.limits.threads : 1;
-    wanted.stage = stage.make;
-    wanted.record = options.simulate.pictures || !options.output.html.empty();
+    if (controller == nullptr || !project.diagnostics.ok()) return show_errors(project, options, Exit::bad_input);
+    simulation::RunOptions run_options;
+    run_options.threads = stage.parallel ? options.limits.threads : 1;
+    run_options.stage = stage.make;
+    run_options.record = options.simulate.pictures || !options.output.html.empty();
     LogFailure failure;
-    if (!options.simulate.log.empty()) wanted.trace = log_maker(*simulation, options, failure);
+    if (!options.simulate.log.empty()) run_options.trace = log_maker(*simulation, options, failure);
     const auto monitors = make_guard(*simulation, options);
-    if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
-    if (monitors != nullptr) wanted.trace = monitors->make_observer(wanted.trace);
-    wanted.interrupted = when_a_limit_is_reached(options);
-    wanted.progress = progress_reports(options, simulation->scenario.name.text);
+    if (!project.diagnostics.ok()) return show_errors(project, options, Exit::bad_input);
+    if (monitors != nullptr) run_options.trace = monitors->make_observer(run_options.trace);
+    run_options.interrupted = when_a_limit_is_reached(options);
+    run_options.progress = progress_reports(options, simulation->scenario.name.text);
     const simulation::Drives drives = drives_of(*simulation, *controller);
     const simulation::Machines machines = simulation::machines_of(simulation->scenario, drives);
-    const simulation::RunResult result = simulation::run_trials(simulation->plan, drives, wanted, project.diagnostics);
+    const simulation::RunResult result =
+        simulation::run_trials(simulation->plan, drives, run_options, project.diagnostics);
     if (!failure.text.empty()) project.diagnostics.report(rules::unwritable, {}, {failure.text});
-    if (!project.diagnostics.ok() && !result.has_stopped_trial())
-        return show_diagnostics(project, options), Exit::bad_input;
+    if (!project.diagnostics.ok() && !result.has_stopped_trial()) return show_errors(project, options, Exit::bad_input);
     std::string notes = monitors == nullptr ? "" : monitors->summary_lines();
     std::vector<std::string> files;
     if (options.simulate.pictures && !result.interrupted)
@@ -430,7 +444,7 @@ Exit simulate(const Options& options, const OtherStage& stage) {
     // Errors at this point are either stopped trials or files that could not be written.
     const bool unwritable = !project.diagnostics.ok() && !result.has_stopped_trial();
     const Exit exit = unwritable ? Exit::bad_input : exit_of(result);
-    if (unwritable && options.output.format == Format::json) return show_diagnostics(project, options), exit;
+    if (unwritable && options.output.format == Format::json) return show_errors(project, options, exit);
     if (!unwritable)
         output_document(options, [&](Format) {
             return simulation::result_json(simulation->scenario, result,

@@ -131,9 +131,9 @@ void Console::show_state() {
     const std::vector<runs::Machine> machines = stepper_.current_machines();
     for (const runs::Machine& machine : machines) {
         if (watched_.empty()) print("  {}: {}\n", machine.component, runs::text_of(machine));
-        for (const runs::Variable& each : machine.variables)
-            if (each.name == watched_ || each.name == fmt::format("since({})", watched_))
-                print("  {}: {} = {}\n", machine.component, each.name, each.value.value_or("-"));
+        for (const runs::Variable& variable : machine.variables)
+            if (variable.name == watched_ || variable.name == fmt::format("since({})", watched_))
+                print("  {}: {} = {}\n", machine.component, variable.name, variable.value.value_or("-"));
     }
     if (machines.empty())
         print("  {}\n", process::describe(stepper_.reader().context().session.terms(), stepper_.current_term()));
@@ -148,8 +148,8 @@ void Console::show_state() {
 /// text.
 std::string Console::leads_to(std::size_t offer) {
     const std::vector<runs::Offer>& offers = stepper_.current_offers();
-    const auto same = [&](const runs::Offer& each) {
-        return each.hidden == offers[offer].hidden && text_of(each) == text_of(offers[offer]);
+    const auto same = [&](const runs::Offer& other) {
+        return other.hidden == offers[offer].hidden && text_of(other) == text_of(offers[offer]);
     };
     if (stepped_.project || std::ranges::count_if(offers, same) == 1) return "";
     process::TermStore& terms = stepper_.reader().context().session.terms();
@@ -245,9 +245,9 @@ void Console::step_until(const std::string& text) {
 
 void Console::explain_absences(const std::string& text) {
     std::size_t shown = 0;
-    for (const runs::Absence& each : stepper_.explain_absences()) {
-        if (each.text.find(text) == std::string::npos) continue;
-        print("  {}: {}: {}{}\n", each.component, each.text, each.reason, place_of(each.place));
+    for (const runs::Absence& absence : stepper_.explain_absences()) {
+        if (absence.text.find(text) == std::string::npos) continue;
+        print("  {}: {}: {}{}\n", absence.component, absence.text, absence.reason, place_of(absence.place));
         ++shown;
     }
     if (shown > 0) return;
@@ -278,8 +278,8 @@ bool Console::list_offers(const std::string& text) {
 void Console::print_way(const std::string&) {
     if (!stepped_.project) {
         std::vector<std::string> names;
-        for (const runs::Taken& each : stepper_.steps_taken())
-            names.push_back(each.offer.hidden ? fmt::format("τ({})", each.offer.name) : each.offer.name);
+        for (const runs::Taken& step : stepper_.steps_taken())
+            names.push_back(step.offer.hidden ? fmt::format("τ({})", step.offer.name) : step.offer.name);
         return app::print_text(fmt::format("  <{}>\n", fmt::join(names, ", ")));
     }
     app::print_text(runs::text_of(stepper_.run(stepped_.time), "  "));
@@ -315,8 +315,8 @@ void Console::toggle_internal(const std::string&) {
 }
 
 void Console::print_help(const std::string&) {
-    for (const Command& each : command_table())
-        print("  {:<16} {}\n", fmt::format("{} {}", each.name, each.argument), each.help);
+    for (const Command& command : command_table())
+        print("  {:<16} {}\n", fmt::format("{} {}", command.name, command.argument), command.help);
 }
 
 const std::vector<Console::Command>& Console::command_table() {
@@ -352,9 +352,10 @@ void Console::run_command_line(const std::string& line) {
     while (!rest.empty() && std::isspace(static_cast<unsigned char>(rest.back())) != 0) rest.pop_back();
     if (name.empty() || take_offer(name)) return;
     std::vector<std::string> known;
-    for (const Command& each : command_table()) {
-        if (each.obey != nullptr && std::string_view(each.name).starts_with(name)) return (this->*each.obey)(rest);
-        known.emplace_back(each.name);
+    for (const Command& command : command_table()) {
+        if (command.obey != nullptr && std::string_view(command.name).starts_with(name))
+            return (this->*command.obey)(rest);
+        known.emplace_back(command.name);
     }
     report_wrong(fmt::format("there is no command '{}'{}; `help` lists them", name, did_you_mean(name, known)));
 }
@@ -388,7 +389,7 @@ Exit write_page(runs::Stepper& stepper, const Options& options, const Stepped& s
         return Exit::bad_input;
     }
     print("{}: {}\n", options.output.html, counts_text(space));
-    const auto wrong = std::ranges::find_if(space.states, [](const auto& each) { return !each.error.empty(); });
+    const auto wrong = std::ranges::find_if(space.states, [](const auto& state) { return !state.error.empty(); });
     if (wrong != space.states.end()) {
         print_error("robochart-verify: {}\n", wrong->error);
         return Exit::bad_input;
@@ -406,19 +407,19 @@ Exit run_stepper(runs::Stepper& stepper, const Options& options, const Stepped& 
 /// The components that can be stepped through, each with its part.
 using Candidates = std::vector<std::pair<driver::Project*, ir::ComponentRef>>;
 
-Candidates candidate_components(const std::vector<driver::Part>& parts, const std::string& wanted) {
+Candidates candidate_components(const std::vector<driver::Part>& parts, const std::string& component_name) {
     Candidates result;
     for (const driver::Part& part : parts)
         if (part.project->diagnostics.ok() && !part.again)
-            for (const ir::ComponentRef& each : driver::code_components(part.project->system, wanted))
-                result.emplace_back(part.project.get(), each);
+            for (const ir::ComponentRef& component : driver::code_components(part.project->system, component_name))
+                result.emplace_back(part.project.get(), component);
     return result;
 }
 
 /// The selected component. Throws UsageError unless exactly one component matches.
 std::pair<driver::Project*, ir::ComponentRef> find_meant_component(const std::vector<driver::Part>& parts,
-                                                                   const std::string& wanted) {
-    const Candidates found = candidate_components(parts, wanted);
+                                                                   const std::string& component_name) {
+    const Candidates found = candidate_components(parts, component_name);
     if (found.size() == 1) return found.front();
     std::vector<std::string> names;
     for (const auto& [project, component] : found.empty() ? candidate_components(parts, "") : found)
@@ -426,8 +427,8 @@ std::pair<driver::Project*, ir::ComponentRef> find_meant_component(const std::ve
     std::vector<std::string> known = names;  // names with and without their packages
     for (const std::string& name : names) known.push_back(name.substr(name.rfind(':') + 1));
     if (found.empty())
-        throw UsageError(fmt::format("the model has no component '{}'{}; it has {}", wanted,
-                                     did_you_mean(wanted, known), fmt::join(names, ", ")));
+        throw UsageError(fmt::format("the model has no component '{}'{}; it has {}", component_name,
+                                     did_you_mean(component_name, known), fmt::join(names, ", ")));
     throw UsageError(fmt::format("which component? {}", fmt::join(names, ", ")));
 }
 
@@ -464,9 +465,9 @@ Exit step_script(const Options& options) {
     loaded.diagnostics.set_budget(&options.run->budget());
     load_script(options.load.inputs.front(), loaded);
     record_texts(loaded.sources, options);
-    const cspm::DeclPtr asked =
+    const cspm::DeclPtr parsed =
         loaded.diagnostics.ok() ? parse_process(loaded, options.load.inputs[1], options.load.inputs[1]) : nullptr;
-    if (!asked) {
+    if (!parsed) {
         show_findings(loaded, options);
         return Exit::bad_input;
     }
@@ -477,7 +478,7 @@ Exit step_script(const Options& options) {
         const ir::Instantiation no_instantiation;
         const runs::Context context{nothing, no_system, no_instantiation, loaded.sources, session};
         runs::StepReader reader(context);
-        runs::Stepper stepper(reader, session.process(asked->assertion.specification));
+        runs::Stepper stepper(reader, session.process(parsed->assertion.specification));
         return run_stepper(stepper, options,
                            {options.load.inputs[1], options.load.inputs.front(), nullptr, csp_emit::Time::untimed}, {});
     } catch (const cspm::EvaluationError& error) {

@@ -72,7 +72,7 @@ private:
         if (!options_.simulate.compare.empty()) read_table();
         if (!options_.simulate.guarding_rules.empty()) read_rules();
         std::size_t points = 1;
-        for (const simulation::Variation& each : scenario_.variations) points *= each.values.size();
+        for (const simulation::Variation& variation : scenario_.variations) points *= variation.values.size();
         if (points > most_points)
             project_->diagnostics.report(simulation::rules::out_of_range, scenario_.variations.back().span,
                                          {fmt::format("{} points are more than {}", points, most_points)});
@@ -103,7 +103,8 @@ private:
     }
 
     Exit show_refusal(driver::Project& project) const {
-        return show_diagnostics(project, options_), refusal_code(project);
+        show_diagnostics(project, options_);
+        return refusal_code(project);
     }
 
     [[nodiscard]] bool until_proved() const { return scenario_.variations.front().until_proved; }
@@ -150,14 +151,14 @@ private:
 
     /// If the model does not have a constant that varies, this is an error of the scenario, reported at its place.
     void find_unknown(const driver::Project& refused) {
-        for (const simulation::Variation& each : scenario_.variations) {
-            if (each.what != simulation::Varied::constant) continue;
-            const auto address = simulation::find_constant_address(scenario_, each.constant);
+        for (const simulation::Variation& variation : scenario_.variations) {
+            if (variation.what != simulation::Varied::constant) continue;
+            const auto address = simulation::find_constant_address(scenario_, variation.constant);
             for (const diagnostics::Diagnostic& finding : refused.diagnostics.sorted_findings())
                 if (address && finding.rule == &ir::rules::unknown_constant_option &&
                     finding.arguments.front() == address->constant)
-                    project_->diagnostics.report(simulation::rules::unknown_part, each.span,
-                                                 {"constant of the model", each.constant});
+                    project_->diagnostics.report(simulation::rules::unknown_part, variation.span,
+                                                 {"constant of the model", variation.constant});
         }
     }
 
@@ -176,8 +177,9 @@ private:
         shown_ = true;
         prepared_.controller = build_controller(*prepared_.simulation, options);
         if (prepared_.controller != nullptr) prepared_.monitors = make_guard(*prepared_.simulation, options);
-        if (!project.diagnostics.ok()) return show_diagnostics(project, options), Exit::bad_input;
-        return std::nullopt;
+        if (project.diagnostics.ok()) return std::nullopt;
+        show_diagnostics(project, options);
+        return Exit::bad_input;
     }
 
     /// The hash of all data that an answer depends on.
@@ -198,18 +200,18 @@ private:
     }
 
     [[nodiscard]] simulation::RunOptions run_options(const simulation::Point& point) {
-        simulation::RunOptions wanted;
-        wanted.threads = stage_.parallel ? options_.limits.threads : 1;
-        wanted.stage = stage_.make;
-        wanted.record = false;
-        wanted.comparisons = static_cast<std::uint32_t>(result_.points.size());
-        if (prepared_.monitors != nullptr) wanted.trace = prepared_.monitors->make_observer({});
-        wanted.interrupted = when_a_limit_is_reached(options_);
+        simulation::RunOptions options;
+        options.threads = stage_.parallel ? options_.limits.threads : 1;
+        options.stage = stage_.make;
+        options.record = false;
+        options.comparisons = static_cast<std::uint32_t>(result_.points.size());
+        if (prepared_.monitors != nullptr) options.trace = prepared_.monitors->make_observer({});
+        options.interrupted = when_a_limit_is_reached(options_);
         const std::string where = simulation::point_text(scenario_, point);
-        wanted.progress = [this, where](const simulation::RunProgress& now) {
+        options.progress = [this, where](const simulation::RunProgress& now) {
             redraw_progress(fmt::format("{} ({} points): {} trials", where, result_.points.size(), now.trials_done));
         };
-        return wanted;
+        return options;
     }
 
     void redraw_progress(const std::string& line) const {
@@ -230,7 +232,10 @@ private:
                 options_.output.html, render_sweep_html(scenario_, result_, plots, record_of(options_)),
                 &options_.run->budget()));
         options_.run->finish();
-        if (!project_->diagnostics.ok()) return show_diagnostics(*project_, options_), Exit::bad_input;
+        if (!project_->diagnostics.ok()) {
+            show_diagnostics(*project_, options_);
+            return Exit::bad_input;
+        }
         const Exit exit = exit_code();
         output_document(options_, [&](Format) {
             return simulation::sweep_json(scenario_, result_, simulation::comparison_json(scenario_, compared_),
@@ -256,8 +261,9 @@ private:
     /// proved, only the least values must be decided.
     [[nodiscard]] Exit exit_code() const {
         if (result_.interrupted) return Exit::inconclusive;
-        if (std::ranges::any_of(
-                compared_, [&](const simulation::Compared& each) { return simulation::is_rejected(scenario_, each); }))
+        if (std::ranges::any_of(compared_, [&](const simulation::Compared& compared) {
+                return simulation::is_rejected(scenario_, compared);
+            }))
             return Exit::failed;
         for (std::size_t c = 0; c < scenario_.claims.size(); ++c)
             for (const simulation::PointResult& point : result_.points) {
@@ -310,7 +316,10 @@ private:
 Exit sweep(const Options& options, const OtherStage& stage) {
     auto project = std::make_unique<driver::Project>();
     simulation::Scenario scenario = read_scenario_of(*project, options);
-    if (!project->diagnostics.ok()) return show_diagnostics(*project, options), refusal_code(*project);
+    if (!project->diagnostics.ok()) {
+        show_diagnostics(*project, options);
+        return refusal_code(*project);
+    }
     return Sweep(options, stage, std::move(project), std::move(scenario)).run();
 }
 

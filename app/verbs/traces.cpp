@@ -96,20 +96,22 @@ public:
     /// Finds the checker for the component of a log. If there is no such component, reports a finding and returns no
     /// value.
     std::optional<Found> find_checker(const conformance::TraceHeader& header) {
-        const std::string wanted = !options_.load.component.empty() ? options_.load.component : header.component;
+        const std::string component_name =
+            !options_.load.component.empty() ? options_.load.component : header.component;
         const std::vector<driver::Part>* const parts = model_with(header.constants);
         if (parts == nullptr) return std::nullopt;
-        std::vector<Candidate> all = first_components(*parts, wanted);
+        std::vector<Candidate> all = first_components(*parts, component_name);
         if (all.empty()) all = first_components(*parts, "");
         if (all.empty())
-            return report_refusal(parts_.front(), rules::no_component, {wanted.empty() ? "the model" : wanted},
+            return report_refusal(parts_.front(), rules::no_component,
+                                  {component_name.empty() ? "the model" : component_name},
                                   model_place(*parts_.front().project));
         const auto& [part, component] = all.front();
-        if (!wanted.empty() && all.size() > 1 && all[1].first != part)
+        if (!component_name.empty() && all.size() > 1 && all[1].first != part)
             return report_refusal(
                 parts_.front(), driver::rules::bad_option,
                 {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
-                             part->project->name, all[1].first->project->name, wanted)});
+                             part->project->name, all[1].first->project->name, component_name)});
         const std::uint32_t cycle = options_.code.cycle_given ? options_.code.cycle : header.cycle;
         Entry& entry = entries_[{part, ir::qualified_name(component), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load_entry(entry, *part->project, component, cycle);
@@ -134,27 +136,27 @@ private:
         auto [known, fresh] = others_.try_emplace(constants);
         std::vector<driver::Part>& parts = known->second;
         if (fresh) {
-            driver::Settings wanted = options_;
-            wanted.instantiation.weaker_constants = constants;
-            parts = driver::load_parts(wanted, options_.run->budget());
-            record_projects(parts, wanted, options_);
+            driver::Settings settings = options_;
+            settings.instantiation.weaker_constants = constants;
+            parts = driver::load_parts(settings, options_.run->budget());
+            record_projects(parts, settings, options_);
         }
         for (const driver::Part& part : parts)
-            for (const diagnostics::Diagnostic& each : part.project->diagnostics.sorted_findings())
-                if (each.rule->severity == diagnostics::Severity::error) {
+            for (const diagnostics::Diagnostic& finding : part.project->diagnostics.sorted_findings())
+                if (finding.rule->severity == diagnostics::Severity::error) {
                     (void)report_refusal(parts_.front(), conformance::rules::log_of_other,
                                          {fmt::format("a model with {}", fmt::join(constants, ", ")),
-                                          fmt::format("one that has no such constants: {}", each.message())});
+                                          fmt::format("one that has no such constants: {}", finding.message())});
                     return nullptr;
                 }
         return &parts;
     }
     /// The first component with this name in each part.
     [[nodiscard]] static std::vector<Candidate> first_components(const std::vector<driver::Part>& parts,
-                                                                 const std::string& wanted) {
+                                                                 const std::string& component_name) {
         std::vector<Candidate> result;
         for (const driver::Part& part : parts)
-            if (const auto components = driver::code_components(part.project->system, wanted);
+            if (const auto components = driver::code_components(part.project->system, component_name);
                 !part.again && !components.empty())
                 result.emplace_back(&part, components.front());
         return result;

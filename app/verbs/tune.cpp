@@ -56,13 +56,13 @@ std::string with_constants(const Pairs& constants) {
 /// "12 of 13 hold"
 std::string counted(const std::vector<driver::DecidedItem>& items, const std::string& good) {
     const auto count =
-        std::ranges::count_if(items, [&](const driver::DecidedItem& each) { return each.answer == good; });
+        std::ranges::count_if(items, [&](const driver::DecidedItem& decided) { return decided.answer == good; });
     return fmt::format("{} of {}", count, items.size());
 }
 
 bool has_any_answer(const std::vector<driver::DecidedItem>& items, std::initializer_list<const char*> answers) {
-    return std::ranges::any_of(items, [&](const driver::DecidedItem& each) {
-        return std::ranges::find(answers, each.answer) != answers.end();
+    return std::ranges::any_of(items, [&](const driver::DecidedItem& decided) {
+        return std::ranges::find(answers, decided.answer) != answers.end();
     });
 }
 
@@ -74,25 +74,31 @@ Exit exit_of(const driver::Evidence& evidence) {
         has_any_answer(evidence.assertions, {"inconclusive"}) || has_any_answer(evidence.conformance, {"inconclusive"});
     const auto claim = [&](const char* answer) {
         return std::ranges::any_of(evidence.claims,
-                                   [&](const driver::DecidedClaim& each) { return each.answer == answer; });
+                                   [&](const driver::DecidedClaim& decided) { return decided.answer == answer; });
     };
     if (fails || claim("fails")) return Exit::failed;
     return open || claim("open") ? Exit::inconclusive : Exit::success;
 }
 
+/// Why an exit code is not `success`.
+const char* shortcoming(Exit exit) {
+    return exit == Exit::failed ? "something fails" : "something is open";
+}
+
 /// The decisions as text, one per line.
 std::string evidence_text(const driver::Evidence& evidence) {
     std::string out = fmt::format("checked\n  {} assertions hold\n", counted(evidence.assertions, "holds"));
-    for (const driver::DecidedItem& each : evidence.assertions)
-        if (each.answer != "holds" && each.answer != "no check")
-            out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::escape_for_display(each.subject));
-    for (const driver::DecidedItem& each : evidence.conformance)
-        out += fmt::format("  {:<12} {}\n", each.answer, diagnostics::escape_for_display(each.subject));
+    for (const driver::DecidedItem& assertion : evidence.assertions)
+        if (assertion.answer != "holds" && assertion.answer != "no check")
+            out += fmt::format("  {:<12} {}\n", assertion.answer, diagnostics::escape_for_display(assertion.subject));
+    for (const driver::DecidedItem& component : evidence.conformance)
+        out += fmt::format("  {:<12} {}\n", component.answer, diagnostics::escape_for_display(component.subject));
     out += fmt::format("claims, on seeds from {} on\n", evidence.seed);
-    for (const driver::DecidedClaim& each : evidence.claims)
-        out += fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n", each.answer,
-                           diagnostics::escape_for_display(each.claim), each.successes, each.trials, 100 * each.low,
-                           100 * each.high);
+    for (const driver::DecidedClaim& decided_claim : evidence.claims)
+        out += fmt::format("  {:<12} {}\n               {} of {} trials; between {:.3f} % and {:.3f} %\n",
+                           decided_claim.answer, diagnostics::escape_for_display(decided_claim.claim),
+                           decided_claim.successes, decided_claim.trials, 100 * decided_claim.low,
+                           100 * decided_claim.high);
     return out;
 }
 
@@ -127,8 +133,8 @@ public:
     bool admits_candidate(const Candidate& candidate) override {
         driver::Evidence found;
         decide_assertions(options_with(candidate), scenario_, found);
-        const auto bad = std::ranges::find_if(found.assertions, [](const driver::DecidedItem& each) {
-            return each.answer == "fails" || each.answer == "error";
+        const auto bad = std::ranges::find_if(found.assertions, [](const driver::DecidedItem& assertion) {
+            return assertion.answer == "fails" || assertion.answer == "error";
         });
         if (bad == found.assertions.end()) return true;
         if (refusal_.empty())
@@ -137,18 +143,18 @@ public:
         return false;
     }
 
-    std::vector<double> trial_costs(const std::vector<simulation::RaceTrial>& wanted) override {
-        std::vector<double> result(wanted.size());
+    std::vector<double> trial_costs(const std::vector<simulation::RaceTrial>& race_trials) override {
+        std::vector<double> result(race_trials.size());
         std::vector<std::size_t> missing;
         std::vector<simulation::TuningTrial> trials;
-        for (std::size_t t = 0; t < wanted.size(); ++t) {
-            if (const auto known = earlier_cost(wanted[t])) {
+        for (std::size_t t = 0; t < race_trials.size(); ++t) {
+            if (const auto known = earlier_cost(race_trials[t])) {
                 result[t] = *known;
                 continue;
             }
-            const Built& built = built_.at(wanted[t].candidate);
+            const Built& built = built_.at(race_trials[t].candidate);
             missing.push_back(t);
-            trials.push_back({&built.simulation->plan, &*built.drives, seed_of(wanted[t])});
+            trials.push_back({&built.simulation->plan, &*built.drives, seed_of(race_trials[t])});
         }
         // Trials run in portions, so that an interrupted search has the results of finished portions.
         constexpr std::size_t portion = 64;
@@ -161,10 +167,10 @@ public:
                                         options_.limits.threads, [&] { options_.run->budget().check(); });
             for (std::size_t t = begin; t < end; ++t) {
                 result[missing[t]] = costs[t - begin];
-                keep_cost(wanted[missing[t]], costs[t - begin]);
+                keep_cost(race_trials[missing[t]], costs[t - begin]);
             }
         }
-        done_ += wanted.size();
+        done_ += race_trials.size();
         redraw_progress("");
         return result;
     }
@@ -177,8 +183,8 @@ public:
 
     [[nodiscard]] Options options_with(const Candidate& candidate) const {
         Options options = options_;
-        for (const std::string& each : simulation::constants_of(parameters_, candidate))
-            options.instantiation.constants.push_back(each);
+        for (const std::string& constant : simulation::constants_of(parameters_, candidate))
+            options.instantiation.constants.push_back(constant);
         return options;
     }
 
@@ -192,9 +198,10 @@ private:
 
     void note_unusable(const Candidate& candidate, const driver::Project& project) {
         if (!unusable_.empty()) return;
-        for (const diagnostics::Diagnostic& each : project.diagnostics.sorted_findings())
-            if (each.rule->severity == diagnostics::Severity::error && unusable_.empty())
-                unusable_ = fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), each.message());
+        for (const diagnostics::Diagnostic& finding : project.diagnostics.sorted_findings())
+            if (finding.rule->severity == diagnostics::Severity::error && unusable_.empty())
+                unusable_ =
+                    fmt::format("{}: {}", simulation::candidate_text(parameters_, candidate), finding.message());
     }
 
     /// The hash of all data that a trial's cost depends on except its seed.
@@ -250,26 +257,26 @@ private:
 /// A run of the verb.
 class Tuning {
 public:
-    explicit Tuning(const Options& options) : asked_(options), options_(options) {
+    explicit Tuning(const Options& options) : given_options_(options), options_(options) {
         options_.instantiation.constants.clear();
-        for (const std::string& each : options.instantiation.constants) {
-            const auto [name, value] = split_constant(each);
+        for (const std::string& constant : options.instantiation.constants) {
+            const auto [name, value] = split_constant(constant);
             if (simulation::is_varied(value))
                 varied_.emplace_back(name, value);
             else
-                options_.instantiation.constants.push_back(each);
+                options_.instantiation.constants.push_back(constant);
         }
     }
 
     Exit run() {
-        if (!asked_.tune.certificate.empty()) return verify_certificate();
+        if (!given_options_.tune.certificate.empty()) return verify_certificate();
         if (!begin()) return show_refusal();
         const std::uint64_t search = options_.tune.seed;
         options_.run->recorder().set_seed(search);
-        const simulation::RaceOptions wanted{options_.tune.trials, search, options_.tune.elimination};
+        const simulation::RaceOptions race_options{options_.tune.trials, search, options_.tune.elimination};
         Subject subject(options_, parameters_, scenario_, search);
-        simulation::Race race(parameters_, wanted, subject);
-        if (!is_quiet()) print("{}", beginning_text(wanted));
+        simulation::Race race(parameters_, race_options, subject);
+        if (!is_quiet()) print("{}", beginning_text(race_options));
         try {
             race.run([&](const simulation::Race& now) { show_iteration(now); });
             if (!race.elites().empty()) decide_winner(race, subject);
@@ -288,7 +295,10 @@ public:
 private:
     [[nodiscard]] bool is_quiet() const { return options_.output.quiet || options_.output.format == Format::json; }
 
-    Exit show_refusal() const { return show_diagnostics(*project_, options_), refusal_code(*project_); }
+    Exit show_refusal() const {
+        show_diagnostics(*project_, options_);
+        return refusal_code(*project_);
+    }
 
     void report_option(const std::string& what) { project_->diagnostics.report(driver::rules::bad_option, {}, {what}); }
 
@@ -334,11 +344,11 @@ private:
     /// to search.
     [[nodiscard]] Pairs fixed_constants() const {
         Pairs result;
-        for (const std::string& each : options_.instantiation.constants) result.push_back(split_constant(each));
+        for (const std::string& constant : options_.instantiation.constants) result.push_back(split_constant(constant));
         for (std::size_t number = 0; number < scenario_.controller_count(); ++number) {
             ir::GivenConstants left = project_of(number).asked.constants;
-            for (const std::string& each : asked_.instantiation.constants)
-                if (const auto address = simulation::find_constant_address(scenario_, split_constant(each).first);
+            for (const std::string& constant : given_options_.instantiation.constants)
+                if (const auto address = simulation::find_constant_address(scenario_, split_constant(constant).first);
                     address && address->controller == number)
                     left.erase(address->constant);
             const std::string name = number == 0 ? "" : scenario_.controller_name(number) + ".";
@@ -352,21 +362,21 @@ private:
         const auto address = simulation::find_constant_address(scenario_, name);
         if (!address) return ParameterKind::other;
         const ir::System& system = project_of(address->controller).system;
-        for (const ir::NamedConstant& each : ir::named_constants(system)) {
-            if (!ir::is_named_by(each.path, address->constant)) continue;
-            const ir::TypeKind kind = system.type(each.type).kind;
-            return kind == ir::TypeKind::real                                   ? ParameterKind::real
-                   : kind == ir::TypeKind::nat || kind == ir::TypeKind::integer ? ParameterKind::whole
-                                                                                : ParameterKind::other;
+        for (const ir::NamedConstant& constant : ir::named_constants(system)) {
+            if (!ir::is_named_by(constant.path, address->constant)) continue;
+            const ir::TypeKind kind = system.type(constant.type).kind;
+            if (kind == ir::TypeKind::real) return ParameterKind::real;
+            const bool whole = kind == ir::TypeKind::nat || kind == ir::TypeKind::integer;
+            return whole ? ParameterKind::whole : ParameterKind::other;
         }
         return ParameterKind::other;
     }
 
-    [[nodiscard]] std::string beginning_text(const simulation::RaceOptions& wanted) const {
+    [[nodiscard]] std::string beginning_text(const simulation::RaceOptions& race_options) const {
         std::string out = fmt::format("tuning of {}: at most {} trials, seed {}, {}\n", scenario_.name.text,
-                                      wanted.budget, wanted.seed, name_of(options_.tune.elimination));
-        for (const Parameter& each : parameters_)
-            out += fmt::format("  {} in {}: {} values\n", each.name, each.text, each.size());
+                                      race_options.budget, race_options.seed, name_of(options_.tune.elimination));
+        for (const Parameter& parameter : parameters_)
+            out += fmt::format("  {} in {}: {} values\n", parameter.name, parameter.text, parameter.size());
         return out + "\n";
     }
 
@@ -425,7 +435,7 @@ private:
         print_json(race, "", Exit::inconclusive);
         if (options_.output.format == Format::json) return Exit::inconclusive;
         print("{}: not finished; the same command goes on where it was\n", limit_);
-        for (const std::size_t each : race.elites()) print("  {}\n", entry_text(race.entries()[each]));
+        for (const std::size_t elite : race.elites()) print("  {}\n", entry_text(race.entries()[elite]));
         return Exit::inconclusive;
     }
 
@@ -470,9 +480,7 @@ private:
                   diagnostics::escape_for_display(options_.output.folder), folder);
         }
         print("{}: {}\n", with_constants(certificate_.constants),
-              exit == Exit::success  ? "checked, conforming, and no claim fails"
-              : exit == Exit::failed ? "something fails"
-                                     : "something is open");
+              exit == Exit::success ? "checked, conforming, and no claim fails" : shortcoming(exit));
         return exit;
     }
 
@@ -484,7 +492,7 @@ private:
     /// One row per candidate, in the order in which they were drawn.
     [[nodiscard]] std::string candidates_csv(const simulation::Race& race) const {
         std::string out = "candidate";
-        for (const Parameter& each : parameters_) out += "," + each.name;
+        for (const Parameter& parameter : parameters_) out += "," + parameter.name;
         out += ",trials,cost,elite\n";
         for (std::size_t c = 0; c < race.entries().size(); ++c) {
             const simulation::RaceEntry& entry = race.entries()[c];
@@ -504,21 +512,21 @@ private:
                     const std::vector<std::string>& reasons = {}) const {
         using diagnostics::Json;
         Json elites = Json::array();
-        for (const std::size_t each : race.elites()) {
-            const simulation::RaceEntry& entry = race.entries()[each];
+        for (const std::size_t elite : race.elites()) {
+            const simulation::RaceEntry& entry = race.entries()[elite];
             Json constants = Json::object();
             for (std::size_t p = 0; p < parameters_.size(); ++p)
                 constants[parameters_[p].name] = parameters_[p].value_text(entry.candidate[p]);
             elites.push_back({{"constants", constants}, {"trials", entry.trial_count()}, {"cost", entry.mean_cost()}});
         }
         Json iterations = Json::array();
-        for (const simulation::RaceIteration& each : race.iterations())
-            iterations.push_back({{"fresh", each.fresh},
-                                  {"unusable", each.unusable},
-                                  {"seeds", each.seeds},
-                                  {"trials", each.trials},
-                                  {"left", each.left},
-                                  {"refused", each.refused}});
+        for (const simulation::RaceIteration& iteration : race.iterations())
+            iterations.push_back({{"fresh", iteration.fresh},
+                                  {"unusable", iteration.unusable},
+                                  {"seeds", iteration.seeds},
+                                  {"trials", iteration.trials},
+                                  {"left", iteration.left},
+                                  {"refused", iteration.refused}});
         const Json decided = certificate.empty() ? Json() : Json::parse(certificate_text(certificate_));
         output_document(options_, [&](Format) {
             return diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
@@ -541,16 +549,16 @@ private:
     Exit verify_certificate() {
         project_ = std::make_unique<driver::Project>();
         std::string error;
-        const auto source = project_->sources.load_file(asked_.tune.certificate, error);
+        const auto source = project_->sources.load_file(given_options_.tune.certificate, error);
         std::optional<driver::Certificate> certified;
         if (source) certified = driver::read_certificate(project_->sources.source_text(*source), error);
         if (!certified)
             report_option(fmt::format("--verify-certificate {}: {}",
-                                      diagnostics::escape_for_display(asked_.tune.certificate),
+                                      diagnostics::escape_for_display(given_options_.tune.certificate),
                                       diagnostics::escape_for_display(error)));
-        if (!asked_.instantiation.constants.empty())
+        if (!given_options_.instantiation.constants.empty())
             report_option("the constants are those of the certificate: no --const beside it");
-        if (!asked_.instantiation.ranges.empty())
+        if (!given_options_.instantiation.ranges.empty())
             report_option("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
         if (!project_->diagnostics.ok()) return show_refusal();
@@ -591,16 +599,14 @@ private:
             print("{}\n", evidence_text(certificate_.evidence));
         }
         for (const std::string& line : lines) print("  differs      {}\n", diagnostics::escape_for_display(line));
-        print("{}{}\n",
-              lines.empty() ? "the certificate says what is decided here"
-                            : "the certificate does not say what is decided here",
-              !lines.empty() || exit == Exit::success ? ""
-              : exit == Exit::failed                  ? ": something fails"
-                                                      : ": something is open");
+        std::string text = lines.empty() ? "the certificate says what is decided here"
+                                         : "the certificate does not say what is decided here";
+        if (lines.empty() && exit != Exit::success) text += fmt::format(": {}", shortcoming(exit));
+        print("{}\n", text);
         return exit;
     }
 
-    const Options& asked_;
+    const Options& given_options_;
     Options options_;  ///< without the constants that vary
     Pairs varied_;
     std::unique_ptr<driver::Project> project_;

@@ -25,7 +25,7 @@ namespace {
 
 bool is_syntax(const diagnostics::Rule& rule) {
     return frontend::syntax::is_syntax(rule) ||
-           std::ranges::any_of(cspm::rules::all, [&](const diagnostics::Rule* each) { return each == &rule; });
+           std::ranges::find(cspm::rules::all, &rule) != std::end(cspm::rules::all);
 }
 
 /// Reads the parts, including the findings in their CSP blocks.
@@ -59,17 +59,17 @@ std::string repair_part(const driver::Part& part, const Options& options, diagno
         if (std::string error = diagnostics::replace_text(path, text, &options.run->budget()); !error.empty())
             return error;
     sum.made += repaired.made;
-    for (diagnostics::RefusedFix& each : repaired.refused) sum.refused.push_back(std::move(each));
+    for (diagnostics::RefusedFix& refused : repaired.refused) sum.refused.push_back(std::move(refused));
     return {};
 }
 
 /// Prints how many fixes were applied, and which were not.
 void report_repair(const diagnostics::Repaired& sum) {
     print_error("{} place{} fixed\n", sum.made, sum.made == 1 ? "" : "s");
-    for (const diagnostics::RefusedFix& each : sum.refused)
+    for (const diagnostics::RefusedFix& refused : sum.refused)
         print_error("{}: not fixed: with `{}` the text would not read better ({})\n",
-                    diagnostics::escape_for_display(each.place), diagnostics::escape_for_display(each.replacement),
-                    each.code);
+                    diagnostics::escape_for_display(refused.place),
+                    diagnostics::escape_for_display(refused.replacement), refused.code);
 }
 
 /// The findings of all parts, which share their texts.

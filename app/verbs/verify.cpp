@@ -134,11 +134,12 @@ conformance::Export export_format(const std::string& path) {
 
 /// Writes all states of the code, if all were explored.
 bool write_code_graph(driver::Project& project, const Options& options, conformance::Result& result, Report& report) {
-    std::string error =
-        result.exported.empty()
-            ? fmt::format("--export {}: nothing is written, {}", options.conform.exported_code,
-                          result.export_failure.empty() ? "there is no code" : result.export_failure)
-            : diagnostics::replace_file(options.conform.exported_code, result.exported, project.diagnostics.budget());
+    std::string error;
+    if (result.exported.empty())
+        error = fmt::format("--export {}: nothing is written, {}", options.conform.exported_code,
+                            result.export_failure.empty() ? "there is no code" : result.export_failure);
+    else
+        error = diagnostics::replace_file(options.conform.exported_code, result.exported, project.diagnostics.budget());
     if (error.empty()) {
         const auto edit = options.run->edit();
         report.csp_files.push_back({options.conform.exported_code, result.exported.size()});
@@ -171,7 +172,7 @@ std::string cpp_folder(const driver::Project& project, const Options& options, c
 std::string first_file(const driver::Part& part) {
     if (!part.project->model) return "";
     const auto& files = part.project->model->files;
-    const auto file = std::ranges::find_if(files, [](const auto& each) { return !each->is_library; });
+    const auto file = std::ranges::find_if(files, [](const auto& model_file) { return !model_file->is_library; });
     return file == files.end() ? "" : part.project->sources.path((*file)->source);
 }
 
@@ -191,8 +192,8 @@ void begin(const std::vector<driver::Part>& parts, const Options& options, Repor
 Exit print_report(const Report& report, const Options& options) {
     output_document(options, [&](Format format) {
         if (format == Format::json) return render_json(report);
-        return format == Format::sarif ? render_sarif(report, options.verb == Verb::verify ? "verify" : "check")
-                                       : render_junit(report);
+        if (format != Format::sarif) return render_junit(report);
+        return render_sarif(report, options.verb == Verb::verify ? "verify" : "check");
     });
     if (options.output.format == Format::text)
         print_styled(wrap_lines(render_text(report, options), line_width(STDOUT_FILENO)));
@@ -253,16 +254,16 @@ std::optional<cpp_emit::ros2::Mapping> read_mapping(driver::Project& project, co
 std::vector<ir::ComponentRef> mapped_component(driver::Project& project,
                                                const std::vector<ir::ComponentRef>& components,
                                                const cpp_emit::ros2::Mapping& mapping) {
-    const auto& [wanted, span] = mapping.component;
+    const auto& [name, span] = mapping.component;
     std::vector<std::string> known;
-    for (const ir::ComponentRef& each : components) {
-        if (each.path == wanted || ir::qualified_name(each) == wanted) return {each};
-        known.push_back(each.path);
+    for (const ir::ComponentRef& component : components) {
+        if (component.path == name || ir::qualified_name(component) == name) return {component};
+        known.push_back(component.path);
     }
-    const std::string meant = diagnostics::nearest_spelling(wanted, known);
+    const std::string meant = diagnostics::nearest_spelling(name, known);
     const std::string help = meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
     project.diagnostics.report(cpp_emit::ros2::rules::unknown_name, span,
-                               {"the model", "component that code is made of", wanted, help});
+                               {"the model", "component that code is made of", name, help});
     return {};
 }
 
@@ -310,8 +311,8 @@ const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& co
 }  // namespace
 
 bool write_prism(driver::Project& project, const Options& options, Report& report) {
-    const auto wanted = read_preferences(project, options.probability);
-    if (!wanted) return false;
+    const auto preferences = read_preferences(project, options.probability);
+    if (!preferences) return false;
     const auto components = driver::code_components(project.system, options.load.component);
     if (components.empty())
         project.diagnostics.report(prism_emit::rules::no_module, model_place(project), {project.name});
@@ -322,7 +323,7 @@ bool write_prism(driver::Project& project, const Options& options, Report& repor
                                        {component.path});
             return false;
         }
-        const auto emission = prism_emit::emit(project.system, *module, *wanted, project.diagnostics);
+        const auto emission = prism_emit::emit(project.system, *module, *preferences, project.diagnostics);
         if (!emission) return false;
         struct File {
             std::string path, text;
@@ -338,11 +339,11 @@ namespace {
 /// The place where a component is declared.
 std::optional<runs::Place> declaration_place(const driver::Project& project, const ir::ComponentRef& component) {
     const ir::System& system = project.system;
-    const ir::Origin& origin = component.kind == ir::ComponentKind::module ? system.modules[component.definition].origin
-                               : component.kind == ir::ComponentKind::controller
-                                   ? system.controllers[component.definition].origin
-                                   : system.machines[component.definition].origin;
-    return driver::region_of(project.sources, origin.span);
+    const auto place_of = [&](const ir::Origin& origin) { return driver::region_of(project.sources, origin.span); };
+    if (component.kind == ir::ComponentKind::module) return place_of(system.modules[component.definition].origin);
+    if (component.kind == ir::ComponentKind::controller)
+        return place_of(system.controllers[component.definition].origin);
+    return place_of(system.machines[component.definition].origin);
 }
 
 }  // namespace
@@ -369,14 +370,14 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         const diagnostics::Budget::Phase phase(options.run->budget(),
                                                "checking the code of " + ir::qualified_name(component));
         const auto start = std::chrono::steady_clock::now();
-        conformance::Options wanted;
-        wanted.cycle_length = options.code.cycle;
-        wanted.limits = limits(options, "code of " + ir::qualified_name(component));
-        wanted.generator.choices = options.code.choices;
-        wanted.relation = options.conform.relation;
-        wanted.walks.cycles = options.conform.walks;
-        wanted.cache = options.run->cache();
-        wanted.exported = export_format(options.conform.exported_code);
+        conformance::Options conformance_options;
+        conformance_options.cycle_length = options.code.cycle;
+        conformance_options.limits = limits(options, "code of " + ir::qualified_name(component));
+        conformance_options.generator.choices = options.code.choices;
+        conformance_options.relation = options.conform.relation;
+        conformance_options.walks.cycles = options.conform.walks;
+        conformance_options.cache = options.run->cache();
+        conformance_options.exported = export_format(options.conform.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified_name(component);
         one.region = declaration_place(project, component);
@@ -385,7 +386,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
                 conformance::timed_model(project.system, project.instantiation, project.sources, project.diagnostics);
             unlike_blocks = values_unlike_blocks(project, model->script.definitions);
         }
-        one.result = conformance::conform(*model, component, wanted, project.diagnostics);
+        one.result = conformance::conform(*model, component, conformance_options, project.diagnostics);
         if (!unlike_blocks.empty())
             one.result.warnings.push_back(fmt::format(
                 "the csp block Instantiations is not read here: {}; --const sets constants", unlike_blocks));
@@ -404,7 +405,9 @@ namespace {
 /// A run that found nothing to check must not look like a successful check.
 void note_nothing_checked(const Options& options, Report& report) {
     if (!decides_assertions(options.verb)) return;
-    const auto decided = [](const driver::AssertionReport& each) { return each.answer != driver::Answer::no_check; };
+    const auto decided = [](const driver::AssertionReport& assertion) {
+        return assertion.answer != driver::Answer::no_check;
+    };
     if (std::ranges::any_of(report.assertions, decided)) return;
     report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
                                                  : "nothing was checked: no assertion has a check in this semantics";
@@ -520,12 +523,12 @@ Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, R
         if (refused && reports_refused(part, options)) report_broken_claims(*part.project, options, report);
         if (refused || !has_components(part, parts, options)) continue;
         some = true;
-        Options wanted = options;
-        wanted.claims.core = core_wanted(part, options);
+        Options part_options = options;
+        part_options.claims.core = core_wanted(part, options);
         const bool code =
             !part.again &&
             (parts.size() == 1 || !driver::code_components(part.project->system, options.load.component).empty());
-        (void)run_phases(*part.project, wanted, code, report);
+        (void)run_phases(*part.project, part_options, code, report);
     }
     if (!some)
         parts.front().project->diagnostics.report(rules::no_component, model_place(*parts.front().project),
@@ -616,7 +619,7 @@ Exit run_model(const Options& given) {
     Options options = given;
     add_swarm(options);
     const bool rules =
-        std::ranges::all_of(options.load.inputs, [](const std::string& each) { return each.ends_with(".sleec"); });
+        std::ranges::all_of(options.load.inputs, [](const std::string& input) { return input.ends_with(".sleec"); });
     if (options.verb == Verb::conform && !options.conform.traces.empty() && rules) return conform_rules(options);
     const auto report = std::make_shared<Report>();
     const auto parts = std::make_shared<std::vector<driver::Part>>();
@@ -624,9 +627,9 @@ Exit run_model(const Options& given) {
     // The run may call the function after this function has returned, so the function owns its data.
     options.run->last_word([report, parts, options](const std::string& why) {
         report->limit = why;
-        for (driver::AssertionReport& each : report->assertions)
-            if (each.answer == driver::Answer::inconclusive && each.reason == driver::undecided_at_limit)
-                each.reason = "not decided: " + why;
+        for (driver::AssertionReport& assertion : report->assertions)
+            if (assertion.answer == driver::Answer::inconclusive && assertion.reason == driver::undecided_at_limit)
+                assertion.reason = "not decided: " + why;
         keep_last_page(*parts, options, *report);
         return print_report(*report, options);
     });
