@@ -70,8 +70,6 @@ public:
     /// Writes a checkpoint of all levels. Removes this rank's checkpoints that are older than the newest complete one.
     /// Throws CannotWrite; then the previous one stays valid, and the call can be repeated.
     void checkpoint(const Beside& beside);
-    /// The number of the last checkpoint, or 0 if there is none.
-    [[nodiscard]] std::uint64_t checkpoint_number() const { return number_; }
     /// The next checkpoint gets a number above this one.
     void number_from(std::uint64_t number) { number_ = number; }
 

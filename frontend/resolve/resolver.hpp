@@ -28,7 +28,6 @@ private:
     void variable_type(Variable& variable, Surroundings& around);
     void parameter_types(std::vector<VariablePtr>& parameters, Surroundings& around);
     void resolve_references(File& file, Component& component);
-    void resolve_sizes(Context& context, Surroundings& around);
 
     // Bodies (resolver_bodies.cpp)
     void function_body(File& file, Function& function);

@@ -309,7 +309,6 @@ private:
     void probabilistic_part(File& file);
     void probabilistic_assertion(File& file);
     void probabilistic_definition(File& file);
-    ProbabilisticDefinition named_definition();
     void definition_body(ProbabilisticDefinition& definition);
     void definition_name(std::string& name, Span& span);
     PathGeneration path_generation();

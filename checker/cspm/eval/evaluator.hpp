@@ -108,7 +108,6 @@ private:
     Value eval_collection(const Code& code, Frame& frame);
     Value eval_productions(const Code& code, Frame& frame);
     Value eval_range(const Code& code, Frame& frame);
-    Value eval_range_of(const Code& code, Frame& frame);
     Value eval_map(const Code& code, Frame& frame);
     Value eval_sequence_comprehension(const Code& code, Frame& frame);
     Value eval_concat(const Code& code, Frame& frame);

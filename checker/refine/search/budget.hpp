@@ -33,7 +33,6 @@ public:
     /// Sets the number of stored states. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;
-    [[nodiscard]] std::uint64_t work_done() const { return work_; }
     [[nodiscard]] const Limits& limits() const { return limits_; }
     /// `source` fills in the statistics when progress is reported; may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
