@@ -16,7 +16,7 @@ class Search {
 public:
     explicit Search(StepReader& reader) : reader_(reader) {}
 
-    Exercised run(TermId process, std::uint64_t most, const std::function<void()>& poll);
+    Exercised run(TermId process, std::uint64_t most, diagnostics::Pollable& budget);
 
 private:
     void meet_term(TermId term) {
@@ -46,14 +46,14 @@ void Search::note_step(TermId term, const Transition& step) {
     }
 }
 
-Exercised Search::run(TermId process, std::uint64_t most, const std::function<void()>& poll) {
+Exercised Search::run(TermId process, std::uint64_t most, diagnostics::Pollable& budget) {
     for (meet_term(process); !waiting_.empty(); waiting_.pop_front()) {
         if (result_.states == most) {
             result_.all = false;
             break;
         }
         ++result_.states;
-        poll();
+        budget.poll();
         const TermId term = waiting_.front();
         for (const Transition& step : reader_.context().session.transitions(term)) {
             note_step(term, step);
@@ -65,8 +65,8 @@ Exercised Search::run(TermId process, std::uint64_t most, const std::function<vo
 
 }  // namespace
 
-Exercised find_exercised(StepReader& reader, TermId process, std::uint64_t most, const std::function<void()>& poll) {
-    return Search(reader).run(process, most, poll);
+Exercised find_exercised(StepReader& reader, TermId process, std::uint64_t most, diagnostics::Pollable& budget) {
+    return Search(reader).run(process, most, budget);
 }
 
 }  // namespace robochart::runs

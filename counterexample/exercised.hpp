@@ -5,10 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <set>
 #include <string>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/process/term.hpp"
 #include "counterexample/step_reader.hpp"
 
@@ -25,9 +25,9 @@ struct Exercised {
     bool all = true;           ///< every reachable state was explored
 };
 
-/// Explores at most `most` states. `poll` is called for each state and may throw. Throws like
+/// Explores at most `most` states. Polls the budget for each state. Throws like
 /// cspm::Session::transitions.
 [[nodiscard]] Exercised find_exercised(StepReader&, process::TermId process, std::uint64_t most,
-                                       const std::function<void()>& poll);
+                                       diagnostics::Pollable& budget);
 
 }  // namespace robochart::runs

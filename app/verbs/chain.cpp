@@ -126,7 +126,7 @@ private:
             probability::explore_process(project_.system, component, project_.instantiation, {}, project_.sources,
                                          {std::min(options_.limits.max_states, most_states), most_states, &budget});
         const probability::Following found =
-            probability::find_following(*process, project_.system, component, states, units, [&] { budget.poll(); });
+            probability::find_following(*process, project_.system, component, states, units, budget);
         result_.proof = fmt::format("what {} time units of {} admit, by {} states of its semantics", units,
                                     scenario_.component.text, process->exploration->size());
         return {found.classes, found.first, found.after};

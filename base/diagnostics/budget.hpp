@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/diagnostics/pollable.hpp"
+
 namespace robochart::diagnostics {
 
 /// A limit was reached or the run was interrupted; the message names the limit and the phase.
@@ -38,7 +40,7 @@ struct Limits {
 [[nodiscard]] std::uint64_t resident_bytes_of_tree(pid_t process);
 
 /// The limits of a run, which every long loop polls.
-class Budget {
+class Budget final : public Pollable {
 public:
     /// `phase`: the activity of the run while no Phase is active.
     explicit Budget(Limits limits = {}, std::string phase = {});
@@ -47,7 +49,7 @@ public:
 
     /// Must be called in every loop whose length depends on the input; any thread may call it. Checks the limits in
     /// every 16th call, and in every call after a limit was reached. Throws LimitReached.
-    void poll() {
+    void poll() override {
         const std::uint32_t calls = calls_.load(std::memory_order_relaxed) + 1;
         calls_.store(calls, std::memory_order_relaxed);  // a call of another thread may not be counted; then the limits
                                                          // are checked less often
@@ -115,5 +117,11 @@ private:
     std::multiset<std::string> paths_;
     std::multiset<pid_t> groups_;
 };
+
+/// The budget, or `unlimited` if the pointer is null.
+[[nodiscard]] inline Pollable& or_unlimited(Budget* budget) {
+    if (budget == nullptr) return unlimited;
+    return *budget;
+}
 
 }  // namespace robochart::diagnostics

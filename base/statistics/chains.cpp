@@ -143,7 +143,7 @@ double order_triples(const Permitted& permitted) {
 
 std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>& sequences,
                                                       const Permitted& permitted, double error,
-                                                      const std::function<void()>& poll) {
+                                                      diagnostics::Pollable& budget) {
     std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by middle state, then by the state before it
     for (const StateSequence& sequence : sequences)
         for (std::size_t at = 2; at < sequence.size(); ++at)
@@ -156,7 +156,7 @@ std::optional<OrderContradiction> order_contradiction(const std::vector<StateSeq
         // contain 0. In neither case a contradiction is possible.
         if (permitted_of(permitted[state]) < 2) continue;
         for (const std::size_t next : seen_next(befores)) {
-            if (poll) poll();
+            budget.poll();
             const OrderContradiction both = farthest_apart(state, next, befores, intervals);
             const double apart = both.after_more.low - both.after_less.high;
             if (apart > (worst ? worst->after_more.low - worst->after_less.high : 0)) worst = both;

@@ -8,10 +8,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "base/statistics/binomial.hpp"
 #include "base/statistics/sequential.hpp"
 
@@ -77,11 +77,11 @@ struct OrderContradiction {
 /// each pair of consecutive states, intervals for the probabilities of the next state at the pair's last look. They
 /// hold jointly, because the error is divided among all permitted triples. In a chain of order 1, the intervals of one
 /// middle state and one next state overlap. So a chain of order 1 is contradicted with a chance of at most `error`, for
-/// any number of visits. Returns the contradiction whose intervals are farthest apart. `poll` is called repeatedly and
-/// may throw.
-[[nodiscard]] std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>&, const Permitted&,
-                                                                    double error,
-                                                                    const std::function<void()>& poll = {});
+/// any number of visits. Returns the contradiction whose intervals are farthest apart. Polls the budget for each next
+/// state that was seen.
+[[nodiscard]] std::optional<OrderContradiction> order_contradiction(
+    const std::vector<StateSequence>&, const Permitted&, double error,
+    diagnostics::Pollable& budget = diagnostics::unlimited);
 /// The number of permitted triples of states whose last state is not the only permitted one; the error is divided among
 /// them. At least 1.
 [[nodiscard]] double order_triples(const Permitted&);

@@ -22,13 +22,13 @@ constexpr std::size_t most_specification_states = 20'000;
 struct GivesUp {};
 
 /// The whole graph of a system that runs as terms; no value if it is large or cannot be evaluated as a whole.
-std::optional<lts::Graph> explore_whole(lts::TransitionSystem& system, const std::function<void()>& poll,
+std::optional<lts::Graph> explore_whole(lts::TransitionSystem& system, diagnostics::Pollable& budget,
                                         const std::optional<std::chrono::milliseconds>& longest) {
     const auto start = std::chrono::steady_clock::now();
     try {
         return lts::explore(system,
                             [&](std::size_t states) {
-                                poll();
+                                budget.poll();
                                 const auto taken = std::chrono::steady_clock::now() - start;
                                 if (states > most_specification_states || (longest && taken > *longest))
                                     throw GivesUp();
@@ -54,7 +54,7 @@ machine::EventPlaces make_event_places(process::EventSet events) {
 
 }  // namespace
 
-std::optional<QuestionKey> key_of(const Question& question, const std::function<void()>& poll,
+std::optional<QuestionKey> key_of(const Question& question, diagnostics::Pollable& budget,
                                   const std::optional<std::chrono::milliseconds>& longest) {
     const machine::Supercombinator* const process = compiled(*question.process);
     if (process == nullptr) return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<QuestionKey> key_of(const Question& question, const std::function<
     std::optional<lts::Graph> graph;
     if (question.specification != nullptr) {
         specification = compiled(*question.specification);
-        if (specification == nullptr) graph = explore_whole(*question.specification, poll, longest);
+        if (specification == nullptr) graph = explore_whole(*question.specification, budget, longest);
         if (specification == nullptr && !graph) return std::nullopt;
     }
     process::EventSet events;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/cache/cache.hpp"
+#include "base/diagnostics/pollable.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/refine/verdict/check.hpp"
@@ -33,8 +34,8 @@ struct QuestionKey {
 
 /// No value if the process is not compiled, if the specification is neither compiled nor small, or if a complete visit
 /// of the specification fails or takes longer than `longest`. Without `longest`, the result does not depend on time.
-/// Throws the exceptions of `poll`.
-[[nodiscard]] std::optional<QuestionKey> key_of(const Question&, const std::function<void()>& poll,
+/// Polls the budget during the visit.
+[[nodiscard]] std::optional<QuestionKey> key_of(const Question&, diagnostics::Pollable& budget,
                                                 const std::optional<std::chrono::milliseconds>& longest);
 
 /// The key of a check on packed states (packed/packed_system.hpp). Packed states depend on the script, so the key

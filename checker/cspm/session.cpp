@@ -61,7 +61,7 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
     [[nodiscard]] bool states_are_terms() const override { return true; }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return system_.describe(state); }
-    void set_poll(const std::function<void()>& poll) override { system_.set_poll(poll); }
+    void set_budget(diagnostics::Pollable& budget) override { system_.set_budget(budget); }
 
 private:
     LoadedScript& loaded_;
@@ -70,6 +70,53 @@ private:
     Span span_;
     std::size_t* made_ = nullptr;
     std::size_t most_made_ = 0;
+};
+
+/// The budget of a check for evaluations. Each poll checks the limits, because an evaluation polls rarely: its steps
+/// are small.
+class EvaluationBudget final : public diagnostics::Pollable {
+public:
+    explicit EvaluationBudget(refine::Budget& budget) : budget_(budget) {}
+    void poll() override {
+        constexpr std::uint64_t at_once = 1024;
+        budget_.charge(at_once);
+    }
+
+private:
+    refine::Budget& budget_;
+};
+
+/// The budget of a check for computing transitions. It also limits the states of compressed operands.
+class SemanticsBudget final : public diagnostics::Pollable {
+public:
+    SemanticsBudget(const process::OperationalSemantics& semantics, refine::Budget& budget)
+        : semantics_(semantics), budget_(budget) {}
+    void poll() override {
+        budget_.states(semantics_.states_explored());
+        budget_.charge();
+    }
+
+private:
+    const process::OperationalSemantics& semantics_;
+    refine::Budget& budget_;
+};
+
+/// The budget of a check for a compilation. A component with more states than the limit of the check is not compiled.
+/// It stays a term, because the limit counts only states that the whole process reaches.
+class CompilationBudget final : public diagnostics::Pollable {
+public:
+    CompilationBudget(const machine::Compiler& compiler, refine::Budget& budget)
+        : compiler_(compiler), budget_(budget), most_states_(budget.limits().max_states) {}
+    void poll() override {
+        budget_.charge();
+        if (compiler_.current_stage().states > most_states_)
+            throw machine::NotCompiled("a component has too many states");
+    }
+
+private:
+    const machine::Compiler& compiler_;
+    refine::Budget& budget_;
+    std::uint64_t most_states_;
 };
 
 /// Truncates a description to one line, without splitting characters.
@@ -109,28 +156,28 @@ struct Session::Impl {
         return std::make_unique<SessionSystem>(loaded, term, span);
     }
 
-    std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span, const std::function<void()>& poll) {
+    std::unique_ptr<lts::TransitionSystem> system(process::TermId term, Span span, diagnostics::Pollable& budget) {
         auto terms_alone = term_system(term, span);
-        auto compiled = compiler.compile(term, poll);
+        auto compiled = compiler.compile(term, budget);
         if (!compiled) return terms_alone;
         compiled->set_reference(std::move(terms_alone));
         return compiled;
     }
 
     std::unique_ptr<lts::TransitionSystem> whole_system(process::TermId term, Span span,
-                                                        const std::function<void()>& poll) {
+                                                        diagnostics::Pollable& budget) {
         machine::Bounds bounds;
         bounds.component_states *= 10;  // because they are not minimised
         bounds.minimised_states = 0;
         bounds.region_states = 0;
-        auto compiled = machine::Compiler(loaded.semantics, bounds).compile(term, poll);
+        auto compiled = machine::Compiler(loaded.semantics, bounds).compile(term, budget);
         if (compiled) return compiled;
         return term_system(term, span);
     }
 
     std::unique_ptr<lts::TransitionSystem> compile_side(const ExprPtr& expr, const Decl& assertion,
-                                                        const std::function<void()>& poll) {
-        return system(loaded.term_of(loaded.compile_side(expr, assertion)), expr->span, poll);
+                                                        diagnostics::Pollable& budget) {
+        return system(loaded.term_of(loaded.compile_side(expr, assertion)), expr->span, budget);
     }
 
     /// Adds the omitted values to the run's descriptions; returns the run of terms in `whole`.
@@ -182,24 +229,22 @@ struct Session::Impl {
     /// During its lifetime, definitions are evaluated within the limits of the check that needs them.
     class Polling {
     public:
-        Polling(Impl& impl, refine::Budget& budget) : impl_(impl) {
-            // The evaluator polls rarely, because its steps are small.
-            constexpr std::uint64_t at_once = 1024;
-            impl_.loaded.evaluator.set_poll([&budget] { budget.charge(at_once); });
-            impl_.loaded.semantics.set_poll([this, &budget] {
-                budget.states(impl_.loaded.semantics.states_explored());
-                budget.charge();
-            });
+        Polling(Impl& impl, refine::Budget& budget)
+            : impl_(impl), evaluation_budget_(budget), semantics_budget_(impl.loaded.semantics, budget) {
+            impl_.loaded.evaluator.set_budget(evaluation_budget_);
+            impl_.loaded.semantics.set_budget(semantics_budget_);
         }
         Polling(const Polling&) = delete;
         Polling& operator=(const Polling&) = delete;
         ~Polling() {
-            impl_.loaded.evaluator.set_poll({});
-            impl_.loaded.semantics.set_poll({});
+            impl_.loaded.evaluator.set_budget(diagnostics::unlimited);
+            impl_.loaded.semantics.set_budget(diagnostics::unlimited);
         }
 
     private:
         Impl& impl_;
+        EvaluationBudget evaluation_budget_;
+        SemanticsBudget semantics_budget_;
     };
 
     void tell_stage(refine::Progress& progress) const {
@@ -210,15 +255,6 @@ struct Session::Impl {
         progress.states = stage.states;
     }
 
-    /// Returns the poll function for a compilation. A component with more states than the limit of the check is not
-    /// compiled. It stays a term, because the limit counts only states that the whole process reaches.
-    std::function<void()> polling_within(refine::Budget& budget, const refine::Limits& limits) const {
-        return [this, &budget, most = limits.max_states] {
-            budget.charge();
-            if (compiler.current_stage().states > most) throw machine::NotCompiled("a component has too many states");
-        };
-    }
-
     struct Sides {
         std::unique_ptr<lts::TransitionSystem> first, second;  ///< `second`: only for a refinement
     };
@@ -227,11 +263,11 @@ struct Session::Impl {
         refine::Budget budget(limits, refine::Progress::Phase::compiling);
         budget.report_by([this](refine::Progress& progress) { tell_stage(progress); });
         const Polling polling(*this, budget);
-        const std::function<void()> poll = polling_within(budget, limits);
+        CompilationBudget compilation_budget(compiler, budget);
         Sides result;
-        result.first = compile_side(assertion.assertion.specification, assertion, poll);
+        result.first = compile_side(assertion.assertion.specification, assertion, compilation_budget);
         if (assertion.assertion.kind == AssertionKind::refinement)
-            result.second = compile_side(assertion.assertion.implementation, assertion, poll);
+            result.second = compile_side(assertion.assertion.implementation, assertion, compilation_budget);
         return result;
     }
 
@@ -284,8 +320,7 @@ struct Session::Impl {
         if (limits.by_levels != nullptr) return decide_by_levels(both, assertion, limits, evaluation, ask);
         if (memory.cache == nullptr || assertion.assertion.kind == AssertionKind::has_trace) return ask(nullptr);
         const Question question = question_of(both, assertion, limits);
-        const auto key = key_of(
-            question, [&evaluation] { evaluation.charge(); }, longest_look);
+        const auto key = key_of(question, evaluation, longest_look);
         return key ? check_with_memory(question, *key, memory, ask) : ask(nullptr);
     }
 
@@ -313,8 +348,7 @@ struct Session::Impl {
             if (process != nullptr && all_events)
                 key = key_of_packed(question, script, assertion, *all_events);
             else
-                key = key_of(
-                    question, [&evaluation] { evaluation.charge(); }, std::nullopt);
+                key = key_of(question, evaluation, std::nullopt);
         }
         strategy.identify_question(key ? std::optional(key->digest) : std::nullopt);
         const Memory earlier{strategy.answers(), 0};
@@ -559,22 +593,24 @@ process::TermId Session::process(const ExprPtr& expr) {
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr) {
-    return impl_->loaded.evaluated_at(expr->span, [&] { return impl_->system(process(expr), expr->span, {}); });
+    return impl_->loaded.evaluated_at(expr->span,
+                                      [&] { return impl_->system(process(expr), expr->span, diagnostics::unlimited); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::system(const ExprPtr& expr, const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     budget.report_by([this](refine::Progress& progress) { impl_->tell_stage(progress); });
     const Impl::Polling polling(*impl_, budget);
-    return impl_->loaded.evaluated_at(
-        expr->span, [&] { return impl_->system(process(expr), expr->span, impl_->polling_within(budget, limits)); });
+    CompilationBudget compilation_budget(impl_->compiler, budget);
+    return impl_->loaded.evaluated_at(expr->span,
+                                      [&] { return impl_->system(process(expr), expr->span, compilation_budget); });
 }
 
 std::unique_ptr<lts::TransitionSystem> Session::whole_system(const ExprPtr& expr, const refine::Limits& limits) {
     refine::Budget budget(limits, refine::Progress::Phase::compiling);
     const Impl::Polling polling(*impl_, budget);
-    return impl_->loaded.evaluated_at(
-        expr->span, [&] { return impl_->whole_system(process(expr), expr->span, [&budget] { budget.charge(); }); });
+    return impl_->loaded.evaluated_at(expr->span,
+                                      [&] { return impl_->whole_system(process(expr), expr->span, budget); });
 }
 
 process::EventSet Session::events(const ExprPtr& expr) {

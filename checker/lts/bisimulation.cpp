@@ -25,10 +25,10 @@ constexpr StateIndex endless = no_state;
 
 class Refinement {
 public:
-    Refinement(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll)
+    Refinement(const Graph& graph, Equivalence equivalence, diagnostics::Pollable& budget)
         : graph_(graph),
           branching_(equivalence == Equivalence::branching_with_divergence),
-          poll_(poll),
+          budget_(budget),
           block_(graph.size(), 0) {}
 
     void run();
@@ -49,7 +49,7 @@ private:
 
     const Graph& graph_;
     bool branching_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
     std::vector<Block> block_;
     std::vector<States> members_;
     std::vector<std::size_t> place_;  // index in its block's members
@@ -127,7 +127,7 @@ void Refinement::refine(Block block) {
     std::map<Signature, States> groups;
     std::map<StateIndex, const Signature*> fresh;
     for (StateIndex state : dirty) {
-        if (poll_) poll_();
+        budget_.poll();
         const auto group = groups.try_emplace(signature_of(state, fresh)).first;
         group->second.push_back(state);
         if (branching_) fresh[state] = &group->first;
@@ -251,14 +251,14 @@ private:
 
 }  // namespace
 
-Quotient minimise(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll) {
+Quotient minimise(const Graph& graph, Equivalence equivalence, diagnostics::Pollable& budget) {
     // States on a tau cycle are equivalent under the branching equivalence: they become one state with a tau loop. The
     // others keep their taus and are numbered so that a tau leads to a lower number.
     assert(graph.size() > 0);
     const bool branching = equivalence == Equivalence::branching_with_divergence;
     const TauComponents components = branching ? tau_components(graph) : every_state_alone(graph);
     const Graph contracted = branching ? contract_components(graph, components) : graph;
-    Refinement refinement(contracted, equivalence, poll);
+    Refinement refinement(contracted, equivalence, budget);
     refinement.run();
     const QuotientBuilder builder(refinement, components.component[0]);
     Quotient result{builder.graph, std::vector<StateIndex>(builder.size(), no_state), {}};

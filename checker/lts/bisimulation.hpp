@@ -2,9 +2,9 @@
 // Minimisation by partition refinement with signatures (Blom and Orzan, 2003; Wimmer et al., "Sigref", 2006).
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/graph.hpp"
 
 namespace robochart::lts {
@@ -27,7 +27,8 @@ struct Quotient {
     std::vector<StateIndex> state_of;        ///< by original state; no_state if it is not reachable
 };
 
-/// `poll`, if any, is called regularly and may throw to stop.
-[[nodiscard]] Quotient minimise(const Graph& graph, Equivalence equivalence, const std::function<void()>& poll = {});
+/// Returns the quotient of the graph by the equivalence. Polls the budget.
+[[nodiscard]] Quotient minimise(const Graph& graph, Equivalence equivalence,
+                                diagnostics::Pollable& budget = diagnostics::unlimited);
 
 }  // namespace robochart::lts

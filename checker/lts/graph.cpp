@@ -20,14 +20,14 @@ private:
 
 }  // namespace
 
-Exploration explore(TransitionSystem& system, const std::function<void(std::size_t)>& poll) {
+Exploration explore(TransitionSystem& system, const std::function<void(std::size_t)>& on_state) {
     Exploration result{{}, StateStore(system.width())};
     std::vector<Word> initial(system.width());
     system.initial(initial);
     result.states.insert(initial);
     EdgeCollector collector(result);
     for (StateIndex state = 0; state < result.states.size(); ++state) {
-        poll(result.states.size());
+        on_state(result.states.size());
         system.successors(result.states[state], collector);
         result.graph.finish_state();
     }

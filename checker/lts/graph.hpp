@@ -51,9 +51,9 @@ struct Exploration {
     StateStore states;  ///< the packed state for every index
 };
 
-/// Explores the system breadth first from the initial state. `poll` is called once for each state and may throw to
-/// stop.
-[[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& poll);
+/// Explores the system breadth first from the initial state. Calls `on_state` before each state is expanded, with the
+/// number of states found so far; it may throw to stop.
+[[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& on_state);
 
 /// A graph as a transition system.
 class GraphSystem final : public TransitionSystem {

@@ -21,16 +21,16 @@ std::unique_ptr<TransitionSystem> SymmetricSystem::clone_for_thread() const {
     return system ? std::make_unique<SymmetricSystem>(std::move(system), symmetry_) : nullptr;
 }
 
-void SymmetricSystem::set_poll(const std::function<void()>& poll) {
-    poll_ = poll;
-    system_->set_poll(poll);
+void SymmetricSystem::set_budget(diagnostics::Pollable& budget) {
+    budget_ = &budget;
+    system_->set_budget(budget);
 }
 
 void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
     // The sink may ask for successors while it receives some.
     if (sink_ != nullptr) {
         const auto other = clone_for_thread();
-        other->set_poll(poll_);
+        other->set_budget(*budget_);
         return other->successors(state, sink);
     }
     const SinkInUse in_use(sink_, sink);

@@ -2,7 +2,6 @@
 // A system in which one state represents all its images under automorphisms (docs/search.md, "Symmetry").
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,7 +24,7 @@ public:
     [[nodiscard]] std::unique_ptr<TransitionSystem> clone_for_thread() const override;
     [[nodiscard]] const EventTable& events() const override { return system_->events(); }
     [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }
-    void set_poll(const std::function<void()>& poll) override;
+    void set_budget(diagnostics::Pollable& budget) override;
     [[nodiscard]] std::uint64_t chased_state_count() const override { return system_->chased_state_count(); }
     /// The original system.
     [[nodiscard]] const TransitionSystem& original_system() const { return *system_; }
@@ -38,7 +37,7 @@ private:
     Symmetry symmetry_;
     std::vector<Word> target_;
     SuccessorSink* sink_ = nullptr;
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
 };
 
 }  // namespace robochart::lts

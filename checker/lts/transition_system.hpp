@@ -4,13 +4,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/event.hpp"
 #include "checker/lts/symmetry.hpp"
 
@@ -43,21 +43,20 @@ public:
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> clone_for_thread() const { return nullptr; }
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const EventTable& events() const = 0;
-    /// Sets a function that is called regularly during long work inside the system. It may throw to stop the work. It
-    /// may be empty.
-    virtual void set_poll(const std::function<void()>& /*poll*/) {}
+    /// Sets the budget that long work inside the system polls. It must outlive that work; `diagnostics::unlimited` ends
+    /// its use.
+    virtual void set_budget(diagnostics::Pollable& /*budget*/) {}
     /// The same process in a slower semantics, which shares only the definitions with this system. Results of a search
     /// are replayed in it before they are reported. Null if there is none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
     /// Returns the same process with fewer states. Its initial state is branching bisimilar with explicit divergence to
     /// that of this system, which preserves every model. The result may outlive this system. Null if no reduction is
-    /// known. `poll` may throw to stop.
-    [[nodiscard]] virtual std::unique_ptr<ReducedSystem> make_reduced_system(
-        const std::function<void()>& /*poll*/) const;
+    /// known. Polls the budget.
+    [[nodiscard]] virtual std::unique_ptr<ReducedSystem> make_reduced_system(diagnostics::Pollable& /*budget*/) const;
     /// Returns sets of equal parts of the states that can be exchanged. Each exchange is an automorphism of the system
-    /// (docs/search.md, "Symmetry"). Empty if none are known. `poll` may throw to stop.
-    [[nodiscard]] virtual std::vector<ReplicaSet> replicas(const std::function<void()>& /*poll*/) const { return {}; }
+    /// (docs/search.md, "Symmetry"). Empty if none are known. Polls the budget.
+    [[nodiscard]] virtual std::vector<ReplicaSet> replicas(diagnostics::Pollable& /*budget*/) const { return {}; }
     /// The number of states that were skipped so far because confluent taus lead from them to other states.
     [[nodiscard]] virtual std::uint64_t chased_state_count() const { return 0; }
     /// Whether a state is one word, a process::TermId.
@@ -77,8 +76,7 @@ public:
     [[nodiscard]] virtual std::vector<std::vector<Word>> tau_path(StateView state) = 0;
 };
 
-inline std::unique_ptr<ReducedSystem> TransitionSystem::make_reduced_system(
-    const std::function<void()>& /*poll*/) const {
+inline std::unique_ptr<ReducedSystem> TransitionSystem::make_reduced_system(diagnostics::Pollable& /*budget*/) const {
     return nullptr;
 }
 

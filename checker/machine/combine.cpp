@@ -42,8 +42,8 @@ using AssignmentRanges = std::map<const Actions*, std::pair<std::uint32_t, std::
 class Combiner {
 public:
     Combiner(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,
-             std::size_t most_rules, const std::function<void()>& poll)
-        : terms_(terms), skeleton_(skeleton), most_rules_(most_rules), poll_(poll) {
+             std::size_t most_rules, diagnostics::Pollable& budget)
+        : terms_(terms), skeleton_(skeleton), most_rules_(most_rules), budget_(budget) {
         result_.components = std::move(components);
     }
 
@@ -92,7 +92,7 @@ private:
     const process::TermStore& terms_;
     const Skeleton& skeleton_;
     std::size_t most_rules_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
     std::size_t made_ = 0;
     mutable std::size_t work_ = 0;
     Supercombinator result_;
@@ -111,7 +111,7 @@ void Combiner::charge_work(std::size_t steps) const {
     constexpr std::size_t between_polls = 1024;
     const std::size_t before = work_;
     work_ += steps;
-    if (poll_ && before / between_polls != work_ / between_polls) poll_();
+    if (before / between_polls != work_ / between_polls) budget_.poll();
     if (work_ > worth * most_rules_) throw NotCompiled("the rules are too large");
 }
 
@@ -435,7 +435,7 @@ std::vector<std::vector<double>> Combiner::estimate_chances(const Region& region
         const Component& component = *result_.components[participant.index];
         const double share = 1.0 / static_cast<double>(component.size());
         for (Local state = 0; state < component.size(); ++state) {
-            if (poll_) poll_();
+            budget_.poll();
             for (const Component::Edge& edge : component.edges(state)) result.back()[edge.event] += share;
         }
     }
@@ -538,14 +538,14 @@ void Combiner::pack_components() {
 }
 
 Leading leading_edges(const Supercombinator& combined, const Region& region, std::uint32_t participant,
-                      const std::function<void()>& poll) {
+                      diagnostics::Pollable& budget) {
     Leading result;
     if (region.participants[participant].is_region) return result;
     const Component& component = *combined.components[region.participants[participant].index];
     const std::vector<std::uint32_t>& rule = region.first_rule[participant];
     result.first.push_back(0);
     for (Local state = 0; state < component.size(); ++state) {
-        if (poll) poll();
+        budget.poll();
         for (const Component::Edge& edge : component.edges(state))
             if (rule[edge.event] < rule[edge.event + 1U]) result.edges.push_back(edge);
         result.first.push_back(static_cast<std::uint32_t>(result.edges.size()));
@@ -555,15 +555,15 @@ Leading leading_edges(const Supercombinator& combined, const Region& region, std
 
 }  // namespace
 
-void list_leading(Supercombinator& combined, const std::function<void()>& poll) {
+void list_leading(Supercombinator& combined, diagnostics::Pollable& budget) {
     for (Region& region : combined.regions)
         for (std::uint32_t who = 0; who < region.participants.size(); ++who)
-            region.leading.push_back(leading_edges(combined, region, who, poll));
+            region.leading.push_back(leading_edges(combined, region, who, budget));
 }
 
 Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton, std::vector<ComponentPtr> components,
-                        std::size_t most_rules, const std::function<void()>& poll) {
-    return Combiner(terms, skeleton, std::move(components), most_rules, poll).combine();
+                        std::size_t most_rules, diagnostics::Pollable& budget) {
+    return Combiner(terms, skeleton, std::move(components), most_rules, budget).combine();
 }
 
 }  // namespace robochart::machine

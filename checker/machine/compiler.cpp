@@ -17,13 +17,15 @@ namespace {
 /// The reachable states of a term in breadth-first order.
 class Exploration {
 public:
-    Exploration(process::OperationalSemantics& semantics, std::size_t most_states)
-        : semantics_(semantics), most_states_(most_states) {}
+    /// `states` receives the number of states so far.
+    Exploration(process::OperationalSemantics& semantics, std::size_t most_states, std::size_t& states)
+        : semantics_(semantics), most_states_(most_states), states_(states) {}
 
-    void run(TermId initial, const std::function<void()>& poll) {
+    void run(TermId initial, diagnostics::Pollable& budget) {
         number_term(initial);
         for (std::size_t state = 0; state < found.meaning.size(); ++state) {
-            if (poll) poll();
+            states_ = found.meaning.size();
+            budget.poll();
             auto& row = found.rows.emplace_back();
             for (const process::Transition& step : semantics_.successors(found.meaning[state]))
                 row.push_back({step.event, step.revealed, number_term(step.target)});
@@ -42,6 +44,7 @@ private:
 
     process::OperationalSemantics& semantics_;
     std::size_t most_states_;
+    std::size_t& states_;
     std::unordered_map<std::uint32_t, Local> numbers_;
 };
 
@@ -51,12 +54,12 @@ public:
     RowCollector(lts::TransitionSystem& system, TermId meaning, std::size_t most_states)
         : system_(system), meaning_(meaning), most_states_(most_states), states_(system.width()) {}
 
-    ExplicitMachine run(const std::function<void()>& poll) {
+    ExplicitMachine run(diagnostics::Pollable& budget) {
         std::vector<lts::Word> initial(system_.width());
         system_.initial(initial);
         states_.insert(initial);
         for (lts::StateIndex state = 0; state < states_.size(); ++state) {
-            if (poll) poll();
+            budget.poll();
             if (states_.size() > most_states_)
                 throw process::TooManyStates(fmt::format("more than {} states", most_states_));
             found_.meaning.push_back(meaning_);
@@ -119,44 +122,42 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
 Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bounds)
     : semantics_(semantics), bounds_(bounds) {}
 
-ComponentPtr Compiler::explore_component(TermId term, const std::function<void()>& poll) {
-    Exploration exploration(semantics_, bounds_.component_states);
+ComponentPtr Compiler::explore_component(TermId term, diagnostics::Pollable& budget) {
+    Exploration exploration(semantics_, bounds_.component_states, stage_.states);
     stage_.component = term;
-    exploration.run(term, [&] {
-        stage_.states = exploration.found.meaning.size();
-        if (poll) poll();
-    });
-    return minimise_component(std::move(exploration.found), poll);
+    exploration.run(term, budget);
+    return minimise_component(std::move(exploration.found), budget);
 }
 
-ComponentPtr Compiler::minimise_component(ExplicitMachine machine, const std::function<void()>& poll) const {
-    if (machine.rows.size() <= bounds_.minimised_states) minimise(machine, poll);
+ComponentPtr Compiler::minimise_component(ExplicitMachine machine, diagnostics::Pollable& budget) const {
+    if (machine.rows.size() <= bounds_.minimised_states) minimise(machine, budget);
     return std::make_shared<const Component>(machine.rows, std::move(machine.meaning));
 }
 
 /// Removes edges of components that no rule uses. Returns whether a component has become smaller.
 bool Compiler::prune_unused_edges(const Supercombinator& combined, std::vector<ComponentPtr>& components,
-                                  const std::function<void()>& poll) const {
+                                  diagnostics::Pollable& budget) const {
     const std::vector<std::vector<bool>> used = used_events(combined);
     bool smaller = false;
     for (std::size_t slot = 0; slot < components.size(); ++slot) {
         if (std::ranges::find(used[slot], false) == used[slot].end()) continue;
-        components[slot] = minimise_component(without_unused(*components[slot], used[slot]), poll);
+        components[slot] = minimise_component(without_unused(*components[slot], used[slot]), budget);
         smaller = true;
     }
     return smaller;
 }
 
-ComponentPtr Compiler::component(TermId term, const std::function<void()>& poll) {
+ComponentPtr Compiler::component(TermId term, diagnostics::Pollable& budget) {
     const auto known = components_.find(term);
     if (known != components_.end()) return known->second;
-    return components_[term] = explore_component(term, poll);
+    return components_[term] = explore_component(term, budget);
 }
 
 /// Whether the process as a term has few states. The transitions computed here are cached.
-bool Compiler::is_small(TermId term, const std::function<void()>& poll) {
+bool Compiler::is_small(TermId term, diagnostics::Pollable& budget) {
+    std::size_t states = 0;
     try {
-        Exploration(semantics_, few_states).run(term, poll);
+        Exploration(semantics_, few_states, states).run(term, budget);
         return true;
     } catch (const NotCompiled&) {
         return false;
@@ -181,24 +182,23 @@ ComponentPtr Compiler::make_gate(const Node& node) const {
                                              std::vector<TermId>{node.term});
 }
 
-std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, const std::function<void()>& poll) {
+std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, diagnostics::Pollable& budget) {
     std::vector<ComponentPtr> result;
     for (NodeId id : skeleton.slots) {
         const Node& node = skeleton.nodes[id];
         stage_ = {node.term, result.size() + 1, skeleton.slots.size(), 0};
-        result.push_back(node.kind == Node::Kind::gate ? make_gate(node) : component(node.term, poll));
+        result.push_back(node.kind == Node::Kind::gate ? make_gate(node) : component(node.term, budget));
     }
     return result;
 }
 
 /// Builds the skeleton, and leaves out compressions that turn out to be too large. Each compression is tried before its
 /// term becomes a component.
-std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves,
-                                           const std::function<void()>& poll) {
+std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves, diagnostics::Pollable& budget) {
     constexpr int deepest_call = 100;
     process::TermStore& terms = semantics_.terms();
     for (;;) {
-        std::optional<Skeleton> result = skeleton_of(terms, term, leaves, semantics_.left_out(), poll);
+        std::optional<Skeleton> result = skeleton_of(terms, term, leaves, semantics_.left_out(), budget);
         const std::size_t before = semantics_.left_out().size();
         const auto attempt = [&](TermId candidate) {
             if (terms[candidate].op == Op::compress) semantics_.successors(candidate);
@@ -227,31 +227,31 @@ std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::ve
 }
 
 /// Explores a whole compiled process and returns it as one component.
-ComponentPtr Compiler::region(TermId term, const std::function<void()>& poll) {
+ComponentPtr Compiler::region(TermId term, diagnostics::Pollable& budget) {
     if (const auto known = components_.find(term); known != components_.end()) return known->second;
-    const auto system = compile(term, poll);
-    if (!system) return component(term, poll);
+    const auto system = compile(term, budget);
+    if (!system) return component(term, budget);
     return components_[term] =
-               minimise_component(RowCollector(*system, term, bounds_.compressed_states).run(poll), poll);
+               minimise_component(RowCollector(*system, term, bounds_.compressed_states).run(budget), budget);
 }
 
-std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std::function<void()>& poll) {
+std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, diagnostics::Pollable& budget) {
     process::TermStore& terms = semantics_.terms();
     stage_ = {};
     try {
-        std::optional<Skeleton> skeleton = this->skeleton(term, {}, poll);
-        if (!skeleton || (skeleton->prefixes > few_prefixes && is_small(term, poll))) return nullptr;
-        std::vector<ComponentPtr> components = this->components(*skeleton, poll);
+        std::optional<Skeleton> skeleton = this->skeleton(term, {}, budget);
+        if (!skeleton || (skeleton->prefixes > few_prefixes && is_small(term, budget))) return nullptr;
+        std::vector<ComponentPtr> components = this->components(*skeleton, budget);
         const std::set<TermId> regions = small_regions(*skeleton, components);
-        for (TermId each : regions) region(each, poll);
-        if (auto simpler = this->skeleton(term, regions, poll)) {
+        for (TermId each : regions) region(each, budget);
+        if (auto simpler = this->skeleton(term, regions, budget)) {
             skeleton = std::move(simpler);
-            components = this->components(*skeleton, poll);
+            components = this->components(*skeleton, budget);
         }
-        Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules, poll);
-        while (prune_unused_edges(combined, components, poll))
-            combined = combine(terms, *skeleton, components, bounds_.rules, poll);
-        list_leading(combined, poll);
+        Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules, budget);
+        while (prune_unused_edges(combined, components, budget))
+            combined = combine(terms, *skeleton, components, bounds_.rules, budget);
+        list_leading(combined, budget);
         return std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(combined)),
                                                        terms);
     } catch (const process::Interrupted&) {
@@ -265,18 +265,17 @@ std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, const std:
     }
 }
 
-std::optional<process::Machine> Compiler::explore(TermId term, lts::Equivalence up_to,
-                                                  const std::function<void()>& poll) {
-    const auto system = compile(term, poll);
+std::optional<process::Machine> Compiler::explore(TermId term, lts::Equivalence up_to, diagnostics::Pollable& budget) {
+    const auto system = compile(term, budget);
     if (!system) return std::nullopt;
-    const auto reduced = up_to == lts::Equivalence::strong ? nullptr : system->make_reduced_system(poll);
+    const auto reduced = up_to == lts::Equivalence::strong ? nullptr : system->make_reduced_system(budget);
     lts::TransitionSystem& explored = reduced ? static_cast<lts::TransitionSystem&>(*reduced) : *system;
-    return without_names(RowCollector(explored, term, bounds_.compressed_states).run(poll));
+    return without_names(RowCollector(explored, term, bounds_.compressed_states).run(budget));
 }
 
 std::optional<process::Machine> MachineCompressor::explore(TermId operand, process::Compression kind,
-                                                           const std::function<void()>& poll) {
-    return compiler_ == nullptr ? std::nullopt : compiler_->explore(operand, process::equivalence_of(kind), poll);
+                                                           diagnostics::Pollable& budget) {
+    return compiler_ == nullptr ? std::nullopt : compiler_->explore(operand, process::equivalence_of(kind), budget);
 }
 
 }  // namespace robochart::machine

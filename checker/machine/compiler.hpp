@@ -3,12 +3,12 @@
 // otherwise the term itself.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/machine/component.hpp"
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/skeleton.hpp"
@@ -41,8 +41,8 @@ public:
     /// Returns the compiled process. Returns null in these cases. The process has no parallel operator, or one is
     /// reached only after many events and the process has few states. A component has too many states. A component
     /// cannot be explored separately, because of an evaluation error that the whole process may never reach. There are
-    /// too many rules. `poll` is called regularly and may throw process::Interrupted, which is passed on.
-    [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, const std::function<void()>& poll);
+    /// too many rules. Polls the budget and passes on process::Interrupted.
+    [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, diagnostics::Pollable& budget);
     /// The current or last exploration; for progress and for the description of a limit.
     struct Stage {
         std::optional<TermId> component;
@@ -54,20 +54,20 @@ public:
     /// that remain after confluent taus (reduced_system.hpp). No value if the process cannot be compiled. Throws
     /// process::TooManyStates.
     [[nodiscard]] std::optional<process::Machine> explore(TermId term, lts::Equivalence up_to,
-                                                          const std::function<void()>& poll);
+                                                          diagnostics::Pollable& budget);
 
 private:
-    bool is_small(TermId term, const std::function<void()>& poll);
-    ComponentPtr component(TermId term, const std::function<void()>& poll);
-    ComponentPtr explore_component(TermId term, const std::function<void()>& poll);
+    bool is_small(TermId term, diagnostics::Pollable& budget);
+    ComponentPtr component(TermId term, diagnostics::Pollable& budget);
+    ComponentPtr explore_component(TermId term, diagnostics::Pollable& budget);
     ComponentPtr make_gate(const Node& node) const;
-    std::optional<Skeleton> skeleton(TermId term, const std::set<TermId>& leaves, const std::function<void()>& poll);
-    std::vector<ComponentPtr> components(const Skeleton& skeleton, const std::function<void()>& poll);
+    std::optional<Skeleton> skeleton(TermId term, const std::set<TermId>& leaves, diagnostics::Pollable& budget);
+    std::vector<ComponentPtr> components(const Skeleton& skeleton, diagnostics::Pollable& budget);
     std::set<TermId> small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const;
-    ComponentPtr region(TermId term, const std::function<void()>& poll);
-    ComponentPtr minimise_component(ExplicitMachine machine, const std::function<void()>& poll) const;
+    ComponentPtr region(TermId term, diagnostics::Pollable& budget);
+    ComponentPtr minimise_component(ExplicitMachine machine, diagnostics::Pollable& budget) const;
     bool prune_unused_edges(const Supercombinator& combined, std::vector<ComponentPtr>& components,
-                            const std::function<void()>& poll) const;
+                            diagnostics::Pollable& budget) const;
 
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
@@ -81,10 +81,10 @@ class MachineCompressor final : public process::Compressor {
 public:
     void set_compiler(Compiler& compiler) { compiler_ = &compiler; }
     std::optional<process::Machine> explore(TermId operand, process::Compression kind,
-                                            const std::function<void()>& poll) override;
+                                            diagnostics::Pollable& budget) override;
     process::Machine compress(const process::Machine& explored, process::Compression kind,
-                              const std::function<void()>& poll) override {
-        return compressor_.compress(explored, kind, poll);
+                              diagnostics::Pollable& budget) override {
+        return compressor_.compress(explored, kind, budget);
     }
 
 private:

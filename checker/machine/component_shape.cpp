@@ -27,8 +27,8 @@ std::size_t count_distinct(std::vector<Colour> colours) {
 /// Computes colours that corresponding states and events of isomorphic components have in common.
 class Refinement {
 public:
-    Refinement(const Component& component, const std::vector<std::uint64_t>& role, const std::function<void()>& poll)
-        : component_(component), states_(component.size(), 1), events_(role), poll_(poll) {
+    Refinement(const Component& component, const std::vector<std::uint64_t>& role, diagnostics::Pollable& budget)
+        : component_(component), states_(component.size(), 1), events_(role), budget_(budget) {
         states_.front() = 2;
     }
 
@@ -54,7 +54,7 @@ private:
         std::vector<Colour> states = states_;
         std::vector<Colour> events = events_;
         for (Local from = 0; from < component_.size(); ++from) {
-            if (poll_) poll_();
+            budget_.poll();
             for (const Component::Edge& edge : component_.edges(from)) {
                 const Colour by = events_[edge.event];
                 events[edge.event] += combine_colours(states_[from], combine_colours(3, states_[edge.target]));
@@ -70,7 +70,7 @@ private:
 
     const Component& component_;
     std::vector<Colour> states_, events_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
 };
 
 /// Returns the states in the order of a breadth-first search that takes edges by the rank of their event, then by
@@ -107,8 +107,8 @@ std::uint64_t hash_of(std::vector<Colour> states, std::vector<Colour> events) {
 }  // namespace
 
 ComponentShape shape_of(const Component& component, const std::vector<std::uint64_t>& role,
-                        const lts::EventTable& names, const std::function<void()>& poll) {
-    Refinement refinement(component, role, poll);
+                        const lts::EventTable& names, diagnostics::Pollable& budget) {
+    Refinement refinement(component, role, budget);
     refinement.run();
     const EventSet& alphabet = component.alphabet();
     assert(role.size() == alphabet.size());

@@ -5,9 +5,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/machine/component.hpp"
 
 namespace robochart::machine {
@@ -23,8 +23,8 @@ struct ComponentShape {
 
 /// `role`: for each index in the alphabet, a number that must be equal for events that are mapped to each other. Events
 /// that the graph does not distinguish are in the order of `names`. Returns empty vectors if some state is not
-/// reachable from the first. `poll` may throw to stop.
+/// reachable from the first. Polls the budget.
 [[nodiscard]] ComponentShape shape_of(const Component& component, const std::vector<std::uint64_t>& role,
-                                      const lts::EventTable& names, const std::function<void()>& poll);
+                                      const lts::EventTable& names, diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

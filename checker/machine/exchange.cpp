@@ -50,13 +50,13 @@ Local Exchange::state(std::uint32_t slot, Local state) const {
     return moves_slot(slot) ? shapes_[this->image_of_slot(slot)].state[shapes_[slot].number[state]] : state;
 }
 
-std::optional<lts::EventPermutation> Exchange::find_exchanged_events(const std::function<void()>& poll) {
+std::optional<lts::EventPermutation> Exchange::find_exchanged_events(diagnostics::Pollable& budget) {
     for (const SlotRange& range : {first_, second_})
         for (std::uint32_t slot = range.first; slot < range.end; ++slot)
-            if (!maps_component(slot, poll)) return std::nullopt;
+            if (!maps_component(slot, budget)) return std::nullopt;
     if (!map_regions()) return std::nullopt;
     for (std::uint32_t region = 0; region < combined_.regions.size(); ++region)
-        if (!map_participants(region) || !maps_rules(region, poll)) return std::nullopt;
+        if (!map_participants(region) || !maps_rules(region, budget)) return std::nullopt;
     const EventSet& whole = combined_.regions.back().alphabet;
     lts::EventPermutation events;
     for (std::uint32_t place = 0; place < whole.size(); ++place)
@@ -67,7 +67,7 @@ std::optional<lts::EventPermutation> Exchange::find_exchanged_events(const std::
 
 /// Condition 1: the numbers of states and events are an isomorphism of the components. Fields of the same width can
 /// contain the states of both. For a component that is never turned off, "off" is not a state.
-bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& poll) {
+bool Exchange::maps_component(std::uint32_t slot, diagnostics::Pollable& budget) {
     const std::uint32_t image = this->image_of_slot(slot);
     const Component& from = *combined_.components[slot];
     const Component& to = *combined_.components[image];
@@ -84,7 +84,7 @@ bool Exchange::maps_component(std::uint32_t slot, const std::function<void()>& p
     Edges mapped;
     Edges expected;
     for (Local at = 0; at < from.size(); ++at) {
-        if (poll) poll();
+        budget.poll();
         mapped.clear();
         expected.clear();
         for (const Component::Edge& edge : from.edges(at))
@@ -136,17 +136,17 @@ bool Exchange::map_participants(std::uint32_t region) {
 }
 
 /// Condition 3: a permutation of events maps the region's rules to those of its image.
-bool Exchange::maps_rules(std::uint32_t region, const std::function<void()>& poll) {
+bool Exchange::maps_rules(std::uint32_t region, diagnostics::Pollable& budget) {
     const Region& from = combined_.regions[region];
     const Region& to = combined_.regions[region_[region]];
     if (from.rules.size() != to.rules.size() || from.alphabet.size() != to.alphabet.size()) return false;
-    std::optional<Places> events = event_images(from, to, map_requirements(region, poll), bodies(to, poll));
+    std::optional<Places> events = event_images(from, to, map_requirements(region, budget), bodies(to, budget));
     if (!events) return false;
     region_events_[region] = std::move(*events);
     return true;
 }
 
-Exchange::EventsByBody Exchange::bodies(const Region& region, const std::function<void()>& poll) const {
+Exchange::EventsByBody Exchange::bodies(const Region& region, diagnostics::Pollable& budget) const {
     EventsByBody result;
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     const auto as_set = [](Pairs& pairs) {
@@ -155,7 +155,7 @@ Exchange::EventsByBody Exchange::bodies(const Region& region, const std::functio
     };
     Pairs required, assigned;
     for (const Rule& rule : region.rules) {
-        if (poll) poll();
+        budget.poll();
         required.assign(1, {rule.lead.participant, rule.lead.event});
         for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
             required.emplace_back(region.requirements[i].participant, region.requirements[i].event);
@@ -172,7 +172,7 @@ Exchange::EventsByBody Exchange::bodies(const Region& region, const std::functio
     return result;
 }
 
-Exchange::EventsByBody Exchange::map_requirements(std::uint32_t region, const std::function<void()>& poll) const {
+Exchange::EventsByBody Exchange::map_requirements(std::uint32_t region, diagnostics::Pollable& budget) const {
     Region mapped;
     const Region& from = combined_.regions[region];
     const auto image = [&](const Requirement& requirement) {
@@ -186,7 +186,7 @@ Exchange::EventsByBody Exchange::map_requirements(std::uint32_t region, const st
     for (const Requirement& requirement : from.requirements) mapped.requirements.push_back(image(requirement));
     for (const Assignment& assignment : from.assignments)
         mapped.assignments.push_back({image_of_slot(assignment.slot), state(assignment.slot, assignment.value)});
-    return bodies(mapped, poll);
+    return bodies(mapped, budget);
 }
 
 /// Returns the images of the events of rules with these bodies; the images must be the expected events. If a body has

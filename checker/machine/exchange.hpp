@@ -3,11 +3,11 @@
 // of docs/search.md, "Symmetry".
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/symmetry.hpp"
 #include "checker/machine/component_shape.hpp"
 #include "checker/machine/supercombinator.hpp"
@@ -22,9 +22,9 @@ public:
     Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
              SlotRange second);
 
-    /// Returns the events that the exchange maps to other events, if the exchange is an automorphism. `poll` may throw
-    /// to stop.
-    [[nodiscard]] std::optional<lts::EventPermutation> find_exchanged_events(const std::function<void()>& poll);
+    /// Returns the events that the exchange maps to other events, if the exchange is an automorphism. Polls the
+    /// budget for each state of a component and each rule that it examines.
+    [[nodiscard]] std::optional<lts::EventPermutation> find_exchanged_events(diagnostics::Pollable& budget);
 
 private:
     using Places = std::vector<std::uint32_t>;  ///< by index in an alphabet: the index of the image
@@ -36,12 +36,12 @@ private:
     [[nodiscard]] Local state(std::uint32_t slot, Local state) const;
     [[nodiscard]] bool moves_slot(std::uint32_t slot) const { return this->image_of_slot(slot) != slot; }
 
-    [[nodiscard]] bool maps_component(std::uint32_t slot, const std::function<void()>& poll);
+    [[nodiscard]] bool maps_component(std::uint32_t slot, diagnostics::Pollable& budget);
     bool map_regions();
     [[nodiscard]] bool map_participants(std::uint32_t region);
-    [[nodiscard]] bool maps_rules(std::uint32_t region, const std::function<void()>& poll);
-    [[nodiscard]] EventsByBody bodies(const Region& region, const std::function<void()>& poll) const;
-    [[nodiscard]] EventsByBody map_requirements(std::uint32_t region, const std::function<void()>& poll) const;
+    [[nodiscard]] bool maps_rules(std::uint32_t region, diagnostics::Pollable& budget);
+    [[nodiscard]] EventsByBody bodies(const Region& region, diagnostics::Pollable& budget) const;
+    [[nodiscard]] EventsByBody map_requirements(std::uint32_t region, diagnostics::Pollable& budget) const;
     [[nodiscard]] std::optional<Places> event_images(const Region& from, const Region& to, const EventsByBody& bodies,
                                                      const EventsByBody& to_bodies) const;
 

@@ -8,14 +8,14 @@
 
 namespace robochart::machine {
 
-void minimise(ExplicitMachine& machine, const std::function<void()>& poll) {
+void minimise(ExplicitMachine& machine, diagnostics::Pollable& budget) {
     assert(machine.rows.size() == machine.meaning.size());
     lts::Graph graph;
     for (const auto& row : machine.rows) {
         for (const Component::RawEdge& edge : row) graph.add_edge({edge.event, edge.target});
         graph.finish_state();
     }
-    const lts::Quotient quotient = lts::minimise(graph, lts::Equivalence::strong, poll);
+    const lts::Quotient quotient = lts::minimise(graph, lts::Equivalence::strong, budget);
     if (quotient.graph.size() == machine.rows.size()) return;
     ExplicitMachine smaller;
     for (const lts::StateIndex state : quotient.representative) {

@@ -2,9 +2,9 @@
 // The states and edges of a component while it is built, and their reduction.
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/machine/component.hpp"
 
 namespace robochart::machine {
@@ -15,8 +15,8 @@ struct ExplicitMachine {
 };
 
 /// Replaces the machine by its quotient under strong bisimilarity, which preserves every model. Unreachable states are
-/// left out. Hidden events have the names that they have in the representatives. `poll` may throw to stop.
-void minimise(ExplicitMachine& machine, const std::function<void()>& poll);
+/// left out. Hidden events have the names that they have in the representatives. Polls the budget.
+void minimise(ExplicitMachine& machine, diagnostics::Pollable& budget);
 
 /// Returns the component without the edges of events that are not used. `used` has one element for each event, by
 /// index.

@@ -34,14 +34,14 @@ public:
     explicit Pilot(std::size_t width) : found_(width) {}
 
     /// Expands up to this many more states. Returns false if it ended early because the proofs took too much work.
-    bool expand_states(ReducedSystem& system, std::size_t states, const std::function<void()>& poll) {
+    bool expand_states(ReducedSystem& system, std::size_t states, diagnostics::Pollable& budget) {
         if (found_.size() == 0) {
             std::vector<lts::Word> initial(system.width());
             system.initial(initial);
             open_.push_back(found_.insert(initial).index);
         }
         for (std::size_t i = 0; i < states && !open_.empty() && found_.size() < pilot_found; ++i) {
-            if (poll) poll();
+            budget.poll();
             const double most =
                 most_work_of_a_round + most_work_of_a_tau * static_cast<double>(system.chased_state_count());
             if (system.work_of_proofs() > most) return false;
@@ -71,7 +71,7 @@ private:
 /// Returns the plan that results from the pilot search. No value if following taus costs more than it saves.
 std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombinator>& combined,
                                         const process::TermStore& terms, const std::shared_ptr<const WholeRules>& rules,
-                                        const std::function<void()>& poll) {
+                                        diagnostics::Pollable& budget) {
     constexpr double of_a_state = 5;  // in addition to the steps of components
     Pilot pilot(combined->words);
     ProofRecord record;
@@ -82,9 +82,9 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
         auto whole = std::make_unique<SupercombinatorSystem>(combined, terms);
         const SupercombinatorSystem& searched = *whole;
         ReducedSystem reduced(std::move(whole), combined, rules, plan);
-        reduced.set_poll(poll);
+        reduced.set_budget(budget);
         const std::size_t expanded_before = pilot.expanded_count();
-        const bool whole_round = pilot.expand_states(reduced, states, poll);
+        const bool whole_round = pilot.expand_states(reduced, states, budget);
         const std::size_t expanded = pilot.expanded_count() - expanded_before;
         if (expanded == 0) break;
         work += static_cast<double>(searched.examined_step_count());
@@ -102,16 +102,15 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
 
 }  // namespace
 
-std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::make_reduced_system(
-    const std::function<void()>& poll) const {
-    std::optional<WholeRules> rules = whole_rules(*combined_, poll);
+std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::make_reduced_system(diagnostics::Pollable& budget) const {
+    std::optional<WholeRules> rules = whole_rules(*combined_, budget);
     // A rule is never followed if its event is not tau, or if it does not have the first level in its regions.
     const auto may_be_followed = [](const WholeRule& rule) {
         return rule.event == process::tau && rule.prevented.empty();
     };
     if (!rules || std::ranges::none_of(rules->rules, may_be_followed)) return nullptr;
     const auto shared = std::make_shared<const WholeRules>(std::move(*rules));
-    const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, shared, poll);
+    const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, shared, budget);
     return plan ? std::make_unique<ReducedSystem>(clone_for_thread(), combined_, shared, *plan) : nullptr;
 }
 
@@ -126,9 +125,9 @@ ReducedSystem::ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole,
       locals_(combined_->components.size()),
       target_(combined_->words) {}
 
-void ReducedSystem::set_poll(const std::function<void()>& poll) {
-    poll_ = poll;
-    whole_->set_poll(poll);
+void ReducedSystem::set_budget(diagnostics::Pollable& budget) {
+    budget_ = &budget;
+    whole_->set_budget(budget);
 }
 
 void ReducedSystem::unpack_locals(lts::StateView state) {
@@ -153,7 +152,7 @@ void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     // The sink may ask for successors while it receives some, as in SupercombinatorSystem.
     if (sink_ != nullptr) {
         const auto other = clone_for_thread();
-        other->set_poll(poll_);
+        other->set_budget(*budget_);
         return other->successors(state, sink);
     }
     const lts::SinkInUse in_use(sink_, sink);
@@ -177,7 +176,7 @@ bool ReducedSystem::follow_tau() {
 /// Follows confluent taus to the end, or to the least state of the cycle that they reach; returns the number of steps.
 /// (Cycles are found as in Brent, BIT 20, 1980.)
 std::size_t ReducedSystem::follow_all_taus() {
-    if (poll_) poll_();
+    budget_->poll();
     begin_ = seen_ = locals_;
     std::size_t length = 0;  // length of the cycle, if there is one
     std::size_t next_look = 1;

@@ -26,7 +26,7 @@ public:
     }
     [[nodiscard]] const process::EventTable& events() const override { return whole_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return whole_->describe(state); }
-    void set_poll(const std::function<void()>& poll) override;
+    void set_budget(diagnostics::Pollable& budget) override;
     [[nodiscard]] std::uint64_t chased_state_count() const override { return chased_; }
     [[nodiscard]] std::vector<std::vector<lts::Word>> tau_path(lts::StateView state) override;
     /// Adds the costs and results of the proofs in the states found so far (Confluence).
@@ -53,7 +53,7 @@ private:
     std::vector<lts::Word> target_;
     lts::SuccessorSink* sink_ = nullptr;
     std::uint64_t chased_ = 0;
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
 };
 
 }  // namespace robochart::machine

@@ -31,8 +31,8 @@ class Builder {
 public:
     /// `through_prefixes`: whether to look for parallel operators after prefixes.
     Builder(process::TermStore& terms, const std::set<TermId>& leaves, const std::set<TermId>& left_out,
-            bool through_prefixes, const std::function<void()>& poll)
-        : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), poll_(poll) {}
+            bool through_prefixes, diagnostics::Pollable& budget)
+        : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), budget_(budget) {}
 
     Skeleton build(TermId term) {
         add_node(term, 0, {}, 0);
@@ -62,7 +62,7 @@ private:
     const std::set<TermId>& leaves_;
     const std::set<TermId>& left_out_;
     bool through_prefixes_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
     std::size_t prefixes_taken_ = 0;
     std::size_t chain_ = 0;  // number of prefixes around the current node
     Skeleton result_;
@@ -78,7 +78,7 @@ TermId Builder::unfold_term(TermId term) {
 
 bool Builder::is_composite(TermId id, int depth, int prefixes) {
     if (depth > deepest_look) return false;
-    if (poll_) poll_();
+    budget_.poll();
     id = unfold_term(id);
     if (leaves_.contains(id)) return false;
     const auto [known, fresh] = composite_.emplace(std::pair(id, prefixes), false);
@@ -151,7 +151,7 @@ void Builder::add_leaf(NodeId id) {
 }
 
 NodeId Builder::add_node(TermId term, NodeId region, const Tail& tail, int depth) {
-    if (poll_) poll_();
+    budget_.poll();
     term = unfold_term(term);
     const auto same =
         std::ranges::find_if(tail.at_once, [&](NodeId around) { return result_.nodes[around].term == term; });
@@ -235,9 +235,9 @@ void Builder::add_operands(NodeId id, const Tail& tail, int depth) {
 }  // namespace
 
 std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term, const std::set<TermId>& leaves,
-                                    const std::set<TermId>& left_out, const std::function<void()>& poll) {
+                                    const std::set<TermId>& left_out, diagnostics::Pollable& budget) {
     for (const bool through_prefixes : {true, false}) {
-        Builder builder(terms, leaves, left_out, through_prefixes, poll);
+        Builder builder(terms, leaves, left_out, through_prefixes, budget);
         if (!builder.is_composite(term)) return std::nullopt;
         try {
             return builder.build(term);

@@ -4,11 +4,11 @@
 // a state of the whole process is a vector of fixed length with one state for each component.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/process/operational_semantics.hpp"
 
 namespace robochart::machine {
@@ -45,7 +45,7 @@ struct Skeleton {
 
 /// Splits a term at its operators, down to the terms in `leaves` and terms without operators that stay in place.
 /// Compressed terms in `left_out` are replaced by their operands. No value if there is no parallel operator to split.
-/// May evaluate definitions and throw their exceptions. `poll` may throw to stop.
+/// May evaluate definitions and throw their exceptions. Polls the budget.
 ///
 /// Events before a parallel operator are followed, because a process may perform events before it starts its
 /// components, or switch between modes. If this never returns to an earlier term, as in COUNT(n) = up -> COUNT(n + 1)
@@ -53,6 +53,6 @@ struct Skeleton {
 /// component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,
-                                                  const std::function<void()>& poll);
+                                                  diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/field.hpp"
 #include "checker/machine/component.hpp"
 #include "checker/machine/not_compiled.hpp"
@@ -93,11 +93,11 @@ struct Supercombinator {
 };
 
 /// Returns the rules of a skeleton whose components have been built. Throws NotCompiled if there are more than
-/// `most_rules` rules, or if computing them takes more work than so many rules should take. `poll` may throw to stop.
+/// `most_rules` rules, or if computing them takes more work than so many rules should take. Polls the budget.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
                                       std::vector<ComponentPtr> components, std::size_t most_rules,
-                                      const std::function<void()>& poll);
+                                      diagnostics::Pollable& budget);
 /// Adds derived data that a system needs: the edges of the first participants of rules.
-void list_leading(Supercombinator& combined, const std::function<void()>& poll);
+void list_leading(Supercombinator& combined, diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

@@ -145,7 +145,7 @@ private:
     /// Implements priority as in process/composition_rules.cpp: an event of a higher level prevents the event.
     void perform_rule(const Rule& rule, Event revealed_by_participant) {
         constexpr std::uint32_t between_polls = 64;
-        if (++system_.performed_ % between_polls == 0 && system_.poll_) system_.poll_();
+        if (++system_.performed_ % between_polls == 0) system_.budget_->poll();
         if (probing_) {
             assert(rule.level <= best_);  // see is_relevant
             best_ = std::min(best_, rule.level);
@@ -227,7 +227,7 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
     // If the same system is both sides of a refinement, the sink asks for successors while it receives some.
     if (busy_) {
         SupercombinatorSystem another(combined_, terms_);
-        another.poll_ = poll_;
+        another.budget_ = budget_;
         return another.successors(state, sink);
     }
     busy_ = true;

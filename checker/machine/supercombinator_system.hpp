@@ -22,12 +22,11 @@ public:
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override {
         return std::make_unique<SupercombinatorSystem>(combined_, terms_);
     }
-    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(
-        const std::function<void()>& poll) const override;
-    [[nodiscard]] std::vector<lts::ReplicaSet> replicas(const std::function<void()>& poll) const override;
+    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(diagnostics::Pollable& budget) const override;
+    [[nodiscard]] std::vector<lts::ReplicaSet> replicas(diagnostics::Pollable& budget) const override;
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
-    void set_poll(const std::function<void()>& poll) override { poll_ = poll; }
+    void set_budget(diagnostics::Pollable& budget) override { budget_ = &budget; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
     /// The number of transitions of components that were examined for successors so far.
     [[nodiscard]] std::uint64_t examined_step_count() const { return work_; }
@@ -69,7 +68,7 @@ private:
     std::vector<lts::Word> target_;
     bool busy_ = false;
     mutable std::optional<std::vector<lts::ReplicaSet>> replicas_;  // computed on first use
-    std::function<void()> poll_;                                    // called if one state has many successors
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;       // polled if one state has many successors
     std::uint32_t performed_ = 0;
     std::uint64_t work_ = 0;
 };

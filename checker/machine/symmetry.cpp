@@ -20,12 +20,27 @@ constexpr std::size_t most_exchanges = 500;  // number of verifications
 /// proposals are tried.
 constexpr std::size_t most_in_vain = 200'000;
 
+/// Counts how often another budget is polled.
+class PollCounter final : public diagnostics::Pollable {
+public:
+    explicit PollCounter(diagnostics::Pollable& budget) : budget_(budget) {}
+    void poll() override {
+        ++polls_;
+        budget_.poll();
+    }
+    [[nodiscard]] std::size_t polls() const { return polls_; }
+
+private:
+    diagnostics::Pollable& budget_;
+    std::size_t polls_ = 0;
+};
+
 class Finder {
 public:
-    Finder(const Supercombinator& combined, const lts::EventTable& names, const std::function<void()>& poll)
+    Finder(const Supercombinator& combined, const lts::EventTable& names, diagnostics::Pollable& budget)
         : combined_(combined),
           names_(names),
-          poll_(poll),
+          budget_(budget),
           shapes_(combined.components.size()),
           taken_(combined.components.size(), false) {}
 
@@ -74,7 +89,7 @@ private:
     const ComponentShape& shape(std::uint32_t slot) {
         if (roles_.empty()) find_roles();
         if (shapes_[slot].number.empty())
-            shapes_[slot] = shape_of(*combined_.components[slot], roles_[slot], names_, poll_);
+            shapes_[slot] = shape_of(*combined_.components[slot], roles_[slot], names_, budget_);
         return shapes_[slot];
     }
 
@@ -132,12 +147,9 @@ private:
     std::optional<lts::EventPermutation> try_exchange(SlotRange first, SlotRange second) {
         if (exchanges_ == most_exchanges || in_vain_ > most_in_vain || second.first < first.end) return std::nullopt;
         ++exchanges_;
-        std::size_t looked = 0;
-        auto exchange = Exchange(combined_, shapes_, first, second).find_exchanged_events([&] {
-            ++looked;
-            if (poll_) poll_();
-        });
-        if (!exchange) in_vain_ += looked;
+        PollCounter looked(budget_);
+        auto exchange = Exchange(combined_, shapes_, first, second).find_exchanged_events(looked);
+        if (!exchange) in_vain_ += looked.polls();
         return exchange;
     }
 
@@ -154,7 +166,7 @@ private:
 
     const Supercombinator& combined_;
     const lts::EventTable& names_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
     std::vector<std::vector<std::uint64_t>> roles_;  // by slot and index in the alphabet
     std::vector<ComponentShape> shapes_;             // by slot, computed on first use
     std::vector<bool> taken_;                        // for each slot: whether it belongs to a replica
@@ -166,12 +178,12 @@ private:
 }  // namespace
 
 std::vector<lts::ReplicaSet> replica_sets(const Supercombinator& combined, const lts::EventTable& names,
-                                          const std::function<void()>& poll) {
-    return Finder(combined, names, poll).run();
+                                          diagnostics::Pollable& budget) {
+    return Finder(combined, names, budget).run();
 }
 
-std::vector<lts::ReplicaSet> SupercombinatorSystem::replicas(const std::function<void()>& poll) const {
-    if (!replicas_) replicas_ = replica_sets(*combined_, terms_.events(), poll);
+std::vector<lts::ReplicaSet> SupercombinatorSystem::replicas(diagnostics::Pollable& budget) const {
+    if (!replicas_) replicas_ = replica_sets(*combined_, terms_.events(), budget);
     return *replicas_;
 }
 

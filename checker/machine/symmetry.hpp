@@ -3,16 +3,15 @@
 // each proposal is verified on all rules (docs/search.md, "Symmetry").
 #pragma once
 
-#include <functional>
-
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/symmetry.hpp"
 #include "checker/machine/supercombinator.hpp"
 
 namespace robochart::machine {
 
 /// Returns the sets of replicas that were found, large replicas first. Empty if components or rules are too large to be
-/// examined. `poll` may throw to stop.
+/// examined. Polls the budget.
 [[nodiscard]] std::vector<lts::ReplicaSet> replica_sets(const Supercombinator& combined, const lts::EventTable& names,
-                                                        const std::function<void()>& poll);
+                                                        diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

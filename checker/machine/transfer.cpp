@@ -273,7 +273,7 @@ Supercombinator read_supercombinator(ByteReader& in, TermId meaning) {
         range.first = in.read_below(slots + 1);
         range.end = in.read_below(slots + 1);
     }
-    list_leading(process, {});
+    list_leading(process, diagnostics::unlimited);
     return process;
 }
 
@@ -305,7 +305,7 @@ std::unique_ptr<lts::TransitionSystem> read_system(ByteReader& in, process::Term
     const bool smaller = in.read_below(2) == 1;
     const auto process = std::make_shared<const Supercombinator>(read_supercombinator(in, TermId{0}));
     std::unique_ptr<lts::TransitionSystem> system = std::make_unique<SupercombinatorSystem>(process, terms);
-    if (smaller) system = system->make_reduced_system({});
+    if (smaller) system = system->make_reduced_system(diagnostics::unlimited);
     if (!system) throw BadBytes("a process has no reduced form");
     if (in.read_below(2) == 0) return system;
     return std::make_unique<lts::SymmetricSystem>(std::move(system), read_symmetry(in, *process));

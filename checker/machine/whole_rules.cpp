@@ -17,8 +17,8 @@ struct TooMany {};
 
 class Flattening {
 public:
-    Flattening(const Supercombinator& combined, const std::function<void()>& poll)
-        : combined_(combined), poll_(poll), inside_(combined.regions.size()), slots_(combined.regions.size()) {}
+    Flattening(const Supercombinator& combined, diagnostics::Pollable& budget)
+        : combined_(combined), budget_(budget), inside_(combined.regions.size()), slots_(combined.regions.size()) {}
 
     WholeRules run() {
         const auto whole = static_cast<std::uint32_t>(combined_.regions.size() - 1);
@@ -94,7 +94,7 @@ private:
     }
 
     void charge(std::size_t parts) {
-        if (poll_) poll_();
+        budget_.poll();
         parts_ += parts;
         if (parts_ > most_parts) throw TooMany();
     }
@@ -148,7 +148,7 @@ private:
     }
 
     const Supercombinator& combined_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
     std::size_t parts_ = 0;
     std::vector<std::vector<Changes>> inside_;       // by region: its rules
     std::vector<std::vector<std::uint32_t>> slots_;  // by region: the slots below it
@@ -162,9 +162,9 @@ const Part* WholeRule::find_part(std::uint32_t slot) const {
     return found != parts.end() && found->slot == slot ? &*found : nullptr;
 }
 
-std::optional<WholeRules> whole_rules(const Supercombinator& combined, const std::function<void()>& poll) {
+std::optional<WholeRules> whole_rules(const Supercombinator& combined, diagnostics::Pollable& budget) {
     try {
-        return Flattening(combined, poll).run();
+        return Flattening(combined, budget).run();
     } catch (const TooMany&) {
         return std::nullopt;
     }

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/machine/supercombinator.hpp"
 
 namespace robochart::machine {
@@ -48,7 +48,7 @@ struct WholeRules {
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 
-/// The rules of the whole process. No value if there are too many rules to be useful. `poll` may throw to stop.
-[[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, const std::function<void()>& poll);
+/// The rules of the whole process. No value if there are too many rules to be useful. Polls the budget.
+[[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

@@ -27,8 +27,8 @@ lts::Graph graph_of(const Machine& machine) {
 
 }  // namespace
 
-Machine BisimulationCompressor::compress(const Machine& explored, Compression kind, const std::function<void()>& poll) {
-    const lts::Quotient quotient = lts::minimise(graph_of(explored), equivalence_of(kind), poll);
+Machine BisimulationCompressor::compress(const Machine& explored, Compression kind, diagnostics::Pollable& budget) {
+    const lts::Quotient quotient = lts::minimise(graph_of(explored), equivalence_of(kind), budget);
     Machine result;
     for (lts::StateIndex state = 0; state < quotient.graph.size(); ++state) {
         result.meaning.push_back(explored.meaning[quotient.representative[state]]);

@@ -15,7 +15,7 @@ namespace robochart::process {
 /// than the result of FDR for these names, so it preserves every model that they preserve; the result may be larger.
 class BisimulationCompressor final : public Compressor {
 public:
-    Machine compress(const Machine& explored, Compression kind, const std::function<void()>& poll) override;
+    Machine compress(const Machine& explored, Compression kind, diagnostics::Pollable& budget) override;
 };
 
 }  // namespace robochart::process

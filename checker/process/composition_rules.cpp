@@ -71,7 +71,7 @@ void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& 
     }
     std::vector<std::size_t> choice(participants.size(), 0);
     for (bool more = true; more;) {
-        if (poll_) poll_();
+        budget_->poll();
         scratch_ = term;
         for (std::size_t i = 0; i < participants.size(); ++i)
             scratch_.children[participants[i]] = steps[i][choice[i]].target;

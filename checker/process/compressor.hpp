@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/process/term.hpp"
 
 namespace robochart::process {
@@ -35,13 +35,13 @@ public:
     virtual ~Compressor() = default;
     /// Explores the operand with a faster engine than its terms. The result may be a machine with fewer states if the
     /// compression gives the same result for it. No value if there is no such engine for the operand. Throws
-    /// TooManyStates. `poll` may throw to stop.
+    /// TooManyStates. Polls the budget.
     virtual std::optional<Machine> explore(TermId /*operand*/, Compression /*kind*/,
-                                           const std::function<void()>& /*poll*/) {
+                                           diagnostics::Pollable& /*budget*/) {
         return std::nullopt;
     }
-    /// A machine that is equal to `explored` in every model that the compression preserves. `poll` may throw to stop.
-    virtual Machine compress(const Machine& explored, Compression kind, const std::function<void()>& poll) = 0;
+    /// A machine that is equal to `explored` in every model that the compression preserves. Polls the budget.
+    virtual Machine compress(const Machine& explored, Compression kind, diagnostics::Pollable& budget) = 0;
 };
 
 }  // namespace robochart::process

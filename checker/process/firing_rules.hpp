@@ -2,7 +2,6 @@
 // The firing rules of every operator, each with its published statement. Private to checker/process.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,13 +30,13 @@ public:
     std::optional<TermId> missing_operand(TermId);
     /// Returns the transitions, sorted by event and without duplicates.
     std::vector<Transition> transitions(TermId);
-    /// `poll` is called regularly if a term has many transitions; it may throw to stop. Empty: none.
-    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
+    /// Computing the transitions of a term polls the budget, which must outlive it.
+    void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
 
 private:
     using List = std::vector<Transition>;
 
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
 
     void fire(const Term&, List&);
     void copy_transitions(TermId, List&) const;

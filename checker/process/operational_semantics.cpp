@@ -30,7 +30,7 @@ struct OperationalSemantics::Impl final : KnownTransitions {
     TermStore& terms;
     FiringRules rules;
     Compressor* compressor;
-    std::function<void()> poll;
+    diagnostics::Pollable* budget = &diagnostics::unlimited;
     std::uint32_t machine_states = 0;
     std::size_t states_explored = 0;
     int compressions_under_way = 0;
@@ -92,7 +92,7 @@ void OperationalSemantics::Impl::set(TermId term, std::vector<Transition> result
 
 void OperationalSemantics::Impl::compute_on(std::vector<TermId>& stack) {
     while (!stack.empty()) {
-        if (poll) poll();
+        budget->poll();
         const TermId top = stack.back();
         const std::optional<TermId> missing = is_compression(top) ? std::nullopt : rules.missing_operand(top);
         if (missing) {
@@ -128,7 +128,7 @@ Machine OperationalSemantics::Impl::explore_operand(TermId operand) {
     number(operand);
     for (std::size_t state = 0; state < machine.meaning.size(); ++state) {
         states_explored = machine.meaning.size();
-        if (poll) poll();
+        budget->poll();
         const TermId term = machine.meaning[state];
         if (!is_known(term)) compute(term);
         std::vector<Machine::Edge>& edges = machine.edges.emplace_back();
@@ -148,8 +148,8 @@ std::optional<Machine> OperationalSemantics::Impl::compress_operand(TermId term)
     try {
         const TermId operand = terms[term].children.front();
         const Compression kind{terms[term].payload};
-        const std::optional<Machine> fast = compressor->explore(operand, kind, poll);
-        result = compressor->compress(fast ? *fast : explore_operand(operand), kind, poll);
+        const std::optional<Machine> fast = compressor->explore(operand, kind, *budget);
+        result = compressor->compress(fast ? *fast : explore_operand(operand), kind, *budget);
     } catch (const TooManyStates&) {
     } catch (...) {
         --compressions_under_way;
@@ -183,7 +183,7 @@ std::vector<Transition> OperationalSemantics::Impl::compressed_transitions(TermI
     }
     const auto transitions_of = [&](std::size_t state) {
         std::vector<Transition> result;
-        if (poll) poll();
+        budget->poll();
         for (const Machine::Edge& edge : machine.edges[state])
             result.push_back({edge.event, edge.event, states[edge.target]});
         return result;
@@ -213,9 +213,9 @@ std::size_t OperationalSemantics::states_explored() const {
     return impl_->states_explored;
 }
 
-void OperationalSemantics::set_poll(std::function<void()> poll) {
-    impl_->rules.set_poll(poll);
-    impl_->poll = std::move(poll);
+void OperationalSemantics::set_budget(diagnostics::Pollable& budget) {
+    impl_->rules.set_budget(budget);
+    impl_->budget = &budget;
 }
 
 }  // namespace robochart::process

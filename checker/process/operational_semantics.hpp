@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -35,7 +34,7 @@ public:
     std::optional<TermId> term;  ///< the erroneous term, if it is known
 };
 
-/// Thrown by a poll to stop long work.
+/// Thrown by a budget to stop long work.
 using Interrupted = diagnostics::LimitReached;
 
 /// Computes and stores the transitions of the terms of one store.
@@ -56,8 +55,8 @@ public:
     [[nodiscard]] TermStore& terms() const;
     /// The terms whose compression was omitted so far, because their operands have too many states.
     [[nodiscard]] const std::set<TermId>& left_out() const;
-    /// `poll` is called regularly while a compressed operand is explored; it may throw to stop. Empty: none.
-    void set_poll(std::function<void()> poll);
+    /// Computing transitions polls the budget, which must outlive it.
+    void set_budget(diagnostics::Pollable& budget);
     /// The number of known states of the compressed operand that is being explored; 0 if there is none.
     [[nodiscard]] std::size_t states_explored() const;
 

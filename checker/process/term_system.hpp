@@ -16,7 +16,7 @@ public:
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const EventTable& events() const override;
-    void set_poll(const std::function<void()>& poll) override { semantics_.set_poll(poll); }
+    void set_budget(diagnostics::Pollable& budget) override { semantics_.set_budget(budget); }
     [[nodiscard]] bool states_are_terms() const override { return true; }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
 

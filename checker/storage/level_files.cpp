@@ -26,8 +26,8 @@ bool is_there(const std::string& path) {
 }
 
 RowFile open_saved(const std::string& path, const RowKind& kind, const SavedFile& saved,
-                   const std::function<void()>& poll) {
-    RowFile file = RowFile::open(path, kind, poll);
+                   diagnostics::Pollable& budget) {
+    RowFile file = RowFile::open(path, kind, budget);
     if (file.check() != saved.check || saved.blocks > file.blocks().size())
         throw BadFile(fmt::format("{}: it is not the file that the checkpoint was written with",
                                   diagnostics::escape_for_display(file.path())));
@@ -36,13 +36,14 @@ RowFile open_saved(const std::string& path, const RowKind& kind, const SavedFile
 
 }  // namespace
 
-void LevelFiles::adopt(const Checkpoint& checkpoint, const std::function<void()>& poll) {
+void LevelFiles::adopt(const Checkpoint& checkpoint, diagnostics::Pollable& budget) {
     levels_.resize(checkpoint.levels);
     std::uint32_t level = 0;
     for (const SavedFile& saved : checkpoint.files) {
         const auto number = static_cast<std::uint32_t>(files_.size());
-        files_.push_back({std::make_unique<RowFile>(open_saved(path_in(where_, saved.name), where_.kind, saved, poll)),
-                          saved.name, saved.blocks, true});
+        files_.push_back(
+            {std::make_unique<RowFile>(open_saved(path_in(where_, saved.name), where_.kind, saved, budget)), saved.name,
+             saved.blocks, true});
         (void)to_read(number);
         const auto& blocks = files_.back().file->blocks();
         for (std::uint32_t i = 0; i < saved.blocks; ++i) {
@@ -263,11 +264,11 @@ void LevelFiles::checkpoint(const Beside& beside) {
     remove_old(where_.folder, where_.kind, where_.place);
 }
 
-void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, bool levels,
-                             const std::function<void()>& poll, const TakeRows& visit) {
+void LevelFiles::read_beside(const FolderOf& where, const SavedFile& saved, bool levels, diagnostics::Pollable& budget,
+                             const TakeRows& visit) {
     if (saved.name.empty()) return;
     const RowFile file =
-        open_saved(path_in(where, saved.name), levels ? with_level(where.kind) : where.kind, saved, poll);
+        open_saved(path_in(where, saved.name), levels ? with_level(where.kind) : where.kind, saved, budget);
     std::vector<Word> rows;
     for (std::size_t block = 0; block < saved.blocks; ++block) {
         rows.clear();

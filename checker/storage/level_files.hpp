@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/storage/checkpoint.hpp"
 #include "checker/storage/row_file.hpp"
 
@@ -26,8 +27,8 @@ public:
     explicit LevelFiles(FolderOf where) : where_(std::move(where)) {}
 
     /// Takes over the levels of a checkpoint of this rank; reads and checks all its files. The caller must limit the
-    /// number of levels. Throws BadFile.
-    void adopt(const Checkpoint& checkpoint, const std::function<void()>& poll);
+    /// number of levels. Polls the budget for each block. Throws BadFile.
+    void adopt(const Checkpoint& checkpoint, diagnostics::Pollable& budget);
 
     [[nodiscard]] std::uint32_t levels() const { return static_cast<std::uint32_t>(levels_.size()); }
     [[nodiscard]] std::uint64_t rows(std::uint32_t level) const { return levels_[level].rows; }
@@ -74,9 +75,9 @@ public:
     void number_from(std::uint64_t number) { number_ = number; }
 
     /// Reads the rows of a checkpoint's file in addition to the levels; `levels`: each row is followed by its level.
-    /// Throws BadFile.
-    static void read_beside(const FolderOf& where, const SavedFile& file, bool levels,
-                            const std::function<void()>& poll, const TakeRows& visit);
+    /// Polls the budget for each block. Throws BadFile.
+    static void read_beside(const FolderOf& where, const SavedFile& file, bool levels, diagnostics::Pollable& budget,
+                            const TakeRows& visit);
     /// Memory use.
     [[nodiscard]] std::uint64_t bytes() const;
 

@@ -10,7 +10,6 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
-#include <functional>
 
 #include "base/diagnostics/escape.hpp"
 
@@ -261,13 +260,13 @@ Check RowFile::read_checked(std::size_t block, std::vector<Word>& rows) const {
     return check;
 }
 
-RowFile RowFile::open(const std::string& path, const RowKind& kind, const std::function<void()>& poll) {
+RowFile RowFile::open(const std::string& path, const RowKind& kind, diagnostics::Pollable& budget) {
     RowFile opened(path, kind);
     opened.open_to_read();
     struct stat found {};
     if (fstat(opened.file_.get(), &found) != 0 || !S_ISREG(found.st_mode)) opened.throw_bad_file(0, "this is no file");
     opened.read_head();
-    opened.read_blocks(poll);
+    opened.read_blocks(budget);
     return opened;
 }
 
@@ -285,13 +284,13 @@ void RowFile::read_head() {
     size_ = head_size;
 }
 
-void RowFile::read_blocks(const std::function<void()>& poll) {
+void RowFile::read_blocks(diagnostics::Pollable& budget) {
     std::string head;
     std::vector<Word> rows;
     std::vector<Word> last;  // last row of the previous block
     std::uint32_t level = 0;
     for (;;) {
-        if (poll) poll();
+        budget.poll();
         read_bytes(size_, block_head, head);
         const Block block{static_cast<std::uint32_t>(read_number(head, 0, 4)),
                           static_cast<std::uint32_t>(read_number(head, 4, 4)),

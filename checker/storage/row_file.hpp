@@ -21,6 +21,7 @@
 
 #include "base/cache/digest.hpp"
 #include "base/diagnostics/descriptor.hpp"
+#include "base/diagnostics/pollable.hpp"
 #include "checker/storage/row_codec.hpp"
 #include "checker/storage/storage_error.hpp"
 
@@ -51,8 +52,8 @@ public:
 
     /// Creates a new file, which must not exist. Throws CannotWrite.
     static RowFile create(const std::string& path, const RowKind& kind);
-    /// Opens an existing file; reads and checks all of it. `poll` is called regularly and may throw. Throws BadFile.
-    static RowFile open(const std::string& path, const RowKind& kind, const std::function<void()>& poll);
+    /// Opens an existing file; reads and checks all of it. Polls the budget for each block. Throws BadFile.
+    static RowFile open(const std::string& path, const RowKind& kind, diagnostics::Pollable& budget);
 
     /// Appends rows of one level, ascending, without duplicates, after those of this level in the file. Throws
     /// CannotWrite; after any exception the file is unchanged.
@@ -102,7 +103,7 @@ private:
     Check read_checked(std::size_t block, std::vector<Word>& rows) const;
     void read_bytes(std::uint64_t offset, std::size_t count, std::string& bytes) const;
     void read_head();
-    void read_blocks(const std::function<void()>& poll);
+    void read_blocks(diagnostics::Pollable& budget);
 
     std::string path_;
     RowKind kind_;

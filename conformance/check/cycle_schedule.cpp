@@ -45,10 +45,10 @@ public:
           cycle_length_(std::max(1U, cycle_length)),
           limits_(limits),
           budget_(limits) {
-        model_.watch([this] { budget_.charge(); });
+        model_.set_budget(budget_);
         (void)intern({});
     }
-    ~Schedule() { model_.watch({}); }
+    ~Schedule() { model_.set_budget(diagnostics::unlimited); }
     Schedule(const Schedule&) = delete;
     Schedule& operator=(const Schedule&) = delete;
 

@@ -118,7 +118,7 @@ std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, c
                                                 const refine::Counterexample& found, const Alphabet& alphabet,
                                                 const refine::Limits& limits) {
     refine::Budget budget(limits);
-    normal_form.set_poll([&budget] { budget.charge(); });
+    normal_form.set_budget(budget);
     std::optional<refine::Violation> result;
     try {
         const refine::Violation violation{found.kind, run_of_frame(frame, found.steps, alphabet),
@@ -130,7 +130,7 @@ std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, c
     } catch (const std::logic_error&) {
         // If the run is not found in this form, it is not displayed; the verdict does not depend on that.
     }
-    normal_form.set_poll({});
+    normal_form.set_budget(diagnostics::unlimited);
     return result;
 }
 

@@ -41,9 +41,9 @@ public:
           budget_(limits),
           cycle_length_(std::max(1U, cycle_length)),
           inputs_(alphabet.interface().inputs.size()) {
-        code_.set_poll([this] { budget_.charge(); });
+        code_.set_budget(budget_);
     }
-    ~PartialSearch() { code_.set_poll({}); }
+    ~PartialSearch() { code_.set_budget(diagnostics::unlimited); }
     PartialSearch(const PartialSearch&) = delete;
     PartialSearch& operator=(const PartialSearch&) = delete;
 

@@ -28,12 +28,12 @@ public:
     OnDemandSearch(ModelGraph& model, const Alphabet& alphabet, CycleGraph& code, std::uint32_t cycle_length,
                    const refine::Limits& limits)
         : alphabet_(alphabet), code_(code), graph_(model), model_(model, alphabet, cycle_length), budget_(limits) {
-        code_.watch([this] { budget_.charge(); });
-        graph_.watch([this] { budget_.charge(); });
+        code_.set_budget(budget_);
+        graph_.set_budget(budget_);
     }
     ~OnDemandSearch() {
-        code_.watch({});
-        graph_.watch({});
+        code_.set_budget(diagnostics::unlimited);
+        graph_.set_budget(diagnostics::unlimited);
     }
     OnDemandSearch(const OnDemandSearch&) = delete;
     OnDemandSearch& operator=(const OnDemandSearch&) = delete;

@@ -189,7 +189,7 @@ std::uint32_t CodeSystem::run_all_choices(const Bytes& from, const std::vector<r
 /// Calls `step` twice on copies of the state. This reveals a controller with memory outside its state.
 std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_register>& registers, CycleLog& log) {
     ++cycles_;
-    if (poll_) poll_();
+    budget_->poll();
     Bytes once = from;
     Bytes twice = from;
     const Patience patience = endless_ ? Patience::short_ : Patience::seconds;

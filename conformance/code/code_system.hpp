@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -35,7 +34,7 @@ public:
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
-    void set_poll(const std::function<void()>& poll) override { poll_ = poll; }
+    void set_budget(diagnostics::Pollable& budget) override { budget_ = &budget; }
 
     /// For reporting runs: the reset image, one step (`readings` has one entry for each register), an image as text. If
     /// a step has several branches, the one that begins with these writes is taken.
@@ -106,7 +105,8 @@ private:
     std::deque<CycleResult> results_;  ///< a deque, so that references stay valid
     std::uint64_t cycles_ = 0;
     std::uint32_t most_writes_ = 0;
-    std::function<void()> poll_;  ///< called while the inputs of one state are tried, which may take long
+    /// Polled while the inputs of one state are tried, which may take long.
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     std::string unsound_;
     bool endless_ = false;
     mutable std::vector<std::unordered_map<std::uint32_t, std::vector<bool>>> without_effect_;  ///< by register

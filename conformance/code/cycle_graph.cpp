@@ -93,7 +93,7 @@ void CycleGraph::begin_run(std::uint32_t root) {
 
 void CycleGraph::run(std::uint32_t image, std::uint32_t root) {
     ++cycles_;
-    if (poll_) poll_();
+    budget_->poll();
     begin_run(root);
     const Bytes from = images_.bytes(image);
     Bytes after = from;

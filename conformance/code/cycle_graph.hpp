@@ -5,12 +5,12 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "conformance/code/code_images.hpp"
 #include "conformance/code/cycle_log.hpp"
 #include "conformance/code/explored_code.hpp"
@@ -75,8 +75,8 @@ public:
     [[nodiscard]] bool has_alias() const { return images_.alias_found(); }
     /// The number of cycles that were run, each for all readings of the registers that it does not read.
     [[nodiscard]] std::uint64_t cycle_count() const { return cycles_; }
-    /// Called for every cycle; may throw.
-    void watch(std::function<void()> poll) { poll_ = std::move(poll); }
+    /// Sets the budget that is polled for every cycle; it must outlive its use.
+    void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
 
 private:
     using Bytes = CodeImages::Bytes;
@@ -131,7 +131,7 @@ private:
     bool endless_ = false;          ///< some call did not return
     std::string unsound_;
     std::string refused_;  ///< why the code cannot be explored in this way
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     mutable std::deque<CycleResult> shown_;  ///< results that path_to_image has shown; references stay valid
 
     // The run in progress.

@@ -66,7 +66,7 @@ const ModelRole& ModelGraph::event_role(process::Event event) {
 }
 
 void ModelGraph::expand_state(ModelState state) {
-    if (poll_) poll_();
+    budget_->poll();
     Collect sink;
     // A copy, because `words_` may grow while the model calls its own sink.
     const std::vector<lts::Word> packed(packed_state(state).begin(), packed_state(state).end());

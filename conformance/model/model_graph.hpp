@@ -5,12 +5,12 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "conformance/code/interface.hpp"
 
@@ -41,8 +41,8 @@ public:
     [[nodiscard]] std::string describe(ModelState) const;
     /// The state as M packs it; valid until another state is added.
     [[nodiscard]] lts::StateView packed_state(ModelState) const;
-    /// Sets a function that is called for every expanded state and may throw. Empty: none.
-    void watch(const std::function<void()>& poll) { poll_ = poll; }
+    /// Sets the budget that is polled for every expanded state; it must outlive its use.
+    void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     [[nodiscard]] std::size_t size() const { return edges_.size(); }
 
 private:
@@ -56,7 +56,7 @@ private:
     void close_component(std::vector<ModelState>& open, ModelState first);
     [[nodiscard]] const ModelRole& event_role(process::Event);
 
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     lts::TransitionSystem* model_;
     const Alphabet* alphabet_;
     std::size_t width_;

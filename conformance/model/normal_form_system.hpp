@@ -64,7 +64,7 @@ public:
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
-    void set_poll(const std::function<void()>& poll) override { model_->watch(poll); }
+    void set_budget(diagnostics::Pollable& budget) override { model_->set_budget(budget); }
     /// Whether a cycle may begin in the state: nothing has been read or written yet.
     [[nodiscard]] bool begins_cycle(lts::StateView state) const;
     /// The reason why the state has no transitions; `none` if it has some.

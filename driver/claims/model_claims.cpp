@@ -116,11 +116,18 @@ void decide_one(const Context& context, const csp_emit::Obligation& obligation, 
     }
 }
 
-/// Throws LimitReached if the run or the claim's turn is over.
-void poll_turn(const SearchContext& search) {
-    search.services.budget().poll();
-    if (search.turn.is_over()) throw diagnostics::LimitReached("the time limit was reached");
-}
+/// The budget of the run, which also ends with the claim's turn.
+class TurnBudget final : public diagnostics::Pollable {
+public:
+    explicit TurnBudget(const SearchContext& search) : search_(search) {}
+    void poll() override {
+        search_.services.budget().poll();
+        if (search_.turn.is_over()) throw diagnostics::LimitReached("the time limit was reached");
+    }
+
+private:
+    const SearchContext& search_;
+};
 
 /// The number of states is limited, because the evaluation of a term takes much longer than a step of a compiled
 /// machine.
@@ -181,9 +188,10 @@ void answer_firing(const Project& project, const csp_emit::FiringQuestion& quest
 void decide_firing(const Context& context, const csp_emit::FiringQuestion& question, AssertionReport& report) {
     const runs::Context read_with = reading_context(context);
     runs::StepReader reader(read_with);
+    TurnBudget budget(context.search);
     try {
-        const auto found = runs::find_exercised(reader, context.session.process(question.process),
-                                                most_states_for_firing, [&] { poll_turn(context.search); });
+        const auto found =
+            runs::find_exercised(reader, context.session.process(question.process), most_states_for_firing, budget);
         report.statistics.states = found.states;
         report.searched = true;
         answer_firing(context.project, question, found, report);

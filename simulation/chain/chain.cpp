@@ -153,9 +153,8 @@ std::optional<OrderFinding> order_finding(const std::vector<ChainAsked>& questio
     if (questions.empty()) return std::nullopt;
     double confidence = 0;
     for (const ChainAsked& question : questions) confidence = std::max(confidence, question.confidence);
-    const auto found = statistics::order_contradiction(sequences, permitted, 1 - confidence, [budget] {
-        if (budget != nullptr) budget->poll();
-    });
+    const auto found =
+        statistics::order_contradiction(sequences, permitted, 1 - confidence, diagnostics::or_unlimited(budget));
     if (!found) return std::nullopt;
     return OrderFinding{confidence, *found};
 }

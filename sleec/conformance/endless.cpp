@@ -74,8 +74,8 @@ private:
 }  // namespace
 
 std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event event,
-                                      const std::function<void(std::size_t states)>& poll) {
-    const lts::Exploration explored = lts::explore(system, poll);
+                                      const std::function<void(std::size_t states)>& on_state) {
+    const lts::Exploration explored = lts::explore(system, on_state);
     const Graph& graph = explored.graph;
     const std::vector<std::uint32_t> component = components_of(graph);
     const auto revealed = [&](const std::vector<std::pair<StateIndex, Edge>>& edges) {

@@ -22,9 +22,8 @@ struct EndlessRun {
 };
 
 /// A run in which the event occurs infinitely often; no value if there is none. There is one iff a strongly connected
-/// component of the reachable states contains an edge with the event. `poll` is called once per state with the number
-/// of states, and may throw.
+/// component of the reachable states contains an edge with the event. `on_state`: see lts::explore.
 [[nodiscard]] std::optional<EndlessRun> endless_run(lts::TransitionSystem& system, lts::Event event,
-                                                    const std::function<void(std::size_t states)>& poll);
+                                                    const std::function<void(std::size_t states)>& on_state);
 
 }  // namespace robochart::sleec

@@ -19,6 +19,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/cspm/eval/builtin_functions.hpp"
 #include "checker/cspm/eval/by_need.hpp"
 #include "checker/cspm/eval/code.hpp"
@@ -45,10 +46,10 @@ public:
     Evaluator& operator=(const Evaluator&) = delete;
 
     // Entry points; they must only be called from outside.
-    /// `poll` is called regularly during evaluation; it may throw to stop it. Empty: none.
-    void set_poll(std::function<void()> poll) {
-        store_.set_poll(poll);
-        work_.set_poll(std::move(poll));
+    /// Evaluations poll the budget, which must outlive them.
+    void set_budget(diagnostics::Pollable& budget) {
+        store_.set_budget(budget);
+        work_.set_budget(budget);
     }
     /// Sets the observer of calls of some functions; must be called before anything is evaluated.
     void set_observer(CallObserver observer) { observer_ = std::move(observer); }

@@ -100,7 +100,7 @@ Value ValueStore::set(Values items) {
     constexpr std::uint32_t between_polls = 4096;
     std::uint32_t compared = 0;
     const auto less = [&](Value a, Value b) {
-        if (++compared % between_polls == 0 && poll_) poll_();
+        if (++compared % between_polls == 0) budget_->poll();
         return compare(a, b) < 0;
     };
     if (!std::ranges::is_sorted(items, less)) std::ranges::sort(items, less);

@@ -12,6 +12,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
+
 namespace robochart::cspm {
 
 struct Code;
@@ -88,8 +90,8 @@ class ValueStore {
 public:
     ValueStore();
 
-    /// `poll` is called regularly during long work; it may throw to stop it. Empty: none.
-    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
+    /// Long work polls the budget, which must outlive it.
+    void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     /// `listed` lists a set if possible. Parts of values are listed because equal values must be one object:
     /// `(Set({1}), 1)` and `({{}, {1}}, 1)` are equal.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
@@ -143,7 +145,7 @@ private:
 
     std::vector<Value> small_integers_;
     bool orders_processes_ = false;
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     std::function<Value(Value)> listed_;
     Value true_ = nullptr;
     Value false_ = nullptr;

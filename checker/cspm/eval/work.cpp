@@ -27,7 +27,7 @@ void Work::not_supported(const std::string& what, Span span) const {
 
 void Work::count_step(Span span) {
     if (++steps_ > max_steps) fail("evaluation takes too long (2000000000 steps): runaway recursion?", span);
-    if ((steps_ & 255U) == 0 && poll_) poll_();
+    if ((steps_ & 255U) == 0) budget_->poll();
     if (steps_ > given_up_at_) throw GivenUp{};
     const char* here = static_cast<const char*>(__builtin_frame_address(0));
     if (static_cast<std::size_t>(stack_base_ - here) > stack_bytes_) {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/cspm/eval/code.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/cspm/eval/value_text.hpp"
@@ -30,8 +30,8 @@ public:
 
     Work(const Program& program, ValueStore& store) : text_(program), store_(store) {}
 
-    /// `poll` is called regularly; it may throw to stop the evaluation. Empty: none.
-    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
+    /// Evaluations poll the budget, which must outlive them.
+    void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     /// Counts one more step.
     void count_step(Span span);
     /// Sets the place for errors without a place: the prefix whose events are being computed.
@@ -67,7 +67,7 @@ private:
     std::uint64_t promised_until_ = no_end;  // number of steps after which no more values are evaluated early...
     std::uint64_t given_up_at_ = no_end;     // number of steps after which evaluations in progress are abandoned
     std::uint64_t question_ = 0;
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     Span prefix_place_;
     unsigned open_ = 0;  // number of open queries
 };

@@ -9,12 +9,12 @@ namespace robochart::cspm {
 LoadedScript::LoadedScript(const Script& script, process::Compressor* compressor, diagnostics::Budget* budget,
                            bool whole_states)
     : terms(events), semantics(terms, compressor), resolver(program, store), evaluator(program, store, events, terms) {
-    if (budget != nullptr) resolver.set_poll([budget] { budget->poll(); });
+    resolver.set_budget(diagnostics::or_unlimited(budget));
     on_deep_stack([&] {
         resolver.compile_script(script);
         if (!whole_states) find_unread_parameters(program);
     });
-    resolver.set_poll({});
+    resolver.set_budget(diagnostics::unlimited);
 }
 
 LoadedScript::Ready LoadedScript::compile_expression(const ExprPtr& expr, const Decl* place) {

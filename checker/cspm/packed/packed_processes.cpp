@@ -24,11 +24,11 @@ DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
 class PackedProcesses::NoCompressor final : public process::Compressor {
 public:
     std::optional<process::Machine> explore(process::TermId /*operand*/, process::Compression /*kind*/,
-                                            const std::function<void()>& /*poll*/) override {
+                                            diagnostics::Pollable& /*budget*/) override {
         throw NotPacked{"a compression is a part of the process"};
     }
     process::Machine compress(const process::Machine& /*explored*/, process::Compression /*kind*/,
-                              const std::function<void()>& /*poll*/) override {
+                              diagnostics::Pollable& /*budget*/) override {
         throw NotPacked{"a compression is a part of the process"};
     }
 };
@@ -78,7 +78,7 @@ void PackedProcesses::load_script() {
     direct_.reset();
     codec_.reset();
     loaded_ = std::make_unique<LoadedScript>(script_, no_compressor_.get(), nullptr, settings_.whole_states);
-    set_poll(poll_);
+    set_budget(*budget_);
     sides_.clear();
     for (const Asked& side : asked_) sides_.push_back(loaded_->compile_side(side.expr, *side.assertion));
     parts_.set_terms(loaded_->terms);
@@ -173,11 +173,11 @@ std::string PackedProcesses::describe(std::span<const std::uint8_t> state) {
     return process::describe(loaded_->terms, codec_->read(in));
 }
 
-void PackedProcesses::set_poll(std::function<void()> poll) {
-    poll_ = std::move(poll);
+void PackedProcesses::set_budget(diagnostics::Pollable& budget) {
+    budget_ = &budget;
     if (loaded_ == nullptr) return;
-    loaded_->evaluator.set_poll(poll_);
-    loaded_->semantics.set_poll(poll_);
+    loaded_->evaluator.set_budget(budget);
+    loaded_->semantics.set_budget(budget);
 }
 
 }  // namespace robochart::cspm

@@ -3,11 +3,11 @@
 // The data that are evaluated for its steps are freed from time to time, by loading the script again.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/cspm/packed/direct_steps.hpp"
 #include "checker/cspm/packed/loaded_script.hpp"
 
@@ -46,7 +46,8 @@ public:
     [[nodiscard]] std::string describe(std::span<const std::uint8_t> state);
 
     [[nodiscard]] process::EventTable& events() const { return events_; }
-    void set_poll(std::function<void()> poll);
+    /// Evaluations poll the budget, which must outlive them.
+    void set_budget(diagnostics::Pollable& budget);
     /// Whether the steps of the first states can be computed without terms.
     [[nodiscard]] bool is_direct(std::size_t side);
     /// The number of times that the script has been loaded.
@@ -80,7 +81,7 @@ private:
     std::unique_ptr<TermCodec> codec_;
     std::unique_ptr<DirectSteps> direct_;
     std::vector<LoadedScript::Side> sides_;
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     std::size_t kept_at_start_ = 0;
     std::size_t loads_ = 0;
     std::uint64_t direct_answers_ = 0;

@@ -24,7 +24,7 @@ public:
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const process::EventTable& events() const override { return processes_->events(); }
-    void set_poll(const std::function<void()>& poll) override { processes_->set_poll(poll); }
+    void set_budget(diagnostics::Pollable& budget) override { processes_->set_budget(budget); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
 
     /// Widens the rows to the size of the last state that did not fit. Throws NotPacked if that state is too large.

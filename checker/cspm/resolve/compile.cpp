@@ -28,7 +28,7 @@ Code& Resolver::new_code(const Expr& expr) {
 }
 
 const Code* Resolver::compile(const ExprPtr& expr) {
-    if (poll_) poll_();
+    budget_->poll();
     switch (expr->kind) {
         case ExprKind::parenthesised:
             return compile(expr->args[0]);

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/cspm/eval/code.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
@@ -19,8 +20,8 @@ class Resolver {
 public:
     Resolver(Program& program, ValueStore& store);
 
-    /// `poll` is called regularly while a script is compiled; it may throw.
-    void set_poll(std::function<void()> poll) { poll_ = std::move(poll); }
+    /// Compilations poll the budget, which must outlive them.
+    void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     /// Declares and compiles a script's declarations.
     void compile_script(const Script& script);
     /// Compiles an expression in the script's global scope; if `place` is given (an assertion of the script), in the
@@ -134,7 +135,7 @@ private:
     std::deque<Scope> scopes_;
     std::deque<Module> modules_;
     std::deque<std::function<void()>> jobs_;
-    std::function<void()> poll_;
+    diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     std::map<const Decl*, Place> places_;
     Scope* global_ = nullptr;
     Scope* scope_ = nullptr;

@@ -39,7 +39,7 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
                          })->levels;
     const bool same = found.size() == where_.place.ranks;
     if (same) {
-        files_.adopt(found[where_.place.rank], where_.poll);
+        files_.adopt(found[where_.place.rank], *where_.budget);
         files_.forget_from(levels);
     } else {
         redistribute_rows(found, levels);
@@ -50,11 +50,11 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
     for (const storage::Checkpoint& each : found) {
         if (same && each.place != where_.place) continue;
         const storage::FolderOf from{where_.folder, where_.kind, each.place};
-        storage::LevelFiles::read_beside(from, each.marks, false, where_.poll, [&](std::span<const Word> rows) {
+        storage::LevelFiles::read_beside(from, each.marks, false, *where_.budget, [&](std::span<const Word> rows) {
             for (std::size_t at = 0; at < rows.size(); at += width)
                 if (const StateView row = rows.subspan(at, width); mine(row)) record.marks.insert(row);
         });
-        storage::LevelFiles::read_beside(from, each.unsure, true, where_.poll, [&](std::span<const Word> rows) {
+        storage::LevelFiles::read_beside(from, each.unsure, true, *where_.budget, [&](std::span<const Word> rows) {
             for (std::size_t at = 0; at < rows.size(); at += width + 1) {
                 const StateView row = rows.subspan(at, width);
                 const Level level = rows[at + width];
@@ -90,7 +90,7 @@ void KeptLevels::redistribute_rows(const std::vector<storage::Checkpoint>& found
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {
         all.emplace_back(storage::FolderOf{where_.folder, where_.kind, each.place});
-        all.back().adopt(each, where_.poll);
+        all.back().adopt(each, *where_.budget);
         all.back().close_finished_files();
     }
     std::uint64_t before = 0;

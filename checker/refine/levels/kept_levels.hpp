@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/diagnostics/descriptor.hpp"
+#include "base/diagnostics/pollable.hpp"
 #include "checker/refine/levels/row_store.hpp"
 #include "checker/storage/level_files.hpp"
 #include "checker/storage/sorted_runs.hpp"
@@ -26,8 +27,8 @@ struct KeptWhere {
     std::optional<std::chrono::milliseconds> every;
     /// Whether a row belongs to this rank. If the function is empty, all rows do.
     std::function<bool(lts::StateView row)> mine;
-    /// Called during long work; may throw.
-    std::function<void()> poll;
+    /// Polled during long work; it must outlive the store.
+    diagnostics::Pollable* budget = &diagnostics::unlimited;
     /// Open while this rank uses the folder. Null if the folder is not locked.
     std::shared_ptr<const diagnostics::Descriptor> lock;
 };
@@ -58,9 +59,7 @@ public:
     /// After CannotWrite: writes a checkpoint of as many levels as there is space for. The other levels are dropped, so
     /// the search is over. Throws storage::CannotWrite if no level remains that is not in the previous checkpoint.
     void checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
-    void poll() const {
-        if (where_.poll) where_.poll();
-    }
+    void poll() const { where_.budget->poll(); }
 
 private:
     void check(const storage::Checkpoint& found) const;

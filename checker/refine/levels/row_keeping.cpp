@@ -41,14 +41,14 @@ std::shared_ptr<const diagnostics::Descriptor> use_folder(const RowKeeping& keep
 }  // namespace
 
 std::unique_ptr<RowStore> make_row_store(const RowKeeping& keeping, std::size_t width, const Exchange& exchange,
-                                         std::function<void()> poll,
+                                         diagnostics::Pollable& budget,
                                          std::function<void(const DiskRowStore::Figures&)> report) {
     if (keeping.folder.empty()) return std::make_unique<MemoryRowStore>(width);
     const unsigned rank = exchange.rank();
     const unsigned ranks = exchange.ranks();
     auto lock = use_folder(keeping, rank);
-    KeptWhere where{keeping.folder,  {width, keeping.search}, {rank, ranks}, keeping.from, keeping.every, {},
-                    std::move(poll), std::move(lock)};
+    KeptWhere where{keeping.folder, {width, keeping.search}, {rank, ranks}, keeping.from, keeping.every, {},
+                    &budget,        std::move(lock)};
     if (ranks > 1)
         where.mine = [rank, ranks](lts::StateView row) { return owner_of(lts::StateStore::hash(row), ranks) == rank; };
     if (!keeping.disk) return std::make_unique<SavedRowStore>(std::move(where));

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/cache/digest.hpp"
+#include "base/diagnostics/pollable.hpp"
 #include "checker/refine/levels/disk_row_store.hpp"
 #include "checker/refine/levels/exchange.hpp"
 #include "checker/refine/levels/row_store.hpp"
@@ -36,11 +37,11 @@ struct RowKeeping {
 /// on the file (flock), so that no other run begins before an earlier one has ended.
 inline constexpr const char* const run_name = "run";
 
-/// The store for the rows of this rank, with `width` words each. `poll` is called during long work, and may throw;
+/// The store for the rows of this rank, with `width` words each. The store polls the budget during long work.
 /// `report`: see DiskRowStore::Bounds. Throws storage::BadFile, also if this rank does not see the right folder, and
 /// storage::CannotWrite.
 [[nodiscard]] std::unique_ptr<RowStore> make_row_store(const RowKeeping& keeping, std::size_t width,
-                                                       const Exchange& exchange, std::function<void()> poll,
+                                                       const Exchange& exchange, diagnostics::Pollable& budget,
                                                        std::function<void(const DiskRowStore::Figures&)> report);
 
 }  // namespace robochart::refine

@@ -52,7 +52,7 @@ void Budget::report_progress(Time now) {
     limits_.progress(progress);
 }
 
-void Budget::poll() {
+void Budget::check_and_report() {
     run_.check();
     const Time now = std::chrono::steady_clock::now();
     if (limits_.progress && now - reported_ >= between_reports) report_progress(now);

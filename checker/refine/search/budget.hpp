@@ -14,16 +14,18 @@ namespace robochart::refine {
 using diagnostics::LimitReached;
 
 /// The budget of the run, with a limit on states. The search charges it for work, and it reports progress.
-class Budget {
+class Budget final : public diagnostics::Pollable {
 public:
     explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);
 
+    /// Charges a unit of work, as charge() does.
+    void poll() override { charge(); }
     /// Charges a unit of work, about as large as expanding a state. Throws LimitReached.
     void charge() {
-        if ((work_++ & 1023U) == 0) poll();
+        if ((work_++ & 1023U) == 0) check_and_report();
     }
     void charge(std::uint64_t pieces) {
-        if (((work_ + pieces - 1) ^ (work_ - 1)) > 1023U) poll();
+        if (((work_ + pieces - 1) ^ (work_ - 1)) > 1023U) check_and_report();
         work_ += pieces;
     }
     /// Checks the limits of the run at once. Throws LimitReached.
@@ -43,7 +45,7 @@ public:
 private:
     using Time = std::chrono::steady_clock::time_point;
 
-    void poll();
+    void check_and_report();
     void report_progress(Time now);
 
     const Limits& limits_;

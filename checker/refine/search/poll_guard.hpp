@@ -15,12 +15,12 @@ class PollGuard {
 public:
     PollGuard(std::vector<lts::TransitionSystem*> systems, Budget& budget) : systems_(std::move(systems)) {
         std::erase(systems_, nullptr);
-        for (lts::TransitionSystem* system : systems_) system->set_poll([&budget] { budget.charge(); });
+        for (lts::TransitionSystem* system : systems_) system->set_budget(budget);
     }
     PollGuard(const PollGuard&) = delete;
     PollGuard& operator=(const PollGuard&) = delete;
     ~PollGuard() {
-        for (lts::TransitionSystem* system : systems_) system->set_poll({});
+        for (lts::TransitionSystem* system : systems_) system->set_budget(diagnostics::unlimited);
     }
 
 private:

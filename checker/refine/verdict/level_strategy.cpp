@@ -51,18 +51,30 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
 
 namespace {
 
+/// The budget of a check for work on stored rows. Each poll charges many units of work, because a block has many rows.
+class StorageBudget final : public diagnostics::Pollable {
+public:
+    explicit StorageBudget(Budget& budget) : budget_(budget) {}
+    void poll() override {
+        constexpr std::uint64_t pieces_a_poll = 256;
+        budget_.charge(pieces_a_poll);
+    }
+
+private:
+    Budget& budget_;
+};
+
 using StoreFigures = DiskRowStore::Figures;
 
 /// `figures` receives the statistics of the store when it is destroyed.
 std::optional<Violation> search_with_store(lts::TransitionSystem& system, const LevelQuestion& question,
                                            Exchange& exchange, Budget& budget, Statistics& statistics,
                                            StoreFigures& figures) {
-    constexpr std::uint64_t pieces_a_poll = 256;
+    StorageBudget storage_budget(budget);
     std::unique_ptr<RowStore> store;
     run_together(exchange, [&] {
-        store = make_row_store(
-            question.rows, question.row_width(system.width()), exchange, [&budget] { budget.charge(pieces_a_poll); },
-            [&figures](const StoreFigures& found) { figures = found; });
+        store = make_row_store(question.rows, question.row_width(system.width()), exchange, storage_budget,
+                               [&figures](const StoreFigures& found) { figures = found; });
     });
     const std::unique_ptr<Monitor> monitor = monitor_of(question);
     LevelSearch search(system, *monitor, *store, exchange, budget, question.divergence);

@@ -27,9 +27,8 @@ public:
         : system_(system), budget_(budget), question_(question) {}
 
     std::optional<Violation> run(Statistics& statistics) {
-        const auto poll = [this] { budget_.charge(); };
-        std::shared_ptr<lts::ReducedSystem> reduced = system_.make_reduced_system(poll);
-        find_symmetry(poll);
+        std::shared_ptr<lts::ReducedSystem> reduced = system_.make_reduced_system(budget_);
+        find_symmetry();
         const std::optional<Violation> violation = search(reduced, budget_, statistics, nullptr);
         record_reduction(statistics);
         if (!violation || !followed_) return violation;
@@ -38,9 +37,9 @@ public:
 
 private:
     /// Finds the replicas that the assertion does not distinguish.
-    void find_symmetry(const std::function<void()>& poll) {
+    void find_symmetry() {
         std::vector<lts::ReplicaSet> replicas;
-        for (lts::ReplicaSet set : system_.replicas(poll)) {
+        for (lts::ReplicaSet set : system_.replicas(budget_)) {
             const std::size_t all = set.size();
             std::erase_if(set, [&](const lts::Replica& replica) {
                 return !replica.exchange.empty() && !question_.indifferent(replica.exchange);

@@ -37,12 +37,12 @@ struct Choice {
 /// States in which only time can pass: the largest set of states that have only tock steps, all of which lead into the
 /// set.
 markov::StateSet deadlocked_states(const Exploration& explored, const std::function<bool(const Step&)>& tock,
-                                   const std::function<void()>& poll) {
+                                   diagnostics::Pollable& budget) {
     markov::StateSet result(explored.size(), true);
     std::vector<std::vector<lts::StateIndex>> before(explored.size());
     std::vector<lts::StateIndex> work;
     for (lts::StateIndex state = 0; state < explored.size(); ++state) {
-        poll();
+        budget.poll();
         bool only = true;
         for (const Step& step : explored.steps_from(state)) {
             only = only && tock(step);
@@ -67,12 +67,12 @@ markov::StateSet deadlocked_states(const Exploration& explored, const std::funct
 class Builder {
 public:
     Builder(const Exploration& explored, StateReader& reader, const Sources& sources, Scheduler scheduler,
-            const std::function<void()>& poll)
+            diagnostics::Pollable& budget)
         : explored_(explored),
           reader_(reader),
           sources_(sources),
           scheduler_(scheduler),
-          poll_(poll),
+          budget_(budget),
           weights_(sources.system, sources.instantiation),
           number_(explored.size(), none) {
         markov::Model& model = result_.model;
@@ -85,12 +85,12 @@ public:
 
     DecisionProcess operator()() {
         const auto tock = [&](const Step& step) { return kind_of_step(step).tock; };
-        const markov::StateSet dead = deadlocked_states(explored_, tock, poll_);
+        const markov::StateSet dead = deadlocked_states(explored_, tock, budget_);
         number_state(0);
         result_.model.initial = {0};
         // Scheduler::uniform adds intermediate states, one for each choice, while the loop runs.
         for (markov::State state = 0; state < result_.origins.size(); ++state) {
-            poll_();
+            budget_.poll();
             const auto only = single_.find(state);
             const std::vector<Choice> choices =
                 only != single_.end() ? std::vector{only->second} : this->choices_in(result_.origins[state]);
@@ -292,7 +292,7 @@ private:
     StateReader& reader_;
     const Sources& sources_;
     Scheduler scheduler_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
     Weights weights_;
     DecisionProcess result_;
     std::vector<markov::State> number_;  ///< the number of each state of the exploration
@@ -310,8 +310,8 @@ std::string observed_action(EventSet events) {
 }
 
 DecisionProcess decision_process(const Exploration& explored, StateReader& reader, const Sources& sources,
-                                 Scheduler scheduler, const std::function<void()>& poll) {
-    return Builder(explored, reader, sources, scheduler, poll)();
+                                 Scheduler scheduler, diagnostics::Pollable& budget) {
+    return Builder(explored, reader, sources, scheduler, budget)();
 }
 
 }  // namespace robochart::probability

@@ -4,11 +4,11 @@
 // separate choice.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "csp_emit/base/emission.hpp"
 #include "prism/assertions/process/exploration.hpp"
@@ -56,6 +56,6 @@ struct DecisionProcess {
 
 /// Throws Wrong if the probabilities of a junction are not a distribution.
 [[nodiscard]] DecisionProcess decision_process(const Exploration&, StateReader&, const Sources&, Scheduler,
-                                               const std::function<void()>& poll);
+                                               diagnostics::Pollable& budget);
 
 }  // namespace robochart::probability

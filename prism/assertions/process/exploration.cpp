@@ -20,14 +20,14 @@ private:
     Exploration& of_;
 };
 
-Exploration::Exploration(lts::TransitionSystem& system, std::uint64_t most_states, const std::function<void()>& poll)
+Exploration::Exploration(lts::TransitionSystem& system, std::uint64_t most_states, diagnostics::Pollable& budget)
     : states_(system.width()) {
     std::vector<lts::Word> initial(system.width());
     system.initial(initial);
     states_.insert(initial);
     Sink sink(*this);
     for (lts::StateIndex state = 0; state < states_.size(); ++state) {
-        poll();
+        budget.poll();
         if (states_.size() > most_states)
             throw diagnostics::LimitReached(fmt::format("the process has more than {} states", most_states));
         system.successors(states_[state], sink);
@@ -36,8 +36,8 @@ Exploration::Exploration(lts::TransitionSystem& system, std::uint64_t most_state
 }
 
 bool are_bisimilar(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
-                   const std::function<void()>& poll) {
-    const lts::Exploration second = lts::explore(other, [&](std::size_t) { poll(); });
+                   diagnostics::Pollable& budget) {
+    const lts::Exploration second = lts::explore(other, [&](std::size_t) { budget.poll(); });
     // Both systems are put into one graph. Its initial state has one step to each of them, with different events.
     const auto first_of_second = static_cast<lts::StateIndex>(1 + explored.size());
     lts::Graph graph;
@@ -57,7 +57,7 @@ bool are_bisimilar(const Exploration& explored, lts::EventTable& events, lts::Tr
         }
         graph.finish_state();
     }
-    const lts::Quotient quotient = lts::minimise(graph, lts::Equivalence::branching_with_divergence, poll);
+    const lts::Quotient quotient = lts::minimise(graph, lts::Equivalence::branching_with_divergence, budget);
     return quotient.state_of[1] == quotient.state_of[first_of_second];
 }
 

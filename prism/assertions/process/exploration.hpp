@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "checker/lts/graph.hpp"
 #include "checker/lts/transition_system.hpp"
 
@@ -22,8 +22,8 @@ struct Step {
 /// All reachable states in breadth-first order.
 class Exploration {
 public:
-    /// Throws LimitReached if there are more than `most_states`; `poll` is called for each state and may throw.
-    Exploration(lts::TransitionSystem& system, std::uint64_t most_states, const std::function<void()>& poll);
+    /// Throws LimitReached if there are more than `most_states`. Polls the budget for each state.
+    Exploration(lts::TransitionSystem& system, std::uint64_t most_states, diagnostics::Pollable& budget);
 
     [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
@@ -41,6 +41,6 @@ private:
 /// Returns true if the initial states of both systems are divergence-sensitive branching bisimilar, with every hidden
 /// event as a tau. `events` is the event table of `explored`.
 [[nodiscard]] bool are_bisimilar(const Exploration& explored, lts::EventTable& events, lts::TransitionSystem& other,
-                                 const std::function<void()>& poll);
+                                 diagnostics::Pollable& budget);
 
 }  // namespace robochart::probability

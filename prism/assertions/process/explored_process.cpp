@@ -45,12 +45,11 @@ refine::Limits limits_of(const diagnostics::Budget* budget) {
 
 /// Checks that the explored process is branching bisimilar to the process of assertions.
 void check_bisimilar(ExploredProcess& made, const ir::System& system, const std::string& subject,
-                     diagnostics::SourceManager& sources, diagnostics::Budget* budget,
-                     const std::function<void()>& poll) {
+                     diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
     const csp_emit::Emission usual = emit_timed(system, made.instantiation, false, true, sources, budget);
     cspm::Session session(usual.script, budget);
     const auto other = session.system(component_process(usual, subject), limits_of(budget));
-    if (!are_bisimilar(*made.exploration, made.session->event_table(), *other, poll))
+    if (!are_bisimilar(*made.exploration, made.session->event_table(), *other, diagnostics::or_unlimited(budget)))
         throw std::logic_error(
             fmt::format("the states of {} with all values are not bisimilar to its process", subject));
     made.compared = made.exploration->size();
@@ -66,16 +65,14 @@ std::unique_ptr<ExploredProcess> explore_process(const ir::System& system, const
     made->instantiation = std::move(instantiation);
     made->instantiation.budget = limits.budget;
     const std::string path = ir::qualified_name(subject);
-    const auto poll = [budget = limits.budget] {
-        if (budget != nullptr) budget->poll();
-    };
     made->emission = emit_timed(system, made->instantiation, true, observed.empty(), sources, limits.budget);
     add_observers(made->emission, observed);
     try {
         made->session = std::make_unique<cspm::Session>(made->emission.script, limits.budget, true);
         if (limits.on_session) limits.on_session(made->emission, made->instantiation, *made->session);
         made->system = made->session->whole_system(component_process(made->emission, path), limits_of(limits.budget));
-        made->exploration = std::make_unique<Exploration>(*made->system, limits.most_states, poll);
+        made->exploration =
+            std::make_unique<Exploration>(*made->system, limits.most_states, diagnostics::or_unlimited(limits.budget));
     } catch (const cspm::EvaluationError& error) {
         throw Wrong(runs::placed_failure(error, system, sources));
     }
@@ -84,7 +81,7 @@ std::unique_ptr<ExploredProcess> explore_process(const ir::System& system, const
     made->steps = std::make_unique<runs::StepReader>(*made->context);
     made->reader = std::make_unique<StateReader>(*made->system, *made->steps);
     if (made->exploration->size() <= limits.compared_states)
-        check_bisimilar(*made, system, path, sources, limits.budget, poll);
+        check_bisimilar(*made, system, path, sources, limits.budget);
     return made;
 }
 

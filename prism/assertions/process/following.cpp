@@ -40,8 +40,8 @@ private:
 
 class Follower {
 public:
-    Follower(const ExploredProcess& process, const std::function<void()>& poll)
-        : process_(process), poll_(poll), ticks_(process.session->event_table(), process.emission.provenance) {}
+    Follower(const ExploredProcess& process, diagnostics::Pollable& budget)
+        : process_(process), budget_(budget), ticks_(process.session->event_table(), process.emission.provenance) {}
 
     /// `leaves`: the states of the machine that contain no other state.
     Following operator()(const std::string& machine, const std::vector<std::string>& elements,
@@ -66,7 +66,7 @@ private:
     void check_time(const std::string& machine, const std::set<std::string>& leaves) {
         const Exploration& explored = *process_.exploration;
         for (lts::StateIndex state = 0; state < explored.size(); ++state) {
-            poll_();
+            budget_.poll();
             if (explored.steps_from(state).empty()) throw Wrong("time may stop in it");
             bool passes = false;
             for (const Step& step : explored.steps_from(state)) {
@@ -92,7 +92,7 @@ private:
         const Exploration& explored = *process_.exploration;
         std::vector<std::uint32_t> found;
         for (lts::StateIndex state = 0; state < explored.size(); ++state) {
-            poll_();
+            budget_.poll();
             std::uint32_t bits = 0;
             for (const std::size_t number : process_.reader->parts_of_state(explored.state(state)))
                 for (std::size_t i = 0; i < elements.size(); ++i)
@@ -134,7 +134,7 @@ private:
         for (lts::StateIndex state = 0; state < states.size(); ++state)
             if (states[state]) open.push_back(state);
         while (!open.empty()) {
-            poll_();
+            budget_.poll();
             const lts::StateIndex state = open.back();
             open.pop_back();
             for (const Step& step : process_.exploration->steps_from(state))
@@ -177,7 +177,7 @@ private:
     }
 
     const ExploredProcess& process_;
-    const std::function<void()>& poll_;
+    diagnostics::Pollable& budget_;
     Ticks ticks_;
     std::vector<std::uint32_t> bits_;  ///< the class of each state
     Following result_;
@@ -216,8 +216,7 @@ void check_finite(const ir::System& system, const ir::ComponentRef& subject) {
 }
 
 Following find_following(const ExploredProcess& process, const ir::System& system, const ir::ComponentRef& subject,
-                         const std::vector<std::string>& states, std::uint64_t units,
-                         const std::function<void()>& poll) {
+                         const std::vector<std::string>& states, std::uint64_t units, diagnostics::Pollable& budget) {
     const std::vector<Seat> seats = seats_in(system, subject);
     if (seats.empty()) throw Wrong("the component has no machine");
     std::vector<std::string> elements;
@@ -228,7 +227,7 @@ Following find_following(const ExploredProcess& process, const ir::System& syste
         elements.push_back(found->origin.element);
     }
     check_finite(system, subject);
-    return Follower(process, poll)(seats.front().component, elements, leaves_of(*seats.front().machine), units);
+    return Follower(process, budget)(seats.front().component, elements, leaves_of(*seats.front().machine), units);
 }
 
 }  // namespace robochart::probability

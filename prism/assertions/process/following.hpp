@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
 #include "prism/assertions/process/explored_process.hpp"
 
 namespace robochart::probability {
@@ -30,6 +30,6 @@ void check_finite(const ir::System&, const ir::ComponentRef& subject);
 /// the component may terminate, time may stop, or time may pass while a transition is taken.
 [[nodiscard]] Following find_following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
                                        const std::vector<std::string>& states, std::uint64_t units,
-                                       const std::function<void()>& poll);
+                                       diagnostics::Pollable& budget);
 
 }  // namespace robochart::probability

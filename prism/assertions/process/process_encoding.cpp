@@ -211,30 +211,26 @@ std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex st
 }
 
 DecisionProcess ProcessEncoding::make_decision_process(const Explored& found) const {
-    const auto poll = [budget = options_.budget] {
-        if (budget != nullptr) budget->poll();
-    };
+    diagnostics::Pollable& budget = diagnostics::or_unlimited(options_.budget);
     const auto under = [&](Scheduler scheduler) {
         return decision_process(*found.process->exploration, *found.process->reader,
                                 {system_, found.process->instantiation, found.process->emission.provenance,
                                  found.process->session->event_table(), names_->seats(), names_->observed()},
-                                scheduler, poll);
+                                scheduler, budget);
     };
     DecisionProcess result = under(options_.scheduler);
     const bool compared = found.process->exploration->size() <= options_.compared_states;
-    if (compared && options_.scheduler == Scheduler::urgent && !is_subgraph(result, under(Scheduler::any), poll))
+    if (compared && options_.scheduler == Scheduler::urgent && !is_subgraph(result, under(Scheduler::any), budget))
         throw std::logic_error(
             fmt::format("the urgent steps of {} are not among its steps", ir::qualified_name(subject_)));
     return result;
 }
 
 prism::GivenSpace ProcessEncoding::make_space(const Explored& found, DecisionProcess process) const {
-    const auto poll = [budget = options_.budget] {
-        if (budget != nullptr) budget->poll();
-    };
+    diagnostics::Pollable& budget = diagnostics::or_unlimited(options_.budget);
     prism::GivenSpace result{std::move(process.model), std::move(process.deadlocks), {}};
     for (const lts::StateIndex origin : process.origins) {
-        poll();
+        budget.poll();
         for (const Observable& observable : names_->observables())
             result.values.push_back(value_in(found, origin, observable));
         if (names_->observables().empty()) result.values.push_back(0);

@@ -33,7 +33,7 @@ std::set<SharedChoice> choices_of(const DecisionProcess& process, markov::State 
 
 }  // namespace
 
-bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all, const std::function<void()>& poll) {
+bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all, diagnostics::Pollable& budget) {
     std::unordered_map<lts::StateIndex, markov::State> state_of;
     for (markov::State state = 0; state < all.origins.size(); ++state)
         if (!state_of.emplace(all.origins[state], state).second) return false;
@@ -41,7 +41,7 @@ bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all, const
     const auto initial = same(fewer.model.initial.front());
     if (initial == state_of.end() || initial->second != all.model.initial.front()) return false;
     for (markov::State state = 0; state < fewer.origins.size(); ++state) {
-        poll();
+        budget.poll();
         const auto there = same(state);
         if (there == state_of.end() || fewer.deadlocks[state] != all.deadlocks[there->second]) return false;
         const std::set<SharedChoice> some = choices_of(fewer, state);

@@ -2,8 +2,7 @@
 // Checks that a process with a restricted scheduler is part of the process with all schedulers.
 #pragma once
 
-#include <functional>
-
+#include "base/diagnostics/pollable.hpp"
 #include "prism/assertions/process/decision_process.hpp"
 
 namespace robochart::probability {
@@ -12,7 +11,6 @@ namespace robochart::probability {
 /// `all` with the same origin, and a deadlock in both or in neither. Each choice of `fewer` must be a choice of the
 /// same state in `all`, with the same action, the same passing of time and the same distribution. Both processes must
 /// be made from one exploration. Then every scheduler of `fewer` corresponds to a scheduler of `all`.
-[[nodiscard]] bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all,
-                               const std::function<void()>& poll);
+[[nodiscard]] bool is_subgraph(const DecisionProcess& fewer, const DecisionProcess& all, diagnostics::Pollable& budget);
 
 }  // namespace robochart::probability

@@ -138,11 +138,15 @@ TEST(Order, DividesTheErrorAmongWhatIsPermitted) {
 TEST(Order, Polls) {
     std::vector<StateSequence> all(200, {0, 2, 0});
     all.insert(all.end(), 200, {1, 2, 1});
-    int polled = 0;
-    EXPECT_TRUE(order_contradiction(all, all_permitted(500), 0.1, [&] { ++polled; }));
-    EXPECT_EQ(polled, 2) << "of each successor that was seen";
-    EXPECT_THROW((void)order_contradiction(all, all_permitted(3), 0.1, [] { throw std::runtime_error("limit"); }),
-                 std::runtime_error);
+    struct CountedPolls final : diagnostics::Pollable {
+        void poll() override {
+            if (++polls > 2) throw std::runtime_error("limit");
+        }
+        int polls = 0;
+    } budget;
+    EXPECT_TRUE(order_contradiction(all, all_permitted(500), 0.1, budget));
+    EXPECT_EQ(budget.polls, 2) << "of each successor that was seen";
+    EXPECT_THROW((void)order_contradiction(all, all_permitted(3), 0.1, budget), std::runtime_error);
 }
 
 /// In 200 repetitions, at most a tenth of the chains of order 1 are contradicted, and all chains of order 2 are.

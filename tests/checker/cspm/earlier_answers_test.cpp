@@ -136,8 +136,7 @@ TEST_F(EarlierAnswersTest, FindingsThatAreNotConfirmedAreNotUsed) {
     Session session(reading.script);
     const auto system = session.system(session.assertions()[2]->assertion.specification);
     const Question question{AssertionKind::deadlock_free, refine::Model::failures, nullptr, system.get(), 1000};
-    const auto key = key_of(
-        question, [] {}, std::nullopt);
+    const auto key = key_of(question, diagnostics::unlimited, std::nullopt);
     ASSERT_TRUE(key);
     // Two does not deadlock in its initial state.
     std::vector<lts::Word> initial(system->width());

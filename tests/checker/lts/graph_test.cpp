@@ -41,7 +41,7 @@ TEST_F(Graphs, ExploreBreadthFirst) {
     EXPECT_TRUE(graph.edges(4).empty());
 }
 
-TEST_F(Graphs, ExplorationStopsWhenThePollThrows) {
+TEST_F(Graphs, ExplorationStopsWhenItsCallbackThrows) {
     TermSystem system(semantics, example());
     const auto stop_at_three = [](std::size_t states) {
         if (states > 2) throw std::runtime_error("enough");

@@ -31,7 +31,7 @@ class Compiled : public testing::Test {
 protected:
     /// The number of states of the compiled process, which must be bisimilar to the term.
     std::size_t states(TermId term) {
-        const auto system = compiler.compile(term, {});
+        const auto system = compiler.compile(term, diagnostics::unlimited);
         if (!system) {
             ADD_FAILURE() << "was not compiled";
             return 0;
@@ -116,7 +116,7 @@ TEST_F(Compiled, ModesBeforeComponents) {
 TEST_F(Compiled, ModesWithoutEnd) {
     TermId next = stop;
     for (int i = 0; i < 2'000; ++i) next = s.menu({{"up", next}, {"go", pair()}});
-    EXPECT_EQ(compiler.compile(next, {}), nullptr);
+    EXPECT_EQ(compiler.compile(next, diagnostics::unlimited), nullptr);
     EXPECT_EQ(states(s.over(Op::parallel, {next, s.prefix("go", stop)}, {"up"})), 2 * states_of_pair)
         << "no up and no end: the other side never does either; before its go and after, the pair's start and its "
            "states";
@@ -162,7 +162,7 @@ TEST_F(Compiled, KeepsBlockedEventsThatAPriorityDependsOn) {
 
 TEST_F(Compiled, KeepsHiddenNamesForCounterexamples) {
     const TermId hidden = s.over(Op::hide, {s.over(Op::parallel, {twice("a"), twice("a")}, {"a"})}, {"a"});
-    const auto system = compiler.compile(hidden, {});
+    const auto system = compiler.compile(hidden, diagnostics::unlimited);
     struct First final : lts::SuccessorSink {
         void add(Event event, lts::StateView, Event revealed) override { seen.emplace_back(event, revealed); }
         std::vector<std::pair<Event, Event>> seen;
@@ -175,23 +175,24 @@ TEST_F(Compiled, KeepsHiddenNamesForCounterexamples) {
 }
 
 TEST_F(Compiled, LeavesTermsThatAreNoCompositionsOrTooLarge) {
-    EXPECT_EQ(compiler.compile(twice("a"), {}), nullptr);
+    EXPECT_EQ(compiler.compile(twice("a"), diagnostics::unlimited), nullptr);
     Compiler small(semantics, {.component_states = 2});
-    EXPECT_EQ(small.compile(pair(), {}), nullptr);
+    EXPECT_EQ(small.compile(pair(), diagnostics::unlimited), nullptr);
     Compiler few(semantics, {.rules = 2});
-    EXPECT_EQ(few.compile(pair(), {}), nullptr);
+    EXPECT_EQ(few.compile(pair(), diagnostics::unlimited), nullptr);
     const TermId endless = s.name("Endless");
     s.bind(endless, endless);
-    EXPECT_EQ(compiler.compile(s.over(Op::parallel, {endless, twice("a")}, {}), {}), nullptr);
+    EXPECT_EQ(compiler.compile(s.over(Op::parallel, {endless, twice("a")}, {}), diagnostics::unlimited), nullptr);
 }
 
-TEST_F(Compiled, StopsWhenItsPollSaysSo) {
-    const auto stop_now = [] { throw process::Interrupted("enough"); };
-    EXPECT_THROW(static_cast<void>(compiler.compile(pair(), stop_now)), process::Interrupted);
+TEST_F(Compiled, StopsWhenItsBudgetSaysSo) {
+    diagnostics::Budget interrupted;
+    interrupted.interrupt();
+    EXPECT_THROW(static_cast<void>(compiler.compile(pair(), interrupted)), process::Interrupted);
 }
 
 TEST_F(Compiled, ServesItsOwnSinks) {
-    const auto system = compiler.compile(pair(), {});
+    const auto system = compiler.compile(pair(), diagnostics::unlimited);
     struct Nested final : lts::SuccessorSink {
         void add(Event event, lts::StateView target, Event) override {
             events.push_back(event);
@@ -209,7 +210,7 @@ TEST_F(Compiled, ServesItsOwnSinks) {
 }
 
 TEST_F(Compiled, GoesOnAfterASinkHasThrown) {
-    const auto system = compiler.compile(s.prioritise(pair(), {{"a", "b"}}), {});
+    const auto system = compiler.compile(s.prioritise(pair(), {{"a", "b"}}), diagnostics::unlimited);
     struct Throwing final : lts::SuccessorSink {
         void add(Event, lts::StateView, Event) override { throw lts::TooLarge(); }
     } throwing;
@@ -240,7 +241,7 @@ TEST_F(Compiled, ServesCompressions) {
     const TermId compressed = s.op(Op::compress, {hidden}, static_cast<std::uint32_t>(process::Compression::dbisim));
     process::TermSystem small(compressing, compressed);
     EXPECT_EQ(graph_of(small).size(), 4U) << "b, b and the end: the a's are inert";
-    const auto whole = with.compile(s.over(Op::parallel, {compressed, twice("b")}, {"b"}), {});
+    const auto whole = with.compile(s.over(Op::parallel, {compressed, twice("b")}, {"b"}), diagnostics::unlimited);
     ASSERT_NE(whole, nullptr);
     EXPECT_EQ(graph_of(*whole).size(), 4U);
 }
@@ -262,19 +263,19 @@ TEST_F(Compiled, LeavesOutCompressionsOfTooManyStates) {
     const TermId strong = compressed(process::Compression::sbisim);
     const auto beside = [&](TermId operand) { return s.over(Op::parallel, {operand, twice("b")}, {"b"}); };
 
-    const auto small = with.compile(beside(branching), {});
+    const auto small = with.compile(beside(branching), diagnostics::unlimited);
     ASSERT_NE(small, nullptr);
     EXPECT_EQ(graph_of(*small).size(), 4U);
     EXPECT_TRUE(compressing.left_out().empty());
 
-    const auto whole = with.compile(beside(strong), {});
+    const auto whole = with.compile(beside(strong), diagnostics::unlimited);
     ASSERT_NE(whole, nullptr);
     EXPECT_EQ(compressing.left_out(), std::set<TermId>{strong});
     process::TermSystem reference(semantics, beside(hidden));
     EXPECT_TRUE(lts::are_bisimilar(graph_of(*whole), graph_of(reference)));
     EXPECT_EQ(whole->combined().components.size(), 3U) << "the pair's two and the one beside it";
 
-    const auto alone = with.compile(strong, {});
+    const auto alone = with.compile(strong, diagnostics::unlimited);
     ASSERT_NE(alone, nullptr) << "no compression, but a pair to take apart";
     EXPECT_EQ(graph_of(*alone).size(), states_of_pair);
     process::TermSystem stepped(compressing, strong);
@@ -318,7 +319,7 @@ RC_GTEST_PROP(CompiledProperty, RandomCompositionsDoWhatTheirTermsDo, ()) {
         process::TermSystem reference(translation.semantics(), term);
         const lts::Graph graph = graph_of(reference);
         Compiler compiler(translation.semantics());
-        const auto system = compiler.compile(term, {});
+        const auto system = compiler.compile(term, diagnostics::unlimited);
         if (system == nullptr) RC_DISCARD("left as a term: a bound of the compiler");
         RC_ASSERT(lts::are_bisimilar(graph_of(*system), graph));
     } catch (const lts::TooLarge&) {

@@ -74,7 +74,7 @@ protected:
                     {static_cast<std::uint32_t>(outer.size() - 1), place_of(outer_alphabets.back(), joint.event)});
         }
         made.regions.push_back(region_of(outer, outer_alphabets, std::move(drafts), {}));
-        list_leading(made, {});
+        list_leading(made, diagnostics::unlimited);
         whole =
             std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(made)), s.store);
     }
@@ -103,7 +103,7 @@ protected:
         allowed.initial.push_back(0);
         allowed.fields.push_back({0, 0, 0xffU});
         allowed.regions.push_back(region_of({{false, 0}}, {allowed.components[0]->alphabet()}, std::move(drafts), {}));
-        list_leading(allowed, {});
+        list_leading(allowed, diagnostics::unlimited);
         SupercombinatorSystem specification(std::make_shared<const Supercombinator>(std::move(allowed)), s.store);
         refine::Limits limits;
         const auto all = refine::refines(specification, *whole, refine::Model::traces, limits).outcome;
@@ -115,7 +115,7 @@ protected:
     }
 
     std::pair<std::size_t, std::size_t> states_and_kept() {
-        const auto reduced = whole->make_reduced_system({});
+        const auto reduced = whole->make_reduced_system(diagnostics::unlimited);
         const lts::Graph all = lts::graph_of(*whole, 1'000);
         if (!reduced) return {all.size(), all.size()};
         const lts::Graph kept = lts::graph_of(*reduced, 1'000);

@@ -118,7 +118,7 @@ protected:
             const std::string name = std::to_string(cell);
             all.push_back(s.cycle("C" + name, {"a" + name, "b" + name, "c" + name, "d" + name}));
         }
-        return compiler.compile(s.over(Op::parallel, all, {}), {});
+        return compiler.compile(s.over(Op::parallel, all, {}), diagnostics::unlimited);
     }
 
     Scripted s;

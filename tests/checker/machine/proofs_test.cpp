@@ -26,7 +26,7 @@ protected:
     }
     void next() {
         combined = random.next(s.stop());
-        rules = std::make_shared<const WholeRules>(*whole_rules(*combined, {}));
+        rules = std::make_shared<const WholeRules>(*whole_rules(*combined, diagnostics::unlimited));
         whole = std::make_unique<SupercombinatorSystem>(combined, s.store);
     }
     [[nodiscard]] std::vector<std::vector<Local>> states() const {

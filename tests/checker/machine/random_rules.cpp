@@ -91,7 +91,7 @@ std::shared_ptr<const Supercombinator> RandomRules::next(const process::TermId& 
     std::vector<std::uint32_t> slots(count);
     std::iota(slots.begin(), slots.end(), 0U);
     made_.regions.push_back(region(open, slots));
-    list_leading(made_, {});
+    list_leading(made_, diagnostics::unlimited);
     return std::make_shared<const Supercombinator>(made_);
 }
 

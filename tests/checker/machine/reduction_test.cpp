@@ -40,7 +40,7 @@ bool loops_by_tau(const Graph& quotient) {
 
 /// Checks that the reduced system is equivalent to the whole. There is no reduced system if no rule can be followed.
 bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
-    const auto reduced = whole.make_reduced_system({});
+    const auto reduced = whole.make_reduced_system(diagnostics::unlimited);
     if (!reduced) return true;
     const Graph all = lts::graph_of(whole, most_states);
     const Graph kept = lts::graph_of(*reduced, most_states);
@@ -147,8 +147,8 @@ protected:
         }
         const TermId term =
             s.over(Op::hide, {s.over(Op::parallel, chains, {"go"})}, {"h0", "h1", "h2", "h3", "h4", "h5"});
-        whole = compiler.compile(term, {});
-        nothing = compiler.compile(s.over(Op::parallel, {s.stop(), s.stop()}, {}), {});
+        whole = compiler.compile(term, diagnostics::unlimited);
+        nothing = compiler.compile(s.over(Op::parallel, {s.stop(), s.stop()}, {}), diagnostics::unlimited);
     }
     refine::Verdict ask(bool reduction, std::uint64_t max_states) {
         refine::Limits limits = limits_of(reduction, 1);
@@ -194,7 +194,7 @@ TEST(Reduction, KeepsRandomProcesses) {
         for (const refine::naive::Process& main : each.asked.script.mains) {
             refine::Translation translation(each.asked.script);
             Compiler compiler(translation.semantics());
-            const auto whole = compiler.compile(translation.term(main), {});
+            const auto whole = compiler.compile(translation.term(main), diagnostics::unlimited);
             if (!whole) continue;
             ++compared;
             ASSERT_TRUE(keeps_everything(*whole, seen)) << show(each.asked.script);

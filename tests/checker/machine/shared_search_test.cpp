@@ -15,7 +15,7 @@ using process::Scripted;
 class SharedSearch : public testing::Test {
 protected:
     std::unique_ptr<SupercombinatorSystem> compiled(TermId term) {
-        auto system = compiler.compile(term, {});
+        auto system = compiler.compile(term, diagnostics::unlimited);
         EXPECT_NE(system, nullptr);
         return system;
     }

@@ -49,11 +49,14 @@ protected:
             for (int j = 1; j <= own; ++j) hidden.push_back(event(i, j));
         return s.over(Op::hide, {swarm(number, own)}, hidden);
     }
-    std::unique_ptr<SupercombinatorSystem> compiled(TermId term) { return compiler.compile(term, {}); }
+    std::unique_ptr<SupercombinatorSystem> compiled(TermId term) {
+        return compiler.compile(term, diagnostics::unlimited);
+    }
     /// The number of replicas in each set.
     std::vector<std::size_t> sets(TermId term) {
         std::vector<std::size_t> result;
-        for (const lts::ReplicaSet& set : compiled(term)->replicas({})) result.push_back(set.size());
+        for (const lts::ReplicaSet& set : compiled(term)->replicas(diagnostics::unlimited))
+            result.push_back(set.size());
         return result;
     }
 
@@ -224,7 +227,7 @@ protected:
     std::string find_disagreement(const refine::Case& asked, const refine::Graphs& graphs) {
         refine::Translation translation(asked.script);
         Compiler compiler(translation.semantics());
-        const auto system = compiler.compile(translation.term(asked.script.mains[1]), {});
+        const auto system = compiler.compile(translation.term(asked.script.mains[1]), diagnostics::unlimited);
         if (!system) return "";
         process::TermSystem left = translation.system(asked.script.mains[0]);
         ++compared_;

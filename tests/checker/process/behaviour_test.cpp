@@ -112,10 +112,10 @@ TEST_F(Apart, SequentialProcessesStayWhole) {
 /// Compressed machines identify the states of their operand only by number, as a faster engine does.
 class NumberingCompressor final : public Compressor {
 public:
-    std::optional<Machine> explore(TermId operand, Compression, const std::function<void()>&) override {
+    std::optional<Machine> explore(TermId operand, Compression, diagnostics::Pollable&) override {
         return Machine{{{{2, 1}}, {{3, 0}}}, {operand, operand}};
     }
-    Machine compress(const Machine& explored, Compression, const std::function<void()>&) override { return explored; }
+    Machine compress(const Machine& explored, Compression, diagnostics::Pollable&) override { return explored; }
 };
 
 TEST_F(Apart, CompressedPartsAreNamedWithTheirState) {
@@ -142,7 +142,7 @@ TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
     const Behaviour whole = [&] {
         class WithoutFirstTau final : public Compressor {
         public:
-            Machine compress(const Machine& explored, Compression, const std::function<void()>&) override {
+            Machine compress(const Machine& explored, Compression, diagnostics::Pollable&) override {
                 Machine result = explored;  // the first state's tau is inert: the next state replaces it
                 result.edges[0] = explored.edges[explored.edges[0].front().target];
                 return result;

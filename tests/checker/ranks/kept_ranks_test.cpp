@@ -51,7 +51,7 @@ protected:
             for (const char* event : {"a", "b", "c", "d"}) events.push_back(std::string(event) + cell);
             all.push_back(s_.cycle("C" + std::string(cell), events));
         }
-        cells_ = compiler_.compile(s_.over(Op::parallel, all, {}), {});
+        cells_ = compiler_.compile(s_.over(Op::parallel, all, {}), diagnostics::unlimited);
         // A specification that forbids an event that six cells can perform after a dozen steps.
         TermId few = s_.stop();
         for (int step = 0; step < 12; ++step) {

@@ -106,7 +106,7 @@ protected:
 
 /// There are 84 multisets of six elements from four, instead of 4096 states.
 TEST_F(Cells, AreFoldedAtEachRank) {
-    const auto system = compiler.compile(cells(), {});
+    const auto system = compiler.compile(cells(), diagnostics::unlimited);
     const auto answers = by_programs(3, 2, true, [&](const refine::Limits& limits) {
         const Verdict verdict = refine::deadlock_free(*system, refine::Model::failures, limits);
         EXPECT_EQ(verdict.statistics.states, 84U);
@@ -130,7 +130,7 @@ TEST_F(Cells, AsTermsAreSearchedByTheFirstRank) {
 }
 
 TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
-    const auto system = compiler.compile(cells(), {});
+    const auto system = compiler.compile(cells(), diagnostics::unlimited);
     by_programs(2, 2, false, [&](const refine::Limits& given) {
         refine::Limits limits = given;
         limits.max_states = 1000;
@@ -148,7 +148,7 @@ TEST_F(Cells, EndAtLimitsOfTheFirstRank) {
 /// All programs end, independently of the failing program and the failing call. The first program knows that the others
 /// wait for it, and starts no further search.
 TEST_F(Cells, EndTogetherWhateverProgramFails) {
-    const auto system = compiler.compile(cells(2), {});
+    const auto system = compiler.compile(cells(2), diagnostics::unlimited);
     for (const unsigned round : {0U, 1U, 2U, 3U})
         for (std::uint64_t call = 0;; ++call) {
             const unsigned failing = round < 2 ? 0 : 2;
@@ -259,7 +259,7 @@ TEST(Transfer, HasTheTimeThatIsLeft) {
 
 // Another build may have a different row format. So no search starts, and all programs know the reason.
 TEST_F(Cells, AreNotSearchedByProgramsOfOtherBuilds) {
-    const auto system = compiler.compile(cells(), {});
+    const auto system = compiler.compile(cells(), diagnostics::unlimited);
     for (const unsigned threads : {1U, 2U})
         refine::as_ranks(3, [&](refine::Exchange& exchange) {
             if (exchange.rank() != 0) return serve_searches(exchange, exchange.rank() == 1 ? program : "another build");

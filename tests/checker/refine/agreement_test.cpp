@@ -98,13 +98,13 @@ public:
         return more ? std::make_unique<Reducible>(std::move(more), taus_, symmetry_) : nullptr;
     }
     [[nodiscard]] const process::EventTable& events() const override { return inner_->events(); }
-    void set_poll(const std::function<void()>& poll) override { inner_->set_poll(poll); }
+    void set_budget(diagnostics::Pollable& budget) override { inner_->set_budget(budget); }
     [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(
-        const std::function<void()>& poll) const override {
-        return taus_ ? inner_->make_reduced_system(poll) : nullptr;
+        diagnostics::Pollable& budget) const override {
+        return taus_ ? inner_->make_reduced_system(budget) : nullptr;
     }
-    [[nodiscard]] std::vector<lts::ReplicaSet> replicas(const std::function<void()>& poll) const override {
-        return symmetry_ ? inner_->replicas(poll) : std::vector<lts::ReplicaSet>();
+    [[nodiscard]] std::vector<lts::ReplicaSet> replicas(diagnostics::Pollable& budget) const override {
+        return symmetry_ ? inner_->replicas(budget) : std::vector<lts::ReplicaSet>();
     }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return inner_->describe(state); }
 
@@ -190,7 +190,8 @@ private:
         auto& made = machines_[static_cast<std::size_t>(main)];
         if (!made) {
             machine::Compiler compiler(plain_.semantics());
-            made.emplace(compiler.compile(plain_.term(asked_.script.mains[static_cast<std::size_t>(main)]), {}));
+            made.emplace(compiler.compile(plain_.term(asked_.script.mains[static_cast<std::size_t>(main)]),
+                                          diagnostics::unlimited));
         }
         return *made ? (*made)->clone_for_thread() : nullptr;
     }

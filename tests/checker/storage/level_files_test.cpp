@@ -66,7 +66,7 @@ protected:
     }
     LevelFiles open_checkpoint(const Checkpoint& checkpoint) const {
         LevelFiles files(folder_of(checkpoint.place));
-        files.adopt(checkpoint, {});
+        files.adopt(checkpoint, diagnostics::unlimited);
         return files;
     }
     [[nodiscard]] std::size_t files_there() const {
@@ -97,10 +97,10 @@ TEST_F(Levels, AreReadAgainAfterACheckpoint) {
     EXPECT_EQ(found[0].expanded[1].chased, 5U);
     std::vector<std::vector<Word>> beside;
     const auto take = [&](std::span<const Word> rows) { beside.emplace_back(rows.begin(), rows.end()); };
-    LevelFiles::read_beside(folder_of(), found[0].unsure, true, {}, take);
+    LevelFiles::read_beside(folder_of(), found[0].unsure, true, diagnostics::unlimited, take);
     EXPECT_EQ(beside, (std::vector<std::vector<Word>>{unsure[0], unsure[2]}));
     beside.clear();
-    LevelFiles::read_beside(folder_of(), found[0].marks, false, {}, take);
+    LevelFiles::read_beside(folder_of(), found[0].marks, false, diagnostics::unlimited, take);
     EXPECT_EQ(beside, (std::vector<std::vector<Word>>{{1, 2, 3, 4, 5, 6}}));
     // The search continues, and files that are no longer needed are removed.
     for (std::uint32_t level = 13; level < 25; ++level) again.add_level(rows_of(level));
@@ -278,7 +278,7 @@ TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
         if (child == 0) {
             const std::vector<Checkpoint> found = newest_checkpoints();
             LevelFiles files(folder_of());
-            if (!found.empty()) files.adopt(found[0], {});
+            if (!found.empty()) files.adopt(found[0], diagnostics::unlimited);
             for (;;) {
                 for (int i = 0; i < 3; ++i) files.add_level(rows_of(files.levels()));
                 if (files.levels() > 30) files.forget_from(5);
@@ -292,7 +292,7 @@ TEST_F(Levels, AreThereAfterAKillAtAnyMoment) {
         if (found.empty()) continue;
         LevelFiles files = open_checkpoint(found[0]);
         expect_levels(files);
-        LevelFiles::read_beside(folder_of(), found[0].marks, false, {},
+        LevelFiles::read_beside(folder_of(), found[0].marks, false, diagnostics::unlimited,
                                 [&](std::span<const Word> rows) { EXPECT_EQ(rows[0], files.levels()); });
     }
     EXPECT_FALSE(newest_checkpoints().empty());
@@ -377,7 +377,7 @@ TEST_F(Levels, NeedFewOpenFiles) {
     }
     expect_levels(files);
     LevelFiles again(folder_of());
-    again.adopt(read(folder_.path(), folder_of().kind, newest_in(folder_.path())).at(0), {});
+    again.adopt(read(folder_.path(), folder_of().kind, newest_in(folder_.path())).at(0), diagnostics::unlimited);
     ASSERT_EQ(again.levels(), levels);
     expect_levels(again);
 }

@@ -123,7 +123,7 @@ protected:
     std::string refused(const std::string& bytes) {
         put(path("given"), bytes);
         try {
-            (void)RowFile::open(path("given"), kind(2), {});
+            (void)RowFile::open(path("given"), kind(2), diagnostics::unlimited);
         } catch (const BadFile& error) {
             return error.what();
         }
@@ -135,7 +135,7 @@ protected:
 };
 
 TEST_F(RowFiles, GiveBackTheirBlocksInAnyOrder) {
-    const RowFile file = RowFile::open(written("a"), kind(2), {});
+    const RowFile file = RowFile::open(written("a"), kind(2), diagnostics::unlimited);
     ASSERT_EQ(file.blocks().size(), 4U);
     EXPECT_EQ(file.rows(), 3 + 2 * RowFile::rows_of_block + 5);
     EXPECT_EQ(file.size(), std::filesystem::file_size(path("a")));
@@ -184,7 +184,7 @@ TEST_F(RowFiles, AreRefusedForAnotherSearch) {
     const std::string a = written("a");
     const auto why = [&](const RowKind& other) {
         try {
-            (void)RowFile::open(a, other, {});
+            (void)RowFile::open(a, other, diagnostics::unlimited);
         } catch (const BadFile& error) {
             return std::string(error.what());
         }
@@ -199,7 +199,7 @@ TEST_F(RowFiles, AreRefusedForAnotherSearch) {
 }
 
 TEST_F(RowFiles, AreRefusedWithBlocksThatChangedPlaces) {
-    const RowFile file = RowFile::open(written("a"), kind(2), {});
+    const RowFile file = RowFile::open(written("a"), kind(2), diagnostics::unlimited);
     const std::string whole = read_contents(path("a"));
     const auto part = [&](std::size_t block) {
         const std::size_t end = block + 1 < file.blocks().size() ? file.blocks()[block + 1].offset : 0;
@@ -214,7 +214,9 @@ TEST_F(RowFiles, AreRefusedWithBlocksThatChangedPlaces) {
 }
 
 TEST_F(RowFiles, AreFilesAndNothingElse) {
-    const auto open = [&](const std::string& name) { (void)RowFile::open(path(name), kind(2), {}); };
+    const auto open = [&](const std::string& name) {
+        (void)RowFile::open(path(name), kind(2), diagnostics::unlimited);
+    };
     EXPECT_THROW(open("absent"), BadFile);
     std::filesystem::create_directory(path("folder"));
     EXPECT_THROW(open("folder"), BadFile);
@@ -247,7 +249,7 @@ TEST_F(RowFiles, CanBeFinishedWhenThereIsSpaceAgain) {
     EXPECT_FALSE(file.finished());
     file.append(1, std::vector<Word>{1});
     file.finish();
-    const RowFile again = RowFile::open(path("a"), kind(1), {});
+    const RowFile again = RowFile::open(path("a"), kind(1), diagnostics::unlimited);
     std::vector<Word> rows;
     again.read(0, rows);
     again.read(1, rows);
@@ -259,7 +261,7 @@ TEST_F(RowFiles, AreNotDamagedWhereTooManyAreOpen) {
     (void)written("many");
     const tests::OpenFilesLimit limit(0);
     try {
-        (void)RowFile::open(path("many"), kind(2), {});
+        (void)RowFile::open(path("many"), kind(2), diagnostics::unlimited);
         ADD_FAILURE() << "it is opened";
     } catch (const diagnostics::LimitReached& reached) {
         EXPECT_THAT(reached.what(), AllOf(HasSubstr(path("many")), HasSubstr("Too many open files")));

@@ -23,7 +23,7 @@ Following found(const std::string& model, const std::vector<std::string>& states
     const ir::ComponentRef subject = testing::whole_component(loaded->system);
     const auto process = explore_process(loaded->system, subject, ir::instantiate_system(loaded->system, {}, none), {},
                                          loaded->sources, {});
-    return find_following(*process, loaded->system, subject, states, units, [] {});
+    return find_following(*process, loaded->system, subject, states, units, diagnostics::unlimited);
 }
 
 bool may(const Following& following, std::uint32_t from, std::uint32_t to) {

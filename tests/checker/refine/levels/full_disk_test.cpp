@@ -52,7 +52,7 @@ std::uint32_t levels_kept(const KeptWhere& where) {
     if (newest == 0) return 0;
     const storage::Checkpoint found = storage::read(where.folder, where.kind, storage::name_of(newest, where.place));
     storage::LevelFiles files({where.folder, where.kind, where.place});
-    files.adopt(found, {});
+    files.adopt(found, diagnostics::unlimited);
     return files.levels();
 }
 

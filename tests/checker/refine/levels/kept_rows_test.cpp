@@ -50,6 +50,15 @@ Graph random_graph(std::mt19937& random, std::size_t states, bool deadlocks, uns
     return graph;
 }
 
+/// Throws LimitReached after a number of polls.
+struct BudgetOfPolls final : diagnostics::Pollable {
+    explicit BudgetOfPolls(int polls) : left(polls) {}
+    void poll() override {
+        if (--left == 0) throw LimitReached("no time");
+    }
+    int left;
+};
+
 struct Answer {
     std::optional<ViolationKind> kind;
     std::vector<std::vector<lts::Word>> run, loop;
@@ -276,21 +285,18 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
         bounds.most_bytes = last.closing ? 1U << 11U : 0;
         bounds.reads_a_step = last.closing || last.number % 2 == 0 ? 0 : 8;
         CommonLevels before, after;
-        int passed = 0;
-        const auto pass = [&] {
-            if (++passed == last.number) throw LimitReached("no time");
-        };
+        BudgetOfPolls budget(last.number);
         const auto stopping = [&](const Exchange& exchange) {
             KeptWhere kept = folder_for(exchange, 1);
             if (!last.closing && last.number % 6 == 0) kept.every = std::chrono::milliseconds(0);
-            if (exchange.rank() == 0 && !last.closing) kept.poll = pass;
+            if (exchange.rank() == 0 && !last.closing) kept.budget = &budget;
             return std::make_unique<DiskRowStore>(std::move(kept), bounds);
         };
         try {
             Limits limits;
             if (last.closing)
                 limits.undisturbed = [&]() -> std::shared_ptr<void> {
-                    if (!before.searched) pass();
+                    if (!before.searched) budget.poll();
                     return nullptr;
                 };
             ASSERT_EQ(answer(graph, ranks, limits, stopping, &before), expected);
@@ -436,13 +442,11 @@ TEST_F(KeptRows, AreThereWhereARollBackIsStopped) {
     for (const std::vector<lts::Word>& rows : {std::vector<lts::Word>{0}, {1, 2}, {5}}) files.add_level(rows);
     files.checkpoint({{}, [](const storage::TakeRows& take) { take(std::vector<lts::Word>{3, 1}); }, {{3, 0}, {4, 0}}});
     where.from = storage::newest_in(where.folder);
-    int left = 1000;
-    where.poll = [&left] {
-        if (--left == 0) throw LimitReached("no time");
-    };
+    BudgetOfPolls budget(1000);
+    where.budget = &budget;
     SavedRowStore store(where);
     ASSERT_EQ(store.settle_unsure_rows(), 1U);
-    left = 1;
+    budget.left = 1;
     EXPECT_THROW(store.roll_back_to(1), LimitReached);
     EXPECT_EQ(store.levels(), 3U);
     store.checkpoint();
