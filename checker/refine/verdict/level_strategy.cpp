@@ -47,6 +47,7 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
         case LevelQuestion::Kind::deadlock:
             return std::make_unique<StateMonitor>(question.kind == LevelQuestion::Kind::deadlock);
     }
+    throw std::logic_error("a question of no kind");
 }
 
 namespace {
