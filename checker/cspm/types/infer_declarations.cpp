@@ -337,8 +337,9 @@ TypeId Inference::infer_fields(const Term& fields, Constraints constraints) {
     const TypeId values = element_type(unifier_.evaluate_dots(written));
     for (const Constraint constraint : {can_equal, can_input}) {
         if ((constraints & constraint) == 0) continue;
-        terms_.constrain(fields.syntax->span, constraint, values,
-                         constraint == can_equal ? "the values of channels are compared" : "a field holds whole values");
+        terms_.constrain(
+            fields.syntax->span, constraint, values,
+            constraint == can_equal ? "the values of channels are compared" : "a field holds whole values");
     }
     return values;
 }

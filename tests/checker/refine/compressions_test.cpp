@@ -53,7 +53,8 @@ TEST(Compressions, KeepTheModelsTheyClaim) {
         const process::Machine explored = machine_of(translation, each.asked.script.mains[1]);
         const Behaviour original(each.graphs.graphs[1], naive::letters_used);
         for (const Compression kind : kinds) {
-            const process::Machine compressed = process::BisimulationCompressor().compress(explored, kind, {});
+            const process::Machine compressed =
+                process::BisimulationCompressor().compress(explored, kind, diagnostics::unlimited);
             EXPECT_LE(compressed.edges.size(), explored.edges.size());
             if (compressed.edges.size() < explored.edges.size()) ++smaller[kind];
             const naive::Graph graph = graph_of(translation, compressed);

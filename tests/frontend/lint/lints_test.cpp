@@ -258,7 +258,7 @@ TEST(Lints, SayTheDefaultOfWhatIsNotSet) {
     const auto said = [](const std::string& type, const std::string& value) {
         const auto reading = resolved("enumeration E { first second } stm S { var v:" + type + " event out:" + type +
                                       " initial i state A { entry out!v } transition t { from i to A } }");
-        EXPECT_NE(reading->report().find("it is " + value + " then"), std::string::npos) << reading->report();
+        EXPECT_NE(reading->report().find("its value is " + value + " then"), std::string::npos) << reading->report();
     };
     said("boolean", "true");
     said("nat", "0");

@@ -152,7 +152,7 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
         {"transition t1 { from A to A trigger: e }", "directly followed by its contents", ""},
         {"transition t1 { from A to A condition = b }", "directly followed by its contents", ""},
         {"state B { entry: skip }", "directly followed by its contents", ""},
-        {"state B { entry { skip } }", "without braces", ""},
+        {"state B { entry { skip } }", "have no braces", ""},
         {"probabilistic p transition t1 { from A to p trigger e } transition t2 { from p to A probability 50% } "
          "transition t3 { from p to A probability 0.5 }",
          "a number from 0 to 1", "0.50"},

@@ -57,7 +57,7 @@ TEST(DrawnObstacles, WhatIsNotReadIsSaid) {
     EXPECT_THAT(inside("<svg viewBox=\"0 0 1 1\"/>"), HasSubstr("inside the drawing"));
     EXPECT_THAT(inside("<rect width=\"1\" height=\"1\" rx=\"1\"/>"), HasSubstr("rounded"));
     EXPECT_THAT(inside("<rect width=\"1\"/>"), HasSubstr("`rect` has no height"));
-    EXPECT_THAT(inside("<rect width=\"1cm\" height=\"1\"/>"), HasSubstr("no length"));
+    EXPECT_THAT(inside("<rect width=\"1cm\" height=\"1\"/>"), HasSubstr("is not a length"));
     EXPECT_THAT(inside("<rect width=\"0\" height=\"1\"/>"), HasSubstr("no size"));
     EXPECT_THAT(inside("<polygon points=\"1 2 3\"/>"), HasSubstr("number"));
     EXPECT_THAT(inside("<polygon points=\"1 2 3 4\"/>"), HasSubstr("three corners"));

@@ -211,14 +211,14 @@ const Mistake mistakes[] = {
     {"def_start measure m : scale(low high) def_end", "separate levels with commas"},
     {"def_start constant C : 5 def_end", "`constant NAME = 5`"},
     {"def_start const C = 5 def_end", "`constant NAME = 5`"},
-    {"def_start event A, B def_end", "a line of its own"},
+    {"def_start event A, B def_end", "define each event separately"},
     {"def_start -- words\nevent A def_end", "begins with `//`"},
     {"def_start event Low-Battery def_end", "letters, digits and `_`"},
     {"rule_start R when Go then Stop rule_end", "`def_start ... def_end`"},
     {"R when Go && near then Stop", "join conditions with `and`"},
     {"R when Go and near || safe then Stop", "join conditions with `or`"},
     {"R when Go and !near then Stop", "`not` negates a condition"},
-    {"R when Go then Stop;", "nothing ends"},
+    {"R when Go then Stop;", "need no terminator"},
     {"# words\nR when Go then Stop", "begins with `//`"},
 };
 
