@@ -14,6 +14,11 @@ namespace {
 using ir::TypeId;
 using ir::TypeKind;
 
+/// The name of the type in the model.
+std::string type_name(const ir::Type& type) {
+    return type.values_of.empty() ? type.name : type.values_of;
+}
+
 /// `number` in units of 1/scale as a decimal: -1088 at scale 100 is "-10.88".
 std::string decimal_text(std::int64_t number, std::int64_t scale) {
     if (number % scale == 0) return fmt::format("{}", number / scale);
@@ -67,7 +72,7 @@ std::string Reader::enumeration_text(const ir::Type& type, std::string_view text
     const auto found = find_literal(type, text);
     if (!found) return std::string(text);
     const auto dot = text.find('.');
-    if (dot == std::string_view::npos) return type.labels[*found];
+    if (dot == std::string_view::npos) return type.shown.empty() ? type.labels[*found] : type.shown[*found];
     std::vector<std::string> arguments;
     const std::vector<TypeId> types =
         *found < type.literal_args.size() ? type.literal_args[*found] : std::vector<TypeId>{};
@@ -198,7 +203,7 @@ std::vector<Value> values_of_event(const ir::System& system, const ir::Instantia
             std::size_t more = has_arguments ? enumeration.literal_args[*literal].size() : 0;
             for (; more > 0 && at < parts.size(); --more) value += "." + parts[at++];
         }
-        result.push_back({reader.read_value(type, value), type.is_valid() ? system.type(type).name : ""});
+        result.push_back({reader.read_value(type, value), type.is_valid() ? type_name(system.type(type)) : ""});
     }
     return result;
 }

@@ -481,6 +481,22 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
+/// "scan, ranges: 15 classes by 3 conditions (all values)"
+std::string data_text(const ir::ReplacedData& data) {
+    const std::string names = fmt::format("{}", fmt::join(data.places, ", "));
+    if (!data.all_values) return fmt::format("{}: {} (all that occur)", names, count_text(data.classes, "value"));
+    if (data.nothing_tested) return fmt::format("{}: any value (nothing depends on it)", names);
+    return fmt::format("{}: {} classes by {} (all values)", names, data.classes,
+                       count_text(data.conditions, "condition"));
+}
+
+/// The data that classes replace in the claims above.
+std::string replaced_text(const Report& report) {
+    std::string out;
+    for (const ir::ReplacedData& data : report.data) out += fmt::format("  values       {}\n", data_text(data));
+    return out;
+}
+
 /// Explains the word that replaces the number of seconds, if the report contains it.
 std::string legend_text(const Report& report, const Options& options) {
     const auto shown = [&](const driver::AssertionReport& a) {
@@ -510,6 +526,7 @@ std::string render_text(const Report& report, const Options& options) {
     const bool color = color_wanted(options.output.color, STDOUT_FILENO);
     std::string out = options.output.quiet ? "" : shown_lines(heading_text(report));
     out += assertions_text(report, options, color) + core_text(report, options, color) + legend_text(report, options);
+    if (!options.output.quiet) out += shown_lines(replaced_text(report));
     std::string found;
     write_sizes(found, report.sizes);
     out += shown_lines(found);

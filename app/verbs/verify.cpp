@@ -219,19 +219,21 @@ bool run_phases(driver::Project& project, const Options& options, bool code, Rep
 }  // namespace
 
 bool write_csp(driver::Project& project, const Options& options, Report& report) {
+    const auto other = driver::with_carriers_of_robotool(project);
+    driver::Project& exported = other ? *other : project;
+    const std::string name = options.swarm.file.empty() ? project.name : project.name + "_swarm";
+    bool written = true;
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
         const bool skipped = (options.claims.times == driver::Times::timed && time == csp_emit::Time::untimed) ||
                              (options.claims.times == driver::Times::untimed && time == csp_emit::Time::timed);
-        if (skipped) continue;
-        const csp_emit::Emission& emission = emit_csp(project, options.claims, options.swarm, time);
-        if (!project.diagnostics.ok()) return false;
-        if (!write_all(
-                "",
-                csp_emit::files(emission, time, options.swarm.file.empty() ? project.name : project.name + "_swarm"),
-                report.csp_files, options, project))
-            return false;
+        if (skipped || !written) continue;
+        const csp_emit::Emission& emission = emit_csp(exported, options.claims, options.swarm, time);
+        written = exported.diagnostics.ok() &&
+                  write_all("", csp_emit::files(emission, time, name), report.csp_files, options, project);
     }
-    return true;
+    // A check has reported the findings of the script already.
+    if (other && options.verb == Verb::emit_csp) project.diagnostics.add(exported.diagnostics);
+    return written;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <new>
@@ -21,6 +22,7 @@
 #include "counterexample/interpreter.hpp"
 #include "driver/claims/bounds.hpp"
 #include "driver/claims/causes.hpp"
+#include "driver/claims/class_project.hpp"
 #include "driver/claims/probability_claims.hpp"
 #include "driver/claims/second_look.hpp"
 #include "driver/claims/sizes.hpp"
@@ -36,12 +38,15 @@ namespace {
 
 using csp_emit::Time;
 
+using ClaimFilter = std::function<bool(const csp_emit::Obligation&)>;
+
 struct Context {
     Project& project;
     const SearchContext& search;
     const csp_emit::Emission& emission;
     cspm::Session& session;
     const TakenGuards& guards;
+    const ClaimFilter& takes;  ///< the claims that are decided in this context
 };
 
 /// The context for converting counterexamples and steps to runs of the model.
@@ -298,6 +303,7 @@ private:
 };
 
 bool is_wanted(const Context& context, const csp_emit::Obligation& obligation) {
+    if (!context.takes(obligation)) return false;
     if (!obligation.name.empty()) return is_selected(context.search.settings.claims, obligation.name);
     const bool core = obligation.property == ir::no_id;
     const bool core_requested = context.search.settings.claims.core && !obligation.component.empty();
@@ -399,14 +405,15 @@ void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds)
     }
 }
 
-/// Decides the claims in one semantics, timed or untimed.
+/// Decides claims in one semantics, timed or untimed.
 class TimeClaims {
 public:
-    /// Lists the claims in the results.
-    TimeClaims(Project& project, const SearchContext& search, Time time, ClaimResults& results)
+    /// Lists the claims that `takes` selects in the results.
+    TimeClaims(Project& project, const SearchContext& search, Time time, ClaimFilter takes, ClaimResults& results)
         : project_(project),
           search_(search),
           time_(time),
+          takes_(std::move(takes)),
           emission_(emit_csp(project, search.settings.claims, search.settings.swarm, time)),
           results_(results),
           watch_(project, emission_, project.instantiation),
@@ -416,13 +423,13 @@ public:
         if (!project.diagnostics.ok() || (emission_.obligations.empty() && !search.settings.claims.sizes)) return;
         if (!open_session()) return;
         first_ = results.assertions.size();
-        announce_claims({project, search, emission_, *session_, guards_}, results);
+        announce_claims({project, search, emission_, *session_, guards_, takes_}, results);
         announced_.assign(results.assertions.begin() + static_cast<std::ptrdiff_t>(first_), results.assertions.end());
     }
 
     void add_to(std::vector<WaitingClaim>& claims) {
         if (!session_) return;
-        const Context context{project_, search_, emission_, *session_, guards_};
+        const Context context{project_, search_, emission_, *session_, guards_, takes_};
         std::size_t number = 0;
         for (const csp_emit::Obligation& obligation : emission_.obligations)
             if (is_wanted(context, obligation))
@@ -459,7 +466,7 @@ private:
         AssertionReport one = announced_[at];
         try {
             if (!session_ && !open_session()) return true;  // the results contain the reason
-            decide_whole({project_, search, emission_, *session_, guards_}, obligation, one);
+            decide_whole({project_, search, emission_, *session_, guards_, takes_}, obligation, one);
         } catch (const diagnostics::LimitReached& limit) {
             if (run_is_over(search_.services.budget())) throw;
             one = announced_[at];
@@ -489,6 +496,10 @@ private:
             one.reason.clear();
             decide_recurrence(context, obligation, one);
         }
+        if (one.answer == Answer::holds && is_open_in_classes(project_, obligation)) {
+            one.answer = Answer::inconclusive;
+            one.reason = "outputs of different values have one name here; --concrete decides it for finite carriers";
+        }
         premises_.apply_premise(context, obligation, one);
         second_look_->add_to(obligation, one);
         add_bounds(reached_, watch_, obligation, one);
@@ -509,6 +520,7 @@ private:
     Project& project_;
     SearchContext search_;
     Time time_;
+    ClaimFilter takes_;
     const csp_emit::Emission& emission_;
     ClaimResults& results_;
     BoundWatch watch_;
@@ -553,13 +565,24 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         probabilities = std::make_unique<ProbabilityClaims>(project, search, std::move(*preferences), results);
         report_unchecked(project, search, results);
     }
+    const ClassProject classes = class_project(project, search.settings);
+    Project& decided = classes.project ? *classes.project : project;
+    results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
     std::vector<std::unique_ptr<TimeClaims>> times;
     for (const Time time : {Time::untimed, Time::timed}) {
         const bool left_out = search.settings.claims.times == (time == Time::timed ? Times::untimed : Times::timed);
-        if (left_out || !project.diagnostics.ok()) continue;
-        times.push_back(std::make_unique<TimeClaims>(project, search, time, results));
-        times.back()->add_to(claims);
+        if (left_out || !project.diagnostics.ok() || !decided.diagnostics.ok()) continue;
+        const auto add = [&](Project& of, ClaimFilter takes) {
+            times.push_back(std::make_unique<TimeClaims>(of, search, time, std::move(takes), results));
+            times.back()->add_to(claims);
+        };
+        const auto in_carriers = [&classes](const csp_emit::Obligation& obligation) {
+            return is_decided_in_carriers(classes, obligation);
+        };
+        add(decided, std::not_fn(in_carriers));
+        if (classes.small_carriers && !decided.outputs_replaced.empty()) add(project, in_carriers);
     }
+    if (&decided != &project) project.diagnostics.add(decided.diagnostics);
     if (probabilities) probabilities->add_to(claims);
     if (!project.diagnostics.ok()) return;
     decide_in_turns(claims, search, [&] {

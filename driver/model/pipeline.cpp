@@ -62,10 +62,10 @@ bool lower(Project& project, const LoadSettings& settings) {
 }
 
 /// Makes the project finite. `options` are the settings without constants that exist only in other parts.
-bool make_finite(Project& project, const ir::InstantiationOptions& options) {
+bool make_finite(Project& project, const ir::InstantiationOptions& options, ir::Carriers carriers) {
     const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "making the model finite");
     project.asked = options;
-    project.instantiation = ir::instantiate_system(project.system, options, project.diagnostics);
+    project.instantiation = ir::instantiate_system(project.system, options, project.diagnostics, carriers);
     return project.diagnostics.ok();
 }
 
@@ -130,6 +130,7 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
         lowered = lower(*part.project, settings.load) && lowered;
         find_shared_names(*part.project);
     }
+    const auto carriers = settings.claims.concrete ? ir::Carriers::robotool : ir::Carriers::beyond;
     bool all = lowered;
     for (const Part& part : parts) {
         if (!is_acceptable(*part.project, settings.load)) continue;
@@ -143,7 +144,7 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
                 std::ranges::any_of(parts, [&](const Part& other) { return has(other, constant.first); });
             return !has(part, constant.first) && (known || !lowered || &part != &parts.front());
         });
-        all = make_finite(*part.project, options) && all;
+        all = make_finite(*part.project, options, carriers) && all;
     }
     if (all) check_component(parts, settings.load.component);
 }
@@ -302,6 +303,28 @@ std::vector<ClaimName> claims_of(const frontend::Model& model) {
         for (const auto& [place, claim] : in_file) claims.push_back(claim);
     }
     return claims;
+}
+
+std::unique_ptr<Project> with_data(const Project& project, ir::System system, ir::Instantiation instantiation) {
+    auto result = std::make_unique<Project>(project.texts);
+    result->name = project.name;
+    result->label = project.label;
+    result->folder = project.folder;
+    result->shared_names = project.shared_names;
+    result->diagnostics.set_budget(project.diagnostics.budget());
+    result->system = std::move(system);
+    result->instantiation = std::move(instantiation);
+    return result;
+}
+
+std::unique_ptr<Project> with_carriers_of_robotool(const Project& project) {
+    diagnostics::Diagnostics known;  // the project has reported them
+    known.set_budget(project.diagnostics.budget());
+    ir::Instantiation other = ir::instantiate_system(project.system, project.asked, known, ir::Carriers::robotool);
+    const ir::Instantiation& own = project.instantiation;
+    if (other.nat == own.nat && other.integer == own.integer && other.real == own.real && other.scale == own.scale)
+        return nullptr;
+    return with_data(project, project.system, std::move(other));
 }
 
 std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Budget& budget) {

@@ -35,8 +35,9 @@ struct Project {
     ir::System system;
     ir::InstantiationOptions asked;  ///< options for its instantiation
     ir::Instantiation instantiation;
-    std::set<std::string> shared_names;  ///< names that components of one kind in several of its packages share
-    double seconds = 0;                  ///< time for reading, resolving and lowering
+    std::set<std::string> outputs_replaced;  ///< as in semantics/data/class_model.hpp
+    std::set<std::string> shared_names;      ///< names that components of one kind in several of its packages share
+    double seconds = 0;                      ///< time for reading, resolving and lowering
     std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts that were requested (emit_csp)
 };
 
@@ -60,6 +61,11 @@ struct Part {
 [[nodiscard]] std::vector<Part> load_parts(Settings&, diagnostics::Budget&);
 /// Like load_parts, but only reads and resolves the parts, without instantiations. Errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const LoadSettings&, diagnostics::Budget&);
+
+/// A project without model, for the same texts, with another system and instantiation.
+[[nodiscard]] std::unique_ptr<Project> with_data(const Project&, ir::System, ir::Instantiation);
+/// The project with the carriers of RoboTool, which the exported scripts have; null if its carriers are these.
+[[nodiscard]] std::unique_ptr<Project> with_carriers_of_robotool(const Project&);
 
 /// A claim of an assertion file.
 struct ClaimName {

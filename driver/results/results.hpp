@@ -12,6 +12,7 @@
 #include "counterexample/run.hpp"
 #include "driver/results/basis.hpp"
 #include "prism/assertions/experiments/experiment.hpp"
+#include "semantics/data/class_model.hpp"
 
 namespace robochart::driver {
 
@@ -103,6 +104,7 @@ struct ClaimResults {
     std::vector<BoundReport> bounds;
     std::vector<SizeReport> sizes;
     std::vector<std::string> remarks;
+    std::vector<ir::ReplacedData> data;  ///< data that classes replace in the claims
 };
 
 }  // namespace robochart::driver

@@ -228,11 +228,11 @@ bool in_carrier(const System& system, const Instantiation& instantiation, TypeId
         case TypeKind::boolean:
             return value.number == 0 || value.number == 1;
         case TypeKind::nat:
-            return contains_number(instantiation.nat, value);
+            return instantiation.unbounded ? value.number >= 0 : contains_number(instantiation.nat, value);
         case TypeKind::integer:
-            return contains_number(instantiation.integer, value);
+            return instantiation.unbounded || contains_number(instantiation.integer, value);
         case TypeKind::real:
-            return contains_number(instantiation.real, value);
+            return instantiation.unbounded || contains_number(instantiation.real, value);
         case TypeKind::enumeration:
             return has_literal(system, instantiation, type, value);
         case TypeKind::given:

@@ -235,7 +235,8 @@ void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instant
 
 }  // namespace
 
-Instantiation instantiate_system(const System& system, const InstantiationOptions& options, Diagnostics& diagnostics) {
+Instantiation instantiate_system(const System& system, const InstantiationOptions& options, Diagnostics& diagnostics,
+                                 Carriers carriers) {
     Instantiation instantiation;
     instantiation.budget = diagnostics.budget();
     Literals literals = literals_of(system);
@@ -243,7 +244,7 @@ Instantiation instantiate_system(const System& system, const InstantiationOption
     Ranges ranges;
     read_range_options(options, ranges, diagnostics);
     widen_by_literals(literals, ranges, diagnostics);
-    if (!carriers_given(system)) {
+    if (carriers == Carriers::beyond && !carriers_given(system)) {
         const auto lengths = options.ranges.find("Seq");
         const std::int64_t longest =
             lengths == options.ranges.end() ? instantiation.sequence_bound : lengths->second.second;

@@ -24,9 +24,16 @@
 
 namespace robochart::ir {
 
+/// Which numbers the carriers contain that no option and no block Instantiations gives.
+enum class Carriers {
+    robotool,  ///< up to the least and the greatest literal
+    beyond,    ///< also numbers on both sides of those that values are compared with (compared.hpp)
+};
+
 /// Applies RoboTool's defaults, widens them by the model's literals and constants, and then applies the user's options.
 /// Invalid options (unknown constant, empty range) are reported.
-[[nodiscard]] Instantiation instantiate_system(const System&, const InstantiationOptions&, diagnostics::Diagnostics&);
+[[nodiscard]] Instantiation instantiate_system(const System&, const InstantiationOptions&, diagnostics::Diagnostics&,
+                                               Carriers = Carriers::beyond);
 
 /// True if an option's name for a constant, "NAME" or the end of "P::S::NAME", refers to a constant of the system.
 [[nodiscard]] bool names_constant(const System&, const std::string& option);

@@ -44,6 +44,7 @@ struct Instantiation {
     std::int64_t sequence_bound = 2;                    ///< longest sequence
     std::int64_t clock_bound = 10;                      ///< core_clock_type = {0..clock_bound}
     std::int64_t recursion_bound = 2;                   ///< nested calls of one operation
+    bool unbounded = false;  ///< every number belongs to its type, so that arithmetic is not clipped
     /// Constants without a value in the model, and those that an option sets: qualified name as in CSP (`const_P_S_c`,
     /// see query.hpp) -> value. An entry here overrides the value in the model.
     std::map<std::string, Value> constants;

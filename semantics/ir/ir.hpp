@@ -76,6 +76,8 @@ struct Type {
     std::vector<std::string> labels;                ///< enumeration: literals; record: field names
     std::vector<std::vector<TypeId>> literal_args;  ///< enumeration: argument types of each literal
     std::vector<std::int64_t> sizes;                ///< vector {n}, matrix {rows, columns}
+    std::string values_of;           ///< classes of values (semantics/data): the type of the values; otherwise empty
+    std::vector<std::string> shown;  ///< classes of values: a value of each class; otherwise empty
     Origin origin;
 };
 

@@ -98,6 +98,11 @@ bool reads_clock(const Expr& expr) {
     return expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
 }
 
+bool is_connective(ExprKind kind) {
+    return kind == ExprKind::logical_not || kind == ExprKind::conjunction || kind == ExprKind::disjunction ||
+           kind == ExprKind::implies || kind == ExprKind::iff;
+}
+
 bool is_comparison(ExprKind kind) {
     return kind >= ExprKind::equal && kind <= ExprKind::less_equal;
 }

@@ -40,6 +40,8 @@ void visit_operands(const Expr&, const std::function<void(const Expr&)>&);
 /// True for an expression that is a clock: since, sinceEntry or a cast of one.
 [[nodiscard]] bool reads_clock(const Expr&);
 [[nodiscard]] bool is_comparison(ExprKind);
+/// not, and, or, implies, iff
+[[nodiscard]] bool is_connective(ExprKind);
 /// The clock that since or sinceEntry reads; invalid for other expressions.
 [[nodiscard]] ClockId clock_of(const Machine&, const Expr&);
 

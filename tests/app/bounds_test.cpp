@@ -129,7 +129,7 @@ TEST_F(Bounds, OfSequencesAreNamedWithTheOptionThatWidensThem) {
                                                    " }\ntransition t3 { from j to A condition " + second + " }\n}\n");
         const std::string folder = std::filesystem::path(model.path()).parent_path().string();
         std::ofstream(folder + "/short.assertions") << "untimed assertion A : S is deadlock-free\n";
-        const Ran ran = run({"check", folder, "--format", "json"});
+        const Ran ran = run({"check", folder, "--concrete", "--format", "json"});
         const auto report = nlohmann::json::parse(ran.out, nullptr, false);
         EXPECT_FALSE(report.is_discarded()) << ran.out << ran.err;
         return report.is_discarded() ? "" : report["assertions"][0].value("basis", nlohmann::json::array()).dump();

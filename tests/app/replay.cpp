@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "driver/claims/class_project.hpp"
 #include "driver/claims/model_claims.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -56,10 +58,11 @@ Raw raw_event(const std::string& text) {
     return {true, text.substr(tau.size() + 1, text.size() - tau.size() - 2)};
 }
 
-/// The script prints plain numbers and truth values as the model does.
-bool plain(const json& value) {
+/// The script prints plain numbers and truth values as the model does, unless classes replace values of the type.
+bool is_plain(const ir::System& system, const json& value) {
     const std::string type = value.value("type", "");
-    return type == "nat" || type == "int" || type == "boolean";
+    const bool replaced = std::ranges::find(system.types, type, &ir::Type::values_of) != system.types.end();
+    return !replaced && (type == "nat" || type == "int" || type == "boolean");
 }
 
 class Replay {
@@ -188,7 +191,7 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
         const std::string name = variable["name"];
         const auto has = [&](const std::string& value) { return values.contains({name, value}); };
         if (variable["value"].is_null()) return has("_") || has("'_'");
-        if (!plain(variable) && variable.contains("type"))
+        if (!is_plain(system_, variable) && variable.contains("type"))
             return std::ranges::any_of(values, [&](const auto& each) { return each.first == name; });
         return has(variable["value"]);
     });
@@ -237,7 +240,7 @@ void Replay::values_of(const json& step, const std::string& name) {
     if (!step.contains("values")) return;
     std::string end;
     for (const json& value : step["values"]) {
-        if (!plain(value)) return;
+        if (!is_plain(system_, value)) return;
         end += "." + value["value"].get<std::string>();
     }
     const bool there = name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
@@ -253,7 +256,7 @@ bool Replay::offered(const json& offer, const States& states) {
     std::string end;
     if (offer.contains("values"))
         for (const json& value : offer["values"]) {
-            if (!plain(value)) return true;
+            if (!is_plain(system_, value)) return true;
             end += "." + value["value"].get<std::string>();
         }
     for (const TermId state : states)
@@ -362,8 +365,11 @@ std::vector<std::string> replay_one(const ir::System& system, const csp_emit::Em
     return faults;
 }
 
+using ClaimFilter = std::function<bool(const csp_emit::Obligation&)>;
+
+/// Replays the counterexamples of the claims that `takes` selects.
 void replay_time(driver::Project& project, const Options& options, csp_emit::Time time, const json& report,
-                 Replayed& sum) {
+                 const ClaimFilter& takes, Replayed& sum) {
     const csp_emit::Emission emission = emit_csp(project, options.claims, options.swarm, time);
     if (!project.diagnostics.ok()) return;
     std::map<std::string, const json*> answers;
@@ -371,7 +377,7 @@ void replay_time(driver::Project& project, const Options& options, csp_emit::Tim
     cspm::Session session(emission.script);
     for (const csp_emit::Obligation& obligation : emission.obligations) {
         const auto found = answers.find(obligation.title);
-        if (found == answers.end()) continue;
+        if (found == answers.end() || !takes(obligation)) continue;
         ++sum.assertions;
         if (!found->second->contains("counterexample")) continue;
         const json& run = (*found->second)["counterexample"];
@@ -386,11 +392,12 @@ void replay_time(driver::Project& project, const Options& options, csp_emit::Tim
 
 }  // namespace
 
-void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) try {
+void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum, bool concrete) try {
     Options options;
     set_verb(options, Verb::check);
     options.load.inputs = inputs;
     options.claims.core = core;
+    options.claims.concrete = concrete;
     // Long runs show no further kinds of steps.
     options.limits.timeout_seconds = 2;
     options.limits.max_states = 20'000;
@@ -403,8 +410,14 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum) tr
     check_assertions(*project, search_context(options), report);
     if (!project->diagnostics.ok()) return;
     const json parsed = json::parse(render_json(report));
-    for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed})
-        replay_time(*project, options, time, parsed, sum);
+    const driver::ClassProject classes = driver::class_project(*project, options);
+    const auto in_carriers = [&](const csp_emit::Obligation& obligation) {
+        return !classes.project || driver::is_decided_in_carriers(classes, obligation);
+    };
+    for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
+        if (classes.project) replay_time(*classes.project, options, time, parsed, std::not_fn(in_carriers), sum);
+        replay_time(*project, options, time, parsed, in_carriers, sum);
+    }
 } catch (const diagnostics::LimitReached&) {
     // The counterexamples that were compared before the limit count.
 }

@@ -130,7 +130,7 @@ TEST(EvaluationErrorsOfTypes, HaveThePlaceOfTheDeclaration) {
           "def_start\n event go\n event done\n measure near : boolean\ndef_end\nrule_start\n R when go then "
           "done\nrule_end\n"}});
     for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"check", folder / "arm.rct", "--core"},
+         {std::vector<std::string>{"check", folder / "arm.rct", "--core", "--concrete"},
           std::vector<std::string>{"rules", folder / "arm.sleec", folder / "arm.rct"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The project in which classes of values replace data, for claims that do not observe values (docs/data.md).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "driver/model/pipeline.hpp"
+#include "semantics/data/class_model.hpp"
+
+namespace robochart::driver {
+
+struct ClassProject {
+    std::unique_ptr<Project> project;
+    std::vector<ir::ReplacedData> data;
+    bool small_carriers = false;  ///< the replaced data have few values in the finite instantiation
+};
+
+/// The project with classes of values. Null if no data can be replaced, if claims observe values (CSP blocks, rules,
+/// comparisons of components), if a swarm is decided, or if the settings ask for the finite instantiation or choose
+/// ranges.
+[[nodiscard]] ClassProject class_project(const Project& project, const Settings& settings);
+
+/// True for a claim of determinism about a component whose outputs have names of classes: if it holds with classes, it
+/// is open.
+[[nodiscard]] bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation);
+/// True for a claim that is open with classes and is decided in the finite instantiation instead.
+[[nodiscard]] bool is_decided_in_carriers(const ClassProject& classes, const csp_emit::Obligation& obligation);
+
+}  // namespace robochart::driver

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model whose data are replaced by classes of values, so that its answers are about all values and not about finite
+// carriers. docs/data.md explains it. The result is an ordinary system: classes are enumerations.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+/// Data that classes replace.
+struct ReplacedData {
+    std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
+    std::size_t classes = 0;
+    std::size_t conditions = 0;
+    bool all_values = false;      ///< otherwise, the classes are the values that occur
+    bool nothing_tested = false;  ///< no condition reads the values
+};
+
+struct ClassModel {
+    System system;
+    Instantiation instantiation;
+    std::vector<ReplacedData> data;  ///< not empty
+    bool small_carriers = true;      ///< each replaced type has at most 64 values in the finite instantiation
+    /// The machines ("P::S") for which classes replace values of outputs and calls. Two outputs of different values may
+    /// then have one name, so that a nondeterministic machine may have a deterministic class model.
+    std::set<std::string> outputs_replaced;
+};
+
+/// Replaces all data that can be replaced. No value if there are none. Properties of the system must not observe values
+/// of events: the class model has the same names of events, and other values.
+[[nodiscard]] std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation);
+
+}  // namespace robochart::ir

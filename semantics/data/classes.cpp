@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "semantics/data/classes.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "semantics/data/linear.hpp"
+#include "semantics/data/windows.hpp"
+#include "semantics/evaluate/carrier.hpp"
+
+namespace robochart::ir {
+namespace {
+
+constexpr std::size_t most_conditions = 64;
+constexpr std::size_t most_classes = 256;
+
+/// True if the type has numbers, strings or elements of given types. Recursion depth: the depth of types.
+bool has_many_values(const System& system, TypeId id) {
+    const Type& type = system.type(id);
+    const auto part = [&](TypeId of) { return has_many_values(system, of); };
+    switch (type.kind) {
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::sequence:
+            return true;
+        case TypeKind::boolean:
+        case TypeKind::unit:
+            return false;
+        case TypeKind::enumeration:
+            return std::ranges::any_of(type.literal_args,
+                                       [&](const auto& arguments) { return std::ranges::any_of(arguments, part); });
+        case TypeKind::set:
+        case TypeKind::product:
+        case TypeKind::record:
+        case TypeKind::function:
+        case TypeKind::relation:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+            return std::ranges::any_of(type.args, part);
+    }
+    return true;
+}
+
+/// Writes the number at a path of parts.
+void put(Value& value, const std::vector<std::size_t>& path, std::int64_t number) {
+    Value* at = &value;
+    for (const std::size_t part : path) at = &at->parts.at(part);
+    at->number = number;
+}
+
+class Division {
+public:
+    Division(const System& system, const Sampling& sampling, TypeId type, const Uses& uses)
+        : system_(system), sampling_(sampling), type_(type), uses_(uses) {}
+
+    /// Classes of all values of the type, or of the values that occur; no value if the conditions have other forms.
+    /// `only_by_events`: values come from events alone; `only_copied`: no value is computed.
+    std::optional<ValueClasses> divide(bool all_values, bool only_by_events, bool only_copied);
+
+private:
+    /// For each condition 1, 0 or -1 (undefined).
+    using Answers = std::vector<int>;
+
+    [[nodiscard]] std::optional<std::vector<Value>> candidates() const;
+    [[nodiscard]] std::optional<std::vector<Value>> linear_candidates() const;
+    [[nodiscard]] std::optional<std::vector<Value>> sequence_candidates() const;
+    [[nodiscard]] ClosedValue closed_of(MachineId machine) const {
+        return [this, machine](const Expr& expr) { return sampling_.closed_value(machine, expr); };
+    }
+    [[nodiscard]] std::optional<Answers> answers_for(const Value& value) const;
+    [[nodiscard]] std::vector<Value> written_values() const;
+    [[nodiscard]] bool is_refused(const Answers& answers) const;
+    bool add_value(const Value& value, bool written);
+
+    const System& system_;
+    const Sampling& sampling_;
+    TypeId type_;
+    const Uses& uses_;
+    bool only_by_events_ = false;
+    std::map<std::pair<Answers, Value>, std::size_t>
+        numbers_;  ///< the value is set if each value is a class of its own
+    bool separate_ = false;
+    ValueClasses result_;
+};
+
+std::optional<Division::Answers> Division::answers_for(const Value& value) const {
+    Answers result;
+    for (const Condition& condition : uses_.conditions) {
+        const auto answer = sampling_.truth(condition.machine, *condition.expr, value);
+        if (!answer) return std::nullopt;
+        result.push_back(*answer);
+    }
+    return result;
+}
+
+/// The default value first.
+std::vector<Value> Division::written_values() const {
+    std::vector<Value> result{default_value(system_, sampling_.instantiation(), type_)};
+    for (const Written& written : uses_.writes)
+        if (written.closed && written.expr != nullptr)
+            result.push_back(*sampling_.closed_value(written.machine, *written.expr));
+    return result;
+}
+
+std::optional<std::vector<Value>> Division::linear_candidates() const {
+    LinearConditions linear(system_, sampling_.instantiation().scale);
+    for (const Condition& condition : uses_.conditions)
+        if (!linear.add(*condition.expr, closed_of(condition.machine))) return std::nullopt;
+    const auto points = linear.points();
+    if (!points) return std::nullopt;
+    const Value standard = default_value(system_, sampling_.instantiation(), type_);
+    std::vector<Value> result;
+    for (const std::vector<std::int64_t>& point : *points) {
+        Value value = standard;
+        for (std::size_t i = 0; i < point.size(); ++i) put(value, linear.components()[i].path, point[i]);
+        result.push_back(std::move(value));
+    }
+    return result;
+}
+
+std::optional<std::vector<Value>> Division::sequence_candidates() const {
+    SequenceConditions sequences(system_, sampling_.instantiation().scale);
+    for (const Condition& condition : uses_.conditions)
+        if (!sequences.add(*condition.expr, closed_of(condition.machine))) return std::nullopt;
+    const TypeId element = system_.type(type_).args.at(0);
+    Value other = default_value(system_, sampling_.instantiation(), element);
+    if (system_.type(element).kind == TypeKind::real) other.number = sampling_.instantiation().scale;
+    return sequences.values(element, other);
+}
+
+std::optional<std::vector<Value>> Division::candidates() const {
+    if (uses_.conditions.empty()) return std::vector<Value>{};
+    return system_.type(type_).kind == TypeKind::sequence ? sequence_candidates() : linear_candidates();
+}
+
+/// True for a value that no transition takes.
+bool Division::is_refused(const Answers& answers) const {
+    if (!only_by_events_ || uses_.entries.empty()) return false;
+    for (const Expr* entry : uses_.entries) {
+        const auto found = std::ranges::find(uses_.conditions, entry, &Condition::expr);
+        if (entry == nullptr || found == uses_.conditions.end()) return false;
+        if (answers[static_cast<std::size_t>(found - uses_.conditions.begin())] == 1) return false;
+    }
+    return true;
+}
+
+/// A refused value is never stored, so it may belong to any class. It belongs to the first one.
+bool Division::add_value(const Value& value, bool written) {
+    const auto answers = answers_for(value);
+    if (!answers) return false;
+    if (!written && is_refused(*answers)) return true;
+    const auto [found, added] =
+        numbers_.emplace(std::pair(*answers, separate_ ? value : Value{}), result_.witnesses.size());
+    if (added) result_.witnesses.push_back(value);
+    if (written) result_.of_value.emplace(value, found->second);
+    if (!added) return true;
+    for (std::size_t c = 0; c < uses_.conditions.size(); ++c)
+        result_.answers[uses_.conditions[c].expr].push_back((*answers)[c] == 1);
+    return result_.witnesses.size() <= most_classes;
+}
+
+/// If values are only copied, the classes are the values that the model writes, and one more. With one class, two
+/// outputs of different values would have one name, and a nondeterministic model could seem deterministic. These
+/// classes are enough: if outputs of v and of another value are possible after one trace, they are possible after
+/// renaming v to the one more value, or keeping it if the model writes it, and all other values to one that the model
+/// writes (Lazić, A semantic study of data independence, 1999, chapter 5).
+std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_events, bool only_copied) {
+    if (uses_.conditions.size() > most_conditions) return std::nullopt;
+    only_by_events_ = only_by_events;
+    result_.nothing_tested = all_values && uses_.conditions.empty();
+    separate_ = !all_values || (result_.nothing_tested && only_copied);
+    result_.all_values = all_values;
+    result_.exact_outputs = !all_values || (result_.nothing_tested && only_copied);
+    for (const Value& value : written_values())
+        if (!add_value(value, true)) return std::nullopt;
+    if (!all_values) return std::move(result_);
+    if (result_.nothing_tested) {
+        if (only_copied) result_.witnesses.push_back(result_.witnesses.front());
+        return std::move(result_);
+    }
+    const auto found = candidates();
+    if (!found) return std::nullopt;
+    for (const Value& value : *found)
+        if (!add_value(value, false)) return std::nullopt;
+    return std::move(result_);
+}
+
+/// Decides which flow classes keep their values: values that others are computed from are needed.
+class Choice {
+public:
+    Choice(const System& system, const Sampling& sampling, const Places& places, const std::map<PlaceId, Uses>& uses)
+        : system_(system), sampling_(sampling), places_(places), uses_(uses) {}
+
+    std::map<PlaceId, ValueClasses> choose() {
+        for (const auto& [flow, uses] : uses_)
+            if (auto classes = classes_of(flow, uses)) chosen_.emplace(flow, std::move(*classes));
+        while (give_up_one()) {
+        }
+        return std::move(chosen_);
+    }
+
+private:
+    [[nodiscard]] static bool is_computed(const Uses& uses) {
+        return std::ranges::any_of(uses.writes, [](const Written& written) { return !written.closed; });
+    }
+
+    [[nodiscard]] bool from_outside(PlaceId flow) const { return places_[flow].input || places_[flow].shared; }
+
+    [[nodiscard]] std::optional<ValueClasses> classes_of(PlaceId flow, const Uses& uses) const {
+        const Place& place = places_[flow];
+        if (place.opaque || !uses.needs_values.empty() || !has_many_values(system_, place.type)) return std::nullopt;
+        const bool computed = is_computed(uses);
+        if (computed && !uses.conditions.empty()) return std::nullopt;
+        return Division(system_, sampling_, place.type, uses)
+            .divide(from_outside(flow) || computed, !place.shared && !computed, !computed);
+    }
+
+    /// The chosen flow classes whose values cannot be computed: they come from outside, or are computed from such
+    /// values.
+    [[nodiscard]] std::set<PlaceId> unknown_values() const {
+        std::set<PlaceId> unknown;
+        for (const auto& [flow, classes] : chosen_)
+            if (from_outside(flow)) unknown.insert(flow);
+        for (std::size_t before = unknown.size() + 1; before != unknown.size();) {
+            before = unknown.size();
+            for (const auto& [flow, classes] : chosen_)
+                for (const PlaceId read : flows_read(uses_.at(flow)))
+                    if (unknown.contains(read)) unknown.insert(flow);
+        }
+        return unknown;
+    }
+
+    [[nodiscard]] std::set<PlaceId> flows_read(const Uses& uses) const {
+        std::set<PlaceId> result;
+        for (const Written& written : uses.writes)
+            for (const PlaceId read : written.reads) result.insert(places_.class_of(read));
+        return result;
+    }
+
+    /// Removes a flow class whose values can be computed, or one from which a value is computed that is kept.
+    bool give_up_one() {
+        const std::set<PlaceId> unknown = unknown_values();
+        for (const auto& [flow, uses] : uses_) {
+            if (chosen_.contains(flow)) {
+                if (is_computed(uses) && !unknown.contains(flow) && chosen_.erase(flow) > 0) return true;
+                continue;
+            }
+            for (const PlaceId read : flows_read(uses))
+                if (chosen_.erase(read) > 0) return true;
+        }
+        return false;
+    }
+
+    const System& system_;
+    const Sampling& sampling_;
+    const Places& places_;
+    const std::map<PlaceId, Uses>& uses_;
+    std::map<PlaceId, ValueClasses> chosen_;
+};
+
+}  // namespace
+
+std::map<PlaceId, ValueClasses> divide_values(const System& system, const Sampling& sampling, const Places& places,
+                                              const std::map<PlaceId, Uses>& uses) {
+    return Choice(system, sampling, places, uses).choose();
+}
+
+}  // namespace robochart::ir

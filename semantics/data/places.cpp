@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "semantics/data/places.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace robochart::ir {
+namespace {
+
+template <class Component, class Visit>
+void visit_component(Component& component, const Visit& visit) {
+    for (auto& variable : component.variables) visit(variable.type);
+    for (auto& event : component.events)
+        if (event.type) visit(*event.type);
+    for (auto& operation : component.operations)
+        for (auto& parameter : operation.parameters) visit(parameter);
+}
+
+bool is_shared(const Machine& machine, const Variable& variable) {
+    return variable.scope == VariableScope::required ||
+           (machine.kind == MachineKind::operation && variable.scope == VariableScope::parameter);
+}
+
+}  // namespace
+
+void Places::visit_types(System& system, const std::function<void(TypeId&)>& visit) {
+    for (Machine& machine : system.machines) visit_component(machine, visit);
+    for (Controller& controller : system.controllers) visit_component(controller, visit);
+    for (Module& module : system.modules) visit_component(module.platform, visit);
+}
+
+Places::Places(const System& system) {
+    number_places(system);
+    parents_.resize(places_.size());
+    for (PlaceId place = 0; place < parents_.size(); ++place) parents_[place] = place;
+    unite_shared_names(system);
+    unite_connections(system);
+}
+
+void Places::number_places(const System& system) {
+    const auto add = [&](Place place) {
+        places_.push_back(std::move(place));
+        return static_cast<PlaceId>(places_.size() - 1);
+    };
+    const auto add_component = [&](const auto& component, const auto& shared, bool machine) {
+        MachinePlaces numbers;
+        numbers.variables = static_cast<PlaceId>(places_.size());
+        for (const Variable& variable : component.variables)
+            add({variable.type, variable.name, false, shared(variable), !machine && variable.initial != nullptr});
+        for (const Event& event : component.events)
+            numbers.events.push_back(event.type ? add({*event.type, event.name, event.input}) : no_id);
+        for (const OperationSignature& operation : component.operations) {
+            numbers.operations.push_back(static_cast<PlaceId>(places_.size()));
+            for (std::size_t i = 0; i < operation.parameters.size(); ++i)
+                add({operation.parameters[i], operation.parameter_names.at(i)});
+        }
+        return numbers;
+    };
+    const auto always = [](const Variable&) { return true; };
+    for (const Machine& machine : system.machines)
+        machines_.push_back(add_component(
+            machine, [&](const Variable& variable) { return is_shared(machine, variable); }, true));
+    for (const Controller& controller : system.controllers)
+        controllers_.push_back(add_component(controller, always, false));
+    for (const Module& module : system.modules) platforms_.push_back(add_component(module.platform, always, false));
+}
+
+PlaceId Places::class_of(PlaceId place) const {
+    while (parents_[place] != place) place = parents_[place];
+    return place;
+}
+
+void Places::unite(PlaceId a, PlaceId b) {
+    const auto [least, other] = std::minmax({class_of(a), class_of(b)});
+    Place& all = places_[least];
+    all.opaque = all.opaque || places_[other].opaque || all.type != places_[other].type;
+    all.input = all.input || places_[other].input;
+    all.shared = all.shared || places_[other].shared;
+    parents_[other] = least;
+}
+
+/// Variables of one name are one flow class if they are shared, or if an operation requires a variable of this name.
+/// So are the parameters of operations of one name, and the events that operations and their callers use by one name.
+/// This may unite more than what is copied, which is sound: a larger flow class has more conditions.
+void Places::unite_shared_names(const System& system) {
+    std::map<std::pair<std::string, std::size_t>, PlaceId> first;
+    const auto unite_name = [&](const std::string& key, std::size_t position, PlaceId place) {
+        const auto [found, added] = first.emplace(std::pair(key, position), place);
+        if (!added) unite(found->second, place);
+    };
+    std::set<std::string> of_operations;
+    for (const Machine& machine : system.machines)
+        if (machine.kind == MachineKind::operation)
+            for (const Variable& variable : machine.variables)
+                if (variable.scope == VariableScope::required) of_operations.insert(variable.name);
+    const auto unite_signatures = [&](const auto& component, const MachinePlaces& numbers) {
+        for (std::size_t i = 0; i < component.operations.size(); ++i)
+            for (std::size_t p = 0; p < component.operations[i].parameters.size(); ++p)
+                unite_name("operation " + component.operations[i].name, p,
+                           numbers.operations[i] + static_cast<PlaceId>(p));
+    };
+    const auto unite_variables = [&](const auto& component, const MachinePlaces& numbers) {
+        for (std::size_t i = 0; i < component.variables.size(); ++i)
+            unite_name("variable " + component.variables[i].name, 0, numbers.variables + static_cast<PlaceId>(i));
+    };
+    bool operations_use_events = false;
+    for (std::size_t m = 0; m < system.machines.size(); ++m) {
+        const Machine& machine = system.machines[m];
+        std::size_t parameters = 0;
+        for (std::uint32_t i = 0; i < machine.variables.size(); ++i) {
+            const Variable& variable = machine.variables[i];
+            const PlaceId place = machines_[m].variables + i;
+            if (variable.scope == VariableScope::parameter)
+                unite_name("operation " + machine.name, parameters++, place);
+            else if (variable.scope == VariableScope::required || of_operations.contains(variable.name))
+                unite_name("variable " + variable.name, 0, place);
+        }
+        unite_signatures(machine, machines_[m]);
+        operations_use_events =
+            operations_use_events || (machine.kind == MachineKind::operation && !machine.events.empty());
+    }
+    for (std::size_t m = 0; operations_use_events && m < system.machines.size(); ++m)
+        for (std::size_t i = 0; i < system.machines[m].events.size(); ++i)
+            if (machines_[m].events[i] != no_id)
+                unite_name("event " + system.machines[m].events[i].name, 0, machines_[m].events[i]);
+    for (std::size_t c = 0; c < system.controllers.size(); ++c) {
+        unite_variables(system.controllers[c], controllers_[c]);
+        unite_signatures(system.controllers[c], controllers_[c]);
+    }
+    for (std::size_t m = 0; m < system.modules.size(); ++m) {
+        unite_variables(system.modules[m].platform, platforms_[m]);
+        unite_signatures(system.modules[m].platform, platforms_[m]);
+    }
+}
+
+void Places::unite_connections(const System& system) {
+    const auto place_of = [](const std::vector<Event>& events, const MachinePlaces& numbers, const std::string& name) {
+        const auto found = std::ranges::find(events, name, &Event::name);
+        return found == events.end() ? no_id : numbers.events[static_cast<std::size_t>(found - events.begin())];
+    };
+    const auto unite_ends = [&](const std::vector<Connection>& connections, const auto& end) {
+        for (const Connection& connection : connections) {
+            const PlaceId from = end(connection.from), to = end(connection.to);
+            if (from != no_id && to != no_id) unite(from, to);
+        }
+    };
+    for (std::size_t c = 0; c < system.controllers.size(); ++c) {
+        const Controller& controller = system.controllers[c];
+        unite_ends(controller.connections, [&](const ConnectionEnd& end) {
+            if (end.kind == EndKind::self) return place_of(controller.events, controllers_[c], end.event);
+            const std::uint32_t machine = controller.machines.at(end.part).machine.index;
+            return place_of(system.machines[machine].events, machines_[machine], end.event);
+        });
+    }
+    for (std::size_t m = 0; m < system.modules.size(); ++m) {
+        const Module& module = system.modules[m];
+        unite_ends(module.connections, [&](const ConnectionEnd& end) {
+            if (end.kind == EndKind::self) return place_of(module.platform.events, platforms_[m], end.event);
+            const std::uint32_t controller = module.controllers.at(end.part).controller.index;
+            return place_of(system.controllers[controller].events, controllers_[controller], end.event);
+        });
+    }
+}
+
+}  // namespace robochart::ir

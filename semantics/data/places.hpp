@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The places that hold data in a model, and the flow classes that copies make of them. Private to this component.
+// Two places are in one flow class if a value may be copied from one to the other: by an assignment, a communication, a
+// call, a connection or a shared variable (docs/data.md, "Flow classes").
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+/// The number of a place: a variable, the value of an event, or a parameter of an operation.
+using PlaceId = std::uint32_t;
+
+/// A place that holds values.
+struct Place {
+    TypeId type;
+    std::string name;     ///< as in the model
+    bool input = false;   ///< the value of an event that a component receives
+    bool shared = false;  ///< a variable that components share, or a parameter of an operation with a body
+    bool opaque = false;  ///< copied to a place of another type, or initialised outside machines
+};
+
+/// All places of a system, divided into flow classes.
+class Places {
+public:
+    explicit Places(const System& system);
+
+    [[nodiscard]] PlaceId variable(MachineId machine, VariableId id) const {
+        return machines_[machine.index].variables + id.index;
+    }
+    /// The place of an event's value. The event must have a type.
+    [[nodiscard]] PlaceId event(MachineId machine, EventId id) const {
+        return machines_[machine.index].events[id.index];
+    }
+    /// The place of a parameter of an operation that the machine calls.
+    [[nodiscard]] PlaceId parameter(MachineId machine, OperationId id, std::size_t position) const {
+        return machines_[machine.index].operations[id.index] + static_cast<PlaceId>(position);
+    }
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
+    [[nodiscard]] const Place& operator[](PlaceId place) const { return places_[place]; }
+
+    void unite(PlaceId a, PlaceId b);
+    /// The least place of the flow class.
+    [[nodiscard]] PlaceId class_of(PlaceId place) const;
+
+    /// Calls the function with the type of every place, in the order of their numbers.
+    static void visit_types(System& system, const std::function<void(TypeId&)>& visit);
+
+private:
+    struct MachinePlaces {
+        PlaceId variables = 0;
+        std::vector<PlaceId> events;      ///< by EventId; no_id: the event has no value
+        std::vector<PlaceId> operations;  ///< by OperationId: the first parameter
+    };
+
+    void number_places(const System& system);
+    void unite_shared_names(const System& system);
+    void unite_connections(const System& system);
+
+    std::vector<Place> places_;
+    std::vector<PlaceId> parents_;
+    std::vector<MachinePlaces> machines_, controllers_, platforms_;
+};
+
+}  // namespace robochart::ir

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Evaluation in the ideal semantics: numbers have no bounds, and reals have more decimal places than the model's
+// literals, so that there are numbers between neighbours. Private to this component.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "semantics/evaluate/environment.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+/// Expressions of a system, evaluated without bounds.
+class Sampling {
+public:
+    Sampling(const System& system, const Instantiation& instantiation);
+
+    [[nodiscard]] const Instantiation& instantiation() const { return ideal_; }
+    /// The value of an expression that reads no variable, trigger or clock. No value if it reads one, has none, or has
+    /// different values in the contexts in which the machine runs.
+    [[nodiscard]] std::optional<Value> closed_value(MachineId machine, const Expr& expr) const;
+    /// Whether the condition is true for this value of the only place that it reads: 1 or 0; -1 if a precondition of a
+    /// function makes it undefined. No value if it has different answers in the contexts in which the machine runs, or
+    /// if its evaluation is an error, such as a division by zero.
+    [[nodiscard]] std::optional<int> truth(MachineId machine, const Expr& condition, const Value& value) const;
+
+private:
+    [[nodiscard]] bool is_set_by_property(MachineId machine, const Expr& expr) const;
+    [[nodiscard]] Value rescaled(TypeId type, const Value& value) const;
+
+    const System& system_;
+    Instantiation ideal_;
+    std::int64_t factor_ = 1;
+    std::set<std::string> set_by_properties_;                 ///< names of constants as in scripts
+    std::vector<std::vector<std::vector<Value>>> constants_;  ///< of each machine, in each context
+};
+
+/// True if the expression reads a variable, the value of a trigger, or a clock.
+[[nodiscard]] bool reads_state(const Expr& expr);
+
+}  // namespace robochart::ir

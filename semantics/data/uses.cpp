@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "semantics/data/uses.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "semantics/evaluate/toolkit.hpp"
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+/// True if a call in the expression may be undefined.
+bool may_be_undefined(const System& system, const Expr& root) {
+    bool result = false;
+    visit_operands(root, [&](const Expr& expr) {
+        result = result || (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) ||
+                 expr.kind == ExprKind::apply || expr.kind == ExprKind::index || expr.kind == ExprKind::divide ||
+                 expr.kind == ExprKind::modulus || expr.kind == ExprKind::the ||
+                 (expr.kind == ExprKind::call && expr.function.is_valid() &&
+                  !system.functions.at(expr.function.index).preconditions.empty());
+    });
+    return result;
+}
+
+bool reads_clock_somewhere(const Expr& root) {
+    bool result = false;
+    visit_operands(root, [&](const Expr& expr) {
+        result = result || expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
+    });
+    return result;
+}
+
+class Collector {
+public:
+    Collector(const System& system, const Sampling& sampling, Places& places)
+        : system_(system), sampling_(sampling), places_(places) {}
+
+    std::map<PlaceId, Uses> collect() {
+        for (std::uint32_t m = 0; m < system_.machines.size(); ++m) collect_machine(MachineId{m});
+        std::map<PlaceId, Uses> result;
+        for (auto& [place, uses] : uses_) merge(result[places_.class_of(place)], std::move(uses));
+        return result;
+    }
+
+private:
+    void collect_machine(MachineId id);
+    void collect_transition(const Transition& transition);
+    void collect_statement(const Stmt& stmt);
+    void collect_communication(const Communication& communication, const std::string& element);
+    void write(PlaceId target, const ExprPtr& expr, const std::string& element);
+    void read_guard(const ExprPtr& expr, const std::string& element);
+    void read_condition(const ExprPtr& expr, const std::string& element);
+    void read_values(const ExprPtr& expr, const std::string& element);
+    void needs_values(PlaceId place, const std::string& element) {
+        if (uses_[place].needs_values.empty()) uses_[place].needs_values = element;
+    }
+    [[nodiscard]] std::set<PlaceId> places_read(const Expr& expr) const;
+    [[nodiscard]] PlaceId place_of(const Expr& expr) const;
+    static void merge(Uses& all, Uses&& more);
+
+    const System& system_;
+    const Sampling& sampling_;
+    Places& places_;
+    MachineId machine_;
+    PlaceId trigger_ = no_id;  ///< the place of the value of the transition's trigger
+    std::map<PlaceId, Uses> uses_;
+};
+
+void Collector::merge(Uses& all, Uses&& more) {
+    all.conditions.insert(all.conditions.end(), more.conditions.begin(), more.conditions.end());
+    all.writes.insert(all.writes.end(), more.writes.begin(), more.writes.end());
+    all.entries.insert(all.entries.end(), more.entries.begin(), more.entries.end());
+    if (all.needs_values.empty()) all.needs_values = std::move(more.needs_values);
+}
+
+/// The place that a variable or the value of a trigger is.
+PlaceId Collector::place_of(const Expr& expr) const {
+    if (expr.kind == ExprKind::variable) return places_.variable(machine_, expr.variable);
+    return expr.kind == ExprKind::trigger_value ? trigger_ : no_id;
+}
+
+std::set<PlaceId> Collector::places_read(const Expr& root) const {
+    std::set<PlaceId> result;
+    visit_operands(root, [&](const Expr& expr) {
+        if (const PlaceId place = place_of(expr); place != no_id) result.insert(place);
+    });
+    return result;
+}
+
+void Collector::read_values(const ExprPtr& expr, const std::string& element) {
+    if (!expr) return;
+    for (const PlaceId place : places_read(*expr)) needs_values(place, element);
+}
+
+/// Other conditions than guards stop the machine where they are undefined.
+void Collector::read_condition(const ExprPtr& expr, const std::string& element) {
+    if (expr && may_be_undefined(system_, *expr))
+        read_values(expr, element);
+    else
+        read_guard(expr, element);
+}
+
+/// A condition over one place is a test of its values as a whole. In a connective of several places, each operand is a
+/// condition, unless a call may be undefined: then the whole guard is false.
+void Collector::read_guard(const ExprPtr& expr, const std::string& element) {
+    if (!expr) return;
+    const std::set<PlaceId> read = places_read(*expr);
+    if (read.empty()) return;
+    if (read.size() == 1 && !reads_clock_somewhere(*expr)) {
+        uses_[*read.begin()].conditions.push_back({expr.get(), machine_});
+        return;
+    }
+    if (!is_connective(expr->kind) || may_be_undefined(system_, *expr)) return read_values(expr, element);
+    for (const ExprPtr& part : expr->args) read_guard(part, element);
+}
+
+void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& element) {
+    if (!expr) return;
+    if (const PlaceId source = place_of(*expr); source != no_id) {
+        places_.unite(source, target);
+        return;
+    }
+    if (system_.type(expr->type).kind == TypeKind::boolean) return read_condition(expr, element);
+    Written written{expr.get(), machine_, sampling_.closed_value(machine_, *expr).has_value(), {}};
+    if (!written.closed) written.reads = places_read(*expr);
+    if (!written.closed && (may_be_undefined(system_, *expr) || reads_clock_somewhere(*expr)))
+        needs_values(target, element);
+    uses_[target].writes.push_back(std::move(written));
+}
+
+void Collector::collect_communication(const Communication& communication, const std::string& element) {
+    const auto& event = system_.machine(machine_).events[communication.event.index];
+    read_condition(communication.predicate, element);
+    if (!event.type) return;
+    const PlaceId carried = places_.event(machine_, communication.event);
+    if (communication.variable.is_valid()) places_.unite(carried, places_.variable(machine_, communication.variable));
+    write(carried, communication.value, element);
+}
+
+void Collector::collect_statement(const Stmt& stmt) {
+    const std::string& element = stmt.origin.element;
+    read_condition(stmt.condition, element);
+    for (const ExprPtr& step : stmt.path) read_values(step, element);
+    read_values(stmt.upper, element);
+    if (stmt.kind == StmtKind::assign && stmt.path.empty()) {
+        write(places_.variable(machine_, stmt.variable), stmt.value, element);
+    } else if (stmt.kind == StmtKind::assign) {
+        needs_values(places_.variable(machine_, stmt.variable), element);
+        read_values(stmt.value, element);
+    } else {
+        read_values(stmt.value, element);
+    }
+    if (stmt.kind == StmtKind::communicate) {
+        collect_communication(stmt.communication, element);
+        if (stmt.communication.variable.is_valid())
+            uses_[places_.event(machine_, stmt.communication.event)].entries.push_back(nullptr);
+    }
+    for (std::size_t i = 0; i < stmt.args.size(); ++i)
+        write(places_.parameter(machine_, stmt.operation, i), stmt.args[i], element);
+}
+
+void Collector::collect_transition(const Transition& transition) {
+    const std::string& element = transition.origin.element;
+    trigger_ = no_id;
+    if (transition.trigger) {
+        const auto& event = system_.machine(machine_).events[transition.trigger->event.index];
+        if (event.type) trigger_ = places_.event(machine_, transition.trigger->event);
+        collect_communication(*transition.trigger, element);
+        if (transition.trigger->variable.is_valid() && trigger_ != no_id) {
+            const bool alone = transition.guard && places_read(*transition.guard) == std::set<PlaceId>{trigger_} &&
+                               !reads_clock_somewhere(*transition.guard);
+            uses_[trigger_].entries.push_back(alone ? transition.guard.get() : nullptr);
+        }
+    }
+    read_guard(transition.guard, element);
+    read_values(transition.probability, element);
+    read_values(transition.deadline, element);
+    if (transition.action) visit_statements(*transition.action, [&](const Stmt& stmt) { collect_statement(stmt); });
+    trigger_ = no_id;
+}
+
+void Collector::collect_machine(MachineId id) {
+    machine_ = id;
+    const Machine& machine = system_.machine(id);
+    for (std::uint32_t v = 0; v < machine.variables.size(); ++v) {
+        const PlaceId place = places_.variable(id, VariableId{v});
+        if (machine.variables[v].initial)
+            write(place, machine.variables[v].initial, machine.variables[v].origin.element);
+        else
+            uses_[place].writes.push_back({nullptr, id, true, {}});
+    }
+    for (const auto* conditions : {&machine.preconditions, &machine.postconditions})
+        for (const ExprPtr& condition : *conditions) read_values(condition, machine.origin.element);
+    for (const Node& node : machine.nodes)
+        for (const auto* action : {&node.entry, &node.during, &node.exit})
+            if (*action) visit_statements(**action, [&](const Stmt& stmt) { collect_statement(stmt); });
+    for (const Transition& transition : machine.transitions) collect_transition(transition);
+}
+
+}  // namespace
+
+std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places) {
+    return Collector(system, sampling, places).collect();
+}
+
+}  // namespace robochart::ir

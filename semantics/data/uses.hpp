@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a model does with the values of each flow class. Private to this component.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "semantics/data/places.hpp"
+#include "semantics/data/sampling.hpp"
+
+namespace robochart::ir {
+
+/// A condition that depends on the value of one place only.
+struct Condition {
+    const Expr* expr = nullptr;
+    MachineId machine;
+};
+
+/// A value that is stored or sent, other than a copy of a place.
+struct Written {
+    const Expr* expr = nullptr;  ///< null: the default value of the type
+    MachineId machine;
+    bool closed = false;      ///< it has one value in all contexts
+    std::set<PlaceId> reads;  ///< otherwise: the flow classes that it is computed from
+};
+
+/// The uses of one flow class.
+struct Uses {
+    std::vector<Condition> conditions;
+    std::vector<Written> writes;
+    /// For every transition that takes an event of the class with its value: the condition on the value, null if the
+    /// transition takes every value.
+    std::vector<const Expr*> entries;
+    /// A use that needs the values themselves, as an element of the model; "": there is none.
+    std::string needs_values;
+};
+
+/// Collects the uses of all flow classes. Copies unite the classes of `places`.
+[[nodiscard]] std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places);
+
+}  // namespace robochart::ir

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "semantics/data/value_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "semantics/ir/numbers.hpp"
+
+namespace robochart::ir {
+namespace {
+
+std::string decimal_text(std::int64_t number, std::int64_t scale) {
+    Decimal decimal{number, 0};
+    for (std::int64_t unit = scale; unit > 1; unit /= 10) ++decimal.decimals;
+    while (decimal.decimals > 0 && decimal.unscaled % 10 == 0) {
+        decimal.unscaled /= 10;
+        --decimal.decimals;
+    }
+    return to_string(decimal);
+}
+
+std::string sequence_text(const System& system, std::int64_t scale, TypeId element, const Value& value) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < value.parts.size();) {
+        std::size_t end = i;
+        while (end < value.parts.size() && value.parts[end] == value.parts[i]) ++end;
+        const std::string one = value_text(system, scale, element, value.parts[i]);
+        if (end - i > 2) {
+            texts.push_back(fmt::format("{} times {}", end - i, one));
+        } else {
+            texts.insert(texts.end(), end - i, one);
+        }
+        i = end;
+    }
+    return fmt::format("<{}>", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+/// Recursion depth: the depth of types.
+std::string value_text(const System& system, std::int64_t scale, TypeId id, const Value& value) {
+    const Type& type = system.type(id);
+    std::vector<std::string> parts;
+    const auto add_parts = [&](const std::vector<TypeId>& types) {
+        for (std::size_t i = 0; i < value.parts.size(); ++i)
+            parts.push_back(value_text(system, scale, types.at(std::min(i, types.size() - 1)), value.parts[i]));
+    };
+    switch (type.kind) {
+        case TypeKind::real:
+            return decimal_text(value.number, scale);
+        case TypeKind::boolean:
+            return value.number != 0 ? "true" : "false";
+        case TypeKind::sequence:
+            return sequence_text(system, scale, type.args.at(0), value);
+        case TypeKind::enumeration: {
+            const auto literal = static_cast<std::size_t>(value.number);
+            if (value.parts.empty()) return type.labels.at(literal);
+            add_parts(type.literal_args.at(literal));
+            return fmt::format("{}({})", type.labels.at(literal), fmt::join(parts, ", "));
+        }
+        case TypeKind::record:
+            add_parts(type.args);
+            for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = type.labels.at(i) + " = " + parts[i];
+            return fmt::format("{}(| {} |)", type.name, fmt::join(parts, ", "));
+        case TypeKind::product:
+        case TypeKind::vector:
+            add_parts(type.args);
+            return fmt::format("({})", fmt::join(parts, ", "));
+        case TypeKind::set:
+            add_parts(type.args);
+            return fmt::format("{{{}}}", fmt::join(parts, ", "));
+        case TypeKind::string:
+            return "\"\"";
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::given:
+        case TypeKind::function:
+        case TypeKind::relation:
+        case TypeKind::matrix:
+        case TypeKind::unit:
+            break;
+    }
+    return std::to_string(value.number);
+}
+
+}  // namespace robochart::ir

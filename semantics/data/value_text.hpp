@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values as text for reports. Private to this component.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+/// The value as in RoboChart; equal elements of a sequence that follow each other are counted: `<30 times 0.5, 1>`.
+[[nodiscard]] std::string value_text(const System& system, std::int64_t scale, TypeId type, const Value& value);
+
+}  // namespace robochart::ir

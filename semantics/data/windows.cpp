@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "semantics/data/windows.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "semantics/ir/arithmetic.hpp"
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+constexpr std::int64_t longest_sequence = 4096;
+constexpr std::size_t most_candidates = 20'000;
+
+bool is_toolkit(const Expr& expr, std::string_view function) {
+    return expr.kind == ExprKind::toolkit && expr.text == function;
+}
+
+const Expr& without_casts(const Expr& expr) {
+    const Expr* at = &expr;
+    while (at->kind == ExprKind::cast) at = at->args.at(0).get();
+    return *at;
+}
+
+bool is_place(const Expr& expr) {
+    return expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value;
+}
+
+}  // namespace
+
+bool SequenceConditions::add(const Expr& condition, const ClosedValue& closed) {
+    closed_ = closed;
+    return add_condition(condition);
+}
+
+bool SequenceConditions::add_condition(const Expr& condition) {
+    if (condition.kind == ExprKind::boolean) return true;
+    if (is_connective(condition.kind))
+        return std::ranges::all_of(condition.args, [&](const ExprPtr& part) { return part && add_condition(*part); });
+    if (is_toolkit(condition, "sequence_toolkit_isNonEmpty") && is_place(without_casts(*condition.args.at(0)))) {
+        sizes_.insert(0);
+        return true;
+    }
+    if (!is_comparison(condition.kind) || condition.args.size() != 2) return false;
+    return add_comparison(*condition.args[0], *condition.args[1]) ||
+           add_comparison(*condition.args[1], *condition.args[0]);
+}
+
+bool SequenceConditions::add_comparison(const Expr& subject, const Expr& with) {
+    const auto value = closed_(with);
+    const Expr& plain = without_casts(subject);
+    if (!value) return false;
+    if (is_place(plain) && value->parts.empty() && with.kind == ExprKind::sequence) {
+        sizes_.insert(0);
+        return true;
+    }
+    if (is_toolkit(plain, "sequence_toolkit_size") && is_place(without_casts(*plain.args.at(0)))) {
+        const bool real = system_.type(with.type).kind == TypeKind::real;
+        const std::int64_t size = real ? *floor_divide(value->number, scale_) : value->number;
+        sizes_.insert(size);
+        return size < longest_sequence;
+    }
+    if (&plain != &subject || !value->parts.empty()) return false;
+    return add_window(plain, value->number);
+}
+
+/// `min(ran(extract(W, s)))`, or `min(ran(s))` for all places.
+bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold) {
+    const bool greatest = is_toolkit(extremum, "sequence_toolkit_max");
+    if (!greatest && !is_toolkit(extremum, "sequence_toolkit_min")) return false;
+    const Expr& range = without_casts(*extremum.args.at(0));
+    if (!is_toolkit(range, "relation_toolkit_ran")) return false;
+    const Expr& extract = without_casts(*range.args.at(0));
+    if (!is_toolkit(extract, "sequence_toolkit_extract") || !is_place(*extract.args.at(1))) return false;
+    const auto places = closed_(*extract.args.at(0));
+    if (!places) return false;
+    Window window;
+    for (const Value& place : places->parts)
+        if (place.number >= 1) window.insert(place.number);
+    if (!window.empty() && *window.rbegin() > longest_sequence) return false;
+    greatest_.insert(greatest);
+    const auto known = std::ranges::find(windows_, window);
+    const auto number = static_cast<std::size_t>(known - windows_.begin());
+    if (known == windows_.end()) {
+        windows_.push_back(window);
+        thresholds_.emplace_back();
+    }
+    thresholds_[number].insert(threshold);
+    return true;
+}
+
+/// The places of each cell, ascending, by the windows that contain them.
+std::map<std::vector<std::size_t>, std::vector<std::int64_t>> SequenceConditions::cells() const {
+    std::map<std::int64_t, std::vector<std::size_t>> of_place;
+    for (std::size_t w = 0; w < windows_.size(); ++w)
+        for (const std::int64_t place : windows_[w]) of_place[place].push_back(w);
+    std::map<std::vector<std::size_t>, std::vector<std::int64_t>> result;
+    for (const auto& [place, windows] : of_place) result[windows].push_back(place);
+    return result;
+}
+
+/// All lengths at which a cell begins or a comparison of the size changes, the longest first.
+std::vector<std::int64_t> SequenceConditions::lengths() const {
+    std::set<std::int64_t> found{0};
+    for (const auto& [windows, places] : cells()) {
+        found.insert(places.front());
+        found.insert(places.front() - 1);
+        found.insert(places.back());
+    }
+    for (const std::int64_t size : sizes_)
+        for (const std::int64_t length : {size - 1, size, size + 1})
+            if (length >= 0) found.insert(length);
+    return {found.rbegin(), found.rend()};
+}
+
+std::int64_t SequenceConditions::unit_of(TypeKind kind) const {
+    return kind == TypeKind::real ? scale_ : 1;
+}
+
+/// The thresholds of these windows, the numbers between neighbours, and one number beyond each end.
+std::vector<std::int64_t> SequenceConditions::numbers_beside(const std::vector<std::size_t>& windows,
+                                                             TypeKind kind) const {
+    std::set<std::int64_t> thresholds;
+    for (const std::size_t window : windows) thresholds.insert(thresholds_[window].begin(), thresholds_[window].end());
+    const std::int64_t unit = unit_of(kind);
+    std::set<std::int64_t> result{*thresholds.begin() - unit, *thresholds.rbegin() + unit};
+    for (auto at = thresholds.begin(); at != thresholds.end(); ++at) {
+        result.insert(*at);
+        if (at != thresholds.begin()) result.insert(*std::prev(at) + (*at - *std::prev(at)) / 2);
+    }
+    if (kind == TypeKind::nat) std::erase_if(result, [](std::int64_t number) { return number < 0; });
+    return {result.begin(), result.end()};
+}
+
+std::optional<std::vector<Value>> SequenceConditions::values(TypeId element, const Value& other) const {
+    const TypeKind kind = system_.type(element).kind;
+    const bool number = kind == TypeKind::real || kind == TypeKind::integer || kind == TypeKind::nat;
+    if (greatest_.size() > 1 || (!windows_.empty() && !number)) return std::nullopt;
+    const auto all_cells = cells();
+    std::vector<Value> result;
+    for (const std::int64_t length : lengths()) {
+        std::vector<std::pair<const std::vector<std::int64_t>*, std::vector<std::int64_t>>> present;
+        std::size_t combinations = 1;
+        for (const auto& [windows, places] : all_cells) {
+            if (places.front() > length) continue;
+            present.emplace_back(&places, numbers_beside(windows, kind));
+            combinations *= present.back().second.size();
+            if (result.size() + combinations > most_candidates) return std::nullopt;
+        }
+        for (std::size_t combination = 0; combination < combinations; ++combination) {
+            Value value{0, std::vector<Value>(static_cast<std::size_t>(length), other)};
+            std::size_t rest = combination;
+            for (const auto& [places, numbers] : present) {
+                for (const std::int64_t place : *places)
+                    if (place <= length)
+                        value.parts[static_cast<std::size_t>(place - 1)].number = numbers[rest % numbers.size()];
+                rest /= numbers.size();
+            }
+            result.push_back(std::move(value));
+        }
+    }
+    return result;
+}
+
+}  // namespace robochart::ir

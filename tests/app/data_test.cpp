@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// Verdicts about all values (docs/data.md), compared with derived answers and with the finite instantiation.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/app/command.hpp"
+#include "tests/contents.hpp"
+#include "tests/rounds.hpp"
+#include "tests/shared_folder.hpp"
+
+namespace robochart::app {
+namespace {
+
+using testing::run;
+using Json = nlohmann::json;
+
+/// The answers to the core properties by "component property", and the classes by the first place.
+struct Answers {
+    std::map<std::string, std::string> verdicts;
+    std::map<std::string, std::uint64_t> states;
+    std::map<std::string, std::size_t> classes;
+    std::string text;
+};
+
+Answers answers_for(const std::string& model, std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {"check", model, "--core", "--no-cache", "--timeout", "60", "--format", "json"});
+    const auto ran = run(options);
+    Answers result;
+    result.text = ran.out + ran.err;
+    const Json json = Json::parse(ran.out, nullptr, false);
+    if (json.is_discarded()) return result;
+    for (const Json& one : json.at("assertions")) {
+        if (!one.contains("core")) continue;
+        const std::string name =
+            one["core"].at("component").get<std::string>() + " " + one["core"].at("property").get<std::string>();
+        result.verdicts[name] = one.at("answer");
+        result.states[name] = one.at("statistics").at("states");
+    }
+    for (const Json& data : json.value("data", Json::array()))
+        result.classes[data.at("places").at(0)] = data.at("classes");
+    return result;
+}
+
+// ---------------------------------------------------------------- the shared models
+
+struct Expected {
+    std::string component, property, answer;
+};
+
+/// The rows of ../shared/suite/data/EXPECTED.tsv about claims.
+class SharedData : public ::testing::Test {
+protected:
+    static void expect(const std::string& model, const std::vector<Expected>& expected,
+                       const std::map<std::string, std::size_t>& classes, std::uint64_t most_states) {
+        const auto folder = tests::shared_folder() / "suite/data" / model;
+        if (!std::filesystem::exists(folder)) GTEST_SKIP() << "../shared/suite/data is not there";
+        const Answers found = answers_for(folder.string());
+        for (const Expected& row : expected) {
+            const std::string name = "state machine " + model + "::" + row.component + " " + row.property;
+            ASSERT_TRUE(found.verdicts.contains(name)) << name << "\n" << found.text;
+            EXPECT_EQ(found.verdicts.at(name), row.answer) << name << "\n" << found.text;
+            EXPECT_LE(found.states.at(name), most_states) << name;
+        }
+        for (const auto& [place, count] : classes) {
+            ASSERT_TRUE(found.classes.contains(place)) << place << "\n" << found.text;
+            EXPECT_EQ(found.classes.at(place), count) << place;
+        }
+    }
+};
+
+constexpr auto deadlock = "deadlock-free", divergence = "divergence-free", timelock = "timelock-free";
+
+TEST_F(SharedData, AThermostatHasThreeClasses) {
+    expect("hysteresis",
+           {{"Thermostat", deadlock, "holds"},
+            {"Thermostat", divergence, "holds"},
+            {"Thermostat", timelock, "holds"},
+            {"Thermostat", "Cooling is reachable", "holds"},
+            {"Thermostat", "Impossible is reachable", "fails"}},
+           {{"degrees", 3}}, 40);
+}
+
+TEST_F(SharedData, AGuardThatReadsAValueLaterHasThreeClasses) {
+    expect("later_guard",
+           {{"Later", deadlock, "holds"},
+            {"Later", timelock, "holds"},
+            {"Later", "Done is reachable", "holds"},
+            {"Later", "Stuck is reachable", "fails"}},
+           {}, 40);
+}
+
+TEST_F(SharedData, TwoAnglesHaveThirteenClasses) {
+    expect("two_reals",
+           {{"Planner", deadlock, "fails"},
+            {"Planner", divergence, "holds"},
+            {"Planner", timelock, "holds"},
+            {"Planner", "every transition fires", "holds"}},
+           {{"a", 13}}, 60);
+}
+
+TEST_F(SharedData, AScanOfAnyLengthHasFifteenClasses) {
+    expect("scan_windows",
+           {{"Detector", deadlock, "fails"},
+            {"Detector", divergence, "holds"},
+            {"Detector", timelock, "holds"},
+            {"Detector", "every transition fires", "holds"}},
+           {{"ranges", 15}}, 60);
+}
+
+TEST_F(SharedData, AScanOfOneLengthHasEightClassesAndOneForOtherLengths) {
+    expect("scan_windows_closed",
+           {{"Detector", deadlock, "holds"},
+            {"Detector", divergence, "holds"},
+            {"Detector", timelock, "holds"},
+            {"Detector", "every transition fires", "holds"}},
+           {{"ranges", 9}}, 60);
+}
+
+TEST_F(SharedData, CommandsOfSixNumbersHaveTheValuesThatOccur) {
+    expect("twist_constants",
+           {{"Cruise", deadlock, "holds"},
+            {"Cruise", divergence, "holds"},
+            {"Cruise", timelock, "holds"},
+            {"Cruise", "T is reset before it is read", "holds"}},
+           {{"t", 4}}, 40);
+}
+
+TEST_F(SharedData, PassedOnCommandsHaveTwoValues) {
+    expect("priority_relay",
+           {{"Relay", deadlock, "holds"},
+            {"Relay", divergence, "holds"},
+            {"Relay", timelock, "holds"},
+            {"Relay", "T is reset before it is read", "holds"}},
+           {{"first", 2}}, 100);
+}
+
+TEST_F(SharedData, AStoreOfRecordsIsDecided) {
+    expect("store_list",
+           {{"Recorder", deadlock, "holds"},
+            {"Recorder", divergence, "holds"},
+            {"Recorder", timelock, "holds"},
+            {"Planner", deadlock, "fails"},
+            {"Planner", divergence, "holds"},
+            {"Planner", timelock, "holds"}},
+           {}, 100);
+}
+
+TEST_F(SharedData, AComparisonOfTwoVariablesKeepsItsValues) {
+    expect("distance_limit",
+           {{"Explore", deadlock, "holds"},
+            {"Explore", divergence, "holds"},
+            {"Explore", timelock, "holds"},
+            {"Explore", "every transition fires", "holds"}},
+           {}, 1'000);
+}
+
+TEST_F(SharedData, ASumOfInputsNeverDeniesWhatARobotCanReach) {
+    expect("running_sum",
+           {{"Sum", deadlock, "holds"},
+            {"Sum", divergence, "holds"},
+            {"Sum", timelock, "holds"},
+            {"Sum", "every transition fires", "holds"}},
+           {}, 1'000);
+}
+
+// ---------------------------------------------------------------- classes against carriers
+
+using Random = std::mt19937_64;
+
+int draw(Random& random, int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+/// A condition on one of the variables with small constants.
+std::string any_condition(Random& random, const char* variable) {
+    const char* const relations[] = {"<", "<=", ">", ">=", "==", "!="};
+    const auto comparison = [&] {
+        return fmt::format("{} {} {}", variable, relations[draw(random, 0, 5)], draw(random, 0, 4));
+    };
+    switch (draw(random, 0, 3)) {
+        case 0:
+            return comparison();
+        case 1:
+            return fmt::format("({} /\\ {})", comparison(), comparison());
+        case 2:
+            return fmt::format("({} \\/ {})", comparison(), comparison());
+        default:
+            return fmt::format("not ({})", comparison());
+    }
+}
+
+/// A machine with two inputs, which are tested when they come and later.
+std::string any_machine(Random& random) {
+    const auto condition = [&](const char* variable) { return any_condition(random, variable); };
+    std::string text =
+        "package p\nstm S {\n event e : nat\n event f : nat\n event out : nat\n event go\n var x : nat, y : nat\n"
+        " initial i\n junction k\n state A { }\n state B { }\n state C { }\n transition t0 { from i to A }\n";
+    text += fmt::format(" transition t1 {{ from A to k trigger e ? x condition {} }}\n", condition("x"));
+    text += fmt::format(" transition t2 {{ from k to A condition {} action out ! x }}\n", condition("x"));
+    text += fmt::format(" transition t3 {{ from k to B condition {} /\\ {} }}\n", condition("x"), condition("y"));
+    text += fmt::format(" transition t4 {{ from B to C trigger f ? y condition {} }}\n", condition("y"));
+    text += fmt::format(" transition t5 {{ from B to A trigger go condition {} action x = {} }}\n", condition("x"),
+                        draw(random, 0, 4));
+    text += fmt::format(" transition t6 {{ from C to A condition {} }}\n", condition("y"));
+    text += fmt::format(" transition t7 {{ from C to B trigger go condition {} action y = x }}\n", condition("x"));
+    return text + "}\n";
+}
+
+/// The carrier 0..5 has a number beyond every constant, so it has a number of every class.
+TEST(Classes, GiveTheAnswersOfCarriersThatHaveAllClasses) {
+    Random random(6);
+    std::size_t replaced = 0, failing = 0;
+    for (std::size_t round = 0; round < tests::rounds(50); ++round) {
+        const std::string text = any_machine(random);
+        const testing::TemporaryFile model("m.rct", text);
+        const Answers classes = answers_for(model.path());
+        const Answers carriers = answers_for(model.path(), {"--range", "nat=0..5"});
+        replaced += classes.classes.empty() ? 0U : 1U;
+        ASSERT_FALSE(classes.verdicts.empty()) << classes.text;
+        EXPECT_EQ(classes.verdicts.size(), carriers.verdicts.size());
+        for (const auto& [claim, answer] : carriers.verdicts) {
+            failing += answer == "fails" ? 1U : 0U;
+            const std::string& found = classes.verdicts.at(claim);
+            const bool open = claim.ends_with("deterministic") && found == "inconclusive";
+            EXPECT_TRUE(open || found == answer) << claim << ": " << found << ", " << answer << "\n" << text;
+        }
+    }
+    EXPECT_EQ(replaced, tests::rounds(50));
+    EXPECT_GT(failing, tests::rounds(50)) << "some claims fail";
+}
+
+TEST(Classes, AreTurnedOffByAnOptionAndByRanges) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm S { event e : nat var x : nat initial i state A { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger e ? x } }");
+    EXPECT_EQ(answers_for(model.path()).classes.at("e"), 2U);
+    EXPECT_TRUE(answers_for(model.path(), {"--concrete"}).classes.empty());
+    EXPECT_TRUE(answers_for(model.path(), {"--range", "nat=0..9"}).classes.empty());
+}
+
+/// RoboTool's carriers end at the greatest literal, so nothing is above it.
+TEST(Carriers, OfRoboToolAreThoseOfTheOptionAndOfExportedScripts) {
+    const std::string text =
+        "stm S { event e : nat var x : nat initial i state A { } state High { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger e ? x } transition t2 { from A to High condition x > 7 } }";
+    const testing::Folder folder({std::pair<std::string, std::string>("m.rct", text)});
+    const std::string claim = "state machine S every transition fires";
+    EXPECT_EQ(answers_for(folder / "m.rct").verdicts.at(claim), "holds");
+    EXPECT_EQ(answers_for(folder / "m.rct", {"--concrete"}).verdicts.at(claim), "fails");
+    ASSERT_EQ(run({"emit", "csp", folder / "m.rct", "--out", folder.path("out")}).exit, 0);
+    EXPECT_THAT(tests::read_contents(folder.path("out") + "/csp-gen/m.csp"),
+                ::testing::HasSubstr("nametype core_nat = {0..7}\n"));
+}
+
+}  // namespace
+}  // namespace robochart::app

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// Classes of values, compared with all values of a fine grid: the classes are exactly the combinations of answers that
+// some value gives to the conditions.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <random>
+#include <set>
+
+#include "semantics/data/class_model.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/dump.hpp"
+#include "tests/rounds.hpp"
+#include "tests/semantics/lower/lowering_fixture.hpp"
+
+namespace robochart::ir {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::optional<ClassModel> classes_of(const std::string& text) {
+    const auto lowered = samples::lower_text(text);
+    diagnostics::Diagnostics found;
+    const Instantiation instantiation = instantiate_system(lowered->system, {}, found);
+    return class_model(lowered->system, instantiation);
+}
+
+/// A machine that reads a value of this type into `x` and goes on by the guards.
+std::string reading(const std::string& type, const std::vector<std::string>& guards) {
+    std::string text = fmt::format(
+        "package p\nimport sequence_toolkit::*\nimport set_toolkit::*\nimport relation_toolkit::*\n"
+        "stm S {{\n event e : {0}\n var x : {0}\n initial i\n state A {{ }}\n junction k\n"
+        " transition t0 {{ from i to A }}\n transition t1 {{ from A to k trigger e ? x }}\n",
+        type);
+    for (std::size_t g = 0; g < guards.size(); ++g)
+        text += fmt::format(" transition g{} {{ from k to A condition {} }}\n", g, guards[g]);
+    return text + "}\n";
+}
+
+/// The data of the only flow class.
+ReplacedData only_data(const std::string& text) {
+    const auto model = classes_of(text);
+    if (!model || model->data.size() != 1) {
+        ADD_FAILURE() << (model ? model->data.size() : 0) << " flow classes\n" << text;
+        return {};
+    }
+    return model->data.front();
+}
+
+using Random = std::mt19937_64;
+
+int draw(Random& random, int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(random);
+}
+
+const char* const relations[] = {"<", "<=", ">", ">=", "==", "!="};
+
+bool related(int relation, double left, double right) {
+    switch (relation) {
+        case 0:
+            return left < right;
+        case 1:
+            return left <= right;
+        case 2:
+            return left > right;
+        case 3:
+            return left >= right;
+        case 4:
+            return left == right;
+        default:
+            return left != right;
+    }
+}
+
+/// `p * x1 + q * x2 REL c`, with a small whole c and factors of -1, 0 and 1.
+struct Comparison {
+    int p = 0, q = 0, c = 0, relation = 0;
+
+    [[nodiscard]] std::string text() const {
+        return fmt::format("({} * x[1] + {} * x[2] {} {})", p, q, relations[relation], c);
+    }
+    [[nodiscard]] bool holds(double x, double y) const { return related(relation, p * x + q * y, c); }
+};
+
+Comparison any_comparison(Random& random) {
+    return {draw(random, -1, 1), draw(random, -1, 1), draw(random, -2, 2), draw(random, 0, 5)};
+}
+
+TEST(Classes, OfPairsOfRealsAreTheCombinationsThatExist) {
+    Random random(36);
+    for (std::size_t round = 0; round < tests::rounds(60); ++round) {
+        std::vector<std::pair<Comparison, Comparison>> guards;
+        std::vector<std::string> texts;
+        for (int g = draw(random, 1, 4); g > 0; --g) {
+            guards.emplace_back(any_comparison(random), any_comparison(random));
+            texts.push_back(guards.back().first.text() + " /\\ not " + guards.back().second.text());
+        }
+        std::set<std::vector<bool>> answers;
+        for (int x = -64; x <= 64; ++x)
+            for (int y = -64; y <= 64; ++y) {
+                std::vector<bool> of_point;
+                for (const auto& [first, second] : guards)
+                    of_point.push_back(first.holds(x / 8.0, y / 8.0) && !second.holds(x / 8.0, y / 8.0));
+                answers.insert(of_point);
+            }
+        const std::string text = reading("real * real", texts);
+        const ReplacedData data = only_data(text);
+        EXPECT_TRUE(data.all_values);
+        EXPECT_EQ(data.classes, answers.size()) << text;
+    }
+}
+
+TEST(Classes, OfOneNumberAreTheIntervalsBetweenThresholds) {
+    EXPECT_EQ(only_data(reading("real", {"x < 19.5", "x > 21.25"})).classes, 3U);
+    EXPECT_EQ(only_data(reading("real", {"x < 19.5", "x <= 19.5"})).classes, 3U);
+    EXPECT_EQ(only_data(reading("nat", {"x < 1", "x > 1"})).classes, 3U);
+    EXPECT_EQ(only_data(reading("nat", {"x < 0"})).classes, 1U);
+    EXPECT_EQ(only_data(reading("int", {"x > 1 /\\ x < 2"})).classes, 1U) << "there is no integer between 1 and 2";
+    EXPECT_EQ(only_data(reading("real", {"x > 1 /\\ x < 2"})).classes, 2U);
+    EXPECT_EQ(only_data(reading("int", {"2 * x == 5", "2 * x == 4"})).classes, 2U);
+    EXPECT_EQ(only_data(reading("nat", {"x in {1, 3}"})).classes, 2U);
+    EXPECT_EQ(only_data(reading("int", {"x in [1, 3]"})).classes, 2U);
+}
+
+/// One window of at most five places, compared with a number.
+struct WindowTest {
+    int first = 1, last = 1, relation = 0;
+    double number = 0;
+
+    [[nodiscard]] std::string text() const {
+        return fmt::format("min(ran(extract([{}, {}], x))) {} {:.1f}", first, last, relations[relation], number);
+    }
+    /// 1 or 0; -1 if the sequence has no place in the window.
+    [[nodiscard]] int answer(const std::vector<double>& sequence) const {
+        std::optional<double> least;
+        for (int place = first; place <= last && place <= static_cast<int>(sequence.size()); ++place) {
+            const double element = sequence[static_cast<std::size_t>(place - 1)];
+            least = least ? std::min(*least, element) : element;
+        }
+        return least ? related(relation, *least, number) ? 1 : 0 : -1;
+    }
+};
+
+TEST(Classes, OfSequencesAreTheCombinationsThatExistWithUndefinedConditions) {
+    Random random(37);
+    const std::vector<double> elements{0, 0.5, 1, 1.5, 2};
+    for (std::size_t round = 0; round < tests::rounds(12); ++round) {
+        std::vector<WindowTest> windows;
+        std::vector<std::string> texts;
+        for (int w = draw(random, 1, 3); w > 0; --w) {
+            const int first = draw(random, 1, 4);
+            windows.push_back({first, draw(random, first, 4), draw(random, 0, 5), draw(random, 1, 3) / 2.0});
+            texts.push_back(windows.back().text());
+        }
+        std::set<std::vector<int>> answers;
+        std::vector<double> sequence;
+        const auto extend = [&](const auto& self) -> void {
+            std::vector<int> of_sequence;
+            for (const WindowTest& window : windows) of_sequence.push_back(window.answer(sequence));
+            answers.insert(of_sequence);
+            if (sequence.size() == 4) return;
+            for (const double element : elements) {
+                sequence.push_back(element);
+                self(self);
+                sequence.pop_back();
+            }
+        };
+        extend(extend);
+        const std::string text = reading("Seq(real)", texts);
+        EXPECT_EQ(only_data(text).classes, answers.size()) << text;
+    }
+}
+
+TEST(Classes, OfDataThatNothingReadsAreTheDefaultValueAndOneMore) {
+    const ReplacedData data = only_data(reading("real * nat", {"true"}));
+    EXPECT_EQ(data.classes, 2U);
+    EXPECT_TRUE(data.nothing_tested);
+    EXPECT_THAT(data.places, ElementsAre("e", "x"));
+}
+
+TEST(Classes, OfValuesThatTheModelWritesAreTheValuesThatOccur) {
+    const ReplacedData data = only_data(
+        "package p\ninterface M { go(v : real) }\nstm S {\n requires M\n const fast : real = 1.5\n initial i\n"
+        " state A { entry go(fast) }\n state B { entry go(-fast) }\n transition t0 { from i to A }\n"
+        " transition t1 { from A to B }\n transition t2 { from B to A } }\n");
+    EXPECT_FALSE(data.all_values);
+    EXPECT_EQ(data.classes, 3U) << "the default value 0, 1.5 and -1.5";
+}
+
+/// Values that the model computes with keep their carriers.
+TEST(Classes, AreNotMadeWhereValuesAreNeeded) {
+    const auto data_of = [](const std::string& text) {
+        const auto model = classes_of(text);
+        return model ? model->data : std::vector<ReplacedData>{};
+    };
+    EXPECT_THAT(data_of(reading("nat", {"x * x > 3"})), IsEmpty()) << "not linear";
+    EXPECT_THAT(data_of(reading("Seq(real)", {"min(ran(x)) < 1 /\\ max(ran(x)) > 3"})), IsEmpty());
+    const std::string machine =
+        "package p\nstm S {{\n event e : int\n event f : int\n event out : int\n clock T\n var x : int, y : int\n"
+        " initial i\n state A {{ }}\n transition t0 {{ from i to A }}\n transition t1 {{ from A to A trigger e ? x }}\n"
+        " transition t2 {{ from A to A trigger f ? y }}\n transition t3 {{ from A to A {} }} }}\n";
+    const auto with = [&](const std::string& transition) {
+        return data_of(fmt::format(fmt::runtime(machine), transition));
+    };
+    EXPECT_THAT(with("condition x < y"), IsEmpty()) << "two places in one comparison";
+    EXPECT_THAT(with("condition since(T) > x").size(), 1U) << "x is a time; y is read by nothing";
+    EXPECT_THAT(with("condition x > 3 action x = x + 1").size(), 1U) << "a computed value is compared";
+    EXPECT_THAT(with("action out ! (x + y)").size(), 3U) << "out has one value; x and y, which nothing else reads, too";
+}
+
+TEST(Classes, AGuardThatIsUndefinedIsNotItsNegation) {
+    const std::string window = "min(ran(extract([1, 2], x))) < 1";
+    const auto model = classes_of(reading("Seq(real)", {window, "not (" + window + ")"}));
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->data.front().classes, 3U) << "near, far, and no place in the window";
+    const std::string dump = dump_text(model->system);
+    EXPECT_THAT(dump, HasSubstr("g0 k -> A when (x in set(c2))"));
+    EXPECT_THAT(dump, HasSubstr("g1 k -> A when (x in set(c3))"));
+}
+
+}  // namespace
+}  // namespace robochart::ir
