@@ -90,6 +90,7 @@ private:
 std::optional<Division::Answers> Division::answers_for(const Value& value) const {
     Answers result;
     for (const Condition& condition : uses_.conditions) {
+        sampling_.instantiation().poll();
         const auto answer = sampling_.truth(condition.machine, *condition.expr, value);
         if (!answer) return std::nullopt;
         result.push_back(*answer);
@@ -107,7 +108,7 @@ std::vector<Value> Division::written_values() const {
 }
 
 std::optional<std::vector<Value>> Division::linear_candidates() const {
-    LinearConditions linear(system_, sampling_.instantiation().scale);
+    LinearConditions linear(system_, sampling_.instantiation());
     for (const Condition& condition : uses_.conditions)
         if (!linear.add(*condition.expr, closed_of(condition.machine))) return std::nullopt;
     const auto points = linear.points();

@@ -170,6 +170,7 @@ std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<F
     std::set<Point> found;
     bool exact = true;
     visit_choices(forms.size(), n, false, [&](const std::vector<std::size_t>& choice) {
+        instantiation_.poll();
         std::vector<std::vector<Wide>> rows(n, std::vector<Wide>(n, 0));
         for (std::size_t r = 0; r < n; ++r)
             for (const auto& [component, coefficient] : forms[choice[r]].coefficients) rows[r][component] = coefficient;
@@ -223,6 +224,7 @@ std::optional<std::vector<Point>> LinearConditions::real_points() const {
     };
     for (const Point& corner : *corners) take(corner);
     visit_choices(corners->size(), n + 1, true, [&](const std::vector<std::size_t>& choice) {
+        instantiation_.poll();
         Point mean;
         for (std::size_t i = 0; i < n; ++i) {
             Wide sum = static_cast<Wide>((*corners)[choice[0]][i]) * (parts - static_cast<std::int64_t>(n));

@@ -34,8 +34,9 @@ struct Component {
 /// Linear conditions about the value of one place.
 class LinearConditions {
 public:
-    /// `scale`: units of one.
-    LinearConditions(const System& system, std::int64_t scale) : system_(system), scale_(scale) {}
+    /// The instantiation has the scale, and the budget, which long searches for points poll.
+    LinearConditions(const System& system, const Instantiation& instantiation)
+        : system_(system), instantiation_(instantiation), scale_(instantiation.scale) {}
 
     /// Adds a condition that reads only one place. False if it is not a Boolean combination of linear comparisons.
     /// `closed` evaluates expressions without variables.
@@ -70,7 +71,8 @@ private:
     [[nodiscard]] std::vector<int> signs(const Point& point) const;
 
     const System& system_;
-    std::int64_t scale_;
+    const Instantiation& instantiation_;
+    std::int64_t scale_;  ///< units of one
     ClosedValue closed_;  ///< of the condition that is added
     std::vector<Component> components_;
     std::vector<Form> forms_;

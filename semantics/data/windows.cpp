@@ -11,7 +11,7 @@ namespace robochart::ir {
 namespace {
 
 constexpr std::int64_t longest_sequence = 4096;
-constexpr std::size_t most_candidates = 20'000;
+constexpr std::size_t most_candidates = 5'000;
 
 bool is_toolkit(const Expr& expr, std::string_view function) {
     return expr.kind == ExprKind::toolkit && expr.text == function;
