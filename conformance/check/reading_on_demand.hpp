@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Conformance of code with many inputs: a register is tried with each of its readings only where the code reads it, and
-// the model follows with runs that are possible whatever the other registers hold (docs/conformance.md, "Reading on
-// demand").
+// the model follows with runs that are possible for all contents of the other registers (docs/conformance.md, "Reading
+// on demand").
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"

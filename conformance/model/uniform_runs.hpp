@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of NF_c(M) beside code that has read only some registers: those that are possible whatever the other registers
-// hold (docs/conformance.md, "Reading on demand").
+// Runs of NF_c(M) beside code that has read only some registers: the runs that are possible for all contents of the
+// other registers (docs/conformance.md, "Reading on demand").
 #pragma once
 
 #include <cstdint>

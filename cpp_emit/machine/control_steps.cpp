@@ -92,8 +92,6 @@ void ControlSteps::begin(NodeId initial, CodeWriter& out) {
     out.line(proceed_statement(plan_.machine().transitions[only.index]));
 }
 
-/// Writes the code that marks a state as entered, and each composite state of which it is the first child (semantics
-/// 3.3 a).
 void ControlSteps::note_entry(NodeId id, CodeWriter& out) {
     if (plan_.notes_entry(id)) mark_entered(id, out);
     for (const NodeId outer : plan_.ancestors(id)) {

@@ -31,8 +31,8 @@ public:
     /// Writes the code with which control enters an initial node and, if its transition has no condition, moves on to
     /// the target.
     void begin(ir::NodeId initial, CodeWriter&);
-    /// Writes the code that marks a state as entered, and each composite state of which it is the first child
-    /// (semantics 3.3 a).
+    /// Writes the code that marks a state as entered, and each composite state whose first child it is (semantics
+    /// 3.3 a).
     void note_entry(ir::NodeId, CodeWriter&);
     /// Writes the code that takes the first transition whose guard holds. Returns true if there may be none; control
     /// then stays (semantics 3.3, 3.4).
