@@ -8,6 +8,8 @@
 #include <charconv>
 #include <optional>
 
+#include "semantics/ir/numbers.hpp"
+
 namespace robochart::runs {
 namespace {
 
@@ -17,17 +19,6 @@ using ir::TypeKind;
 /// The name of the type in the model.
 std::string type_name(const ir::Type& type) {
     return type.values_of.empty() ? type.name : type.values_of;
-}
-
-/// `number` in units of 1/scale as a decimal: -1088 at scale 100 is "-10.88".
-std::string decimal_text(std::int64_t number, std::int64_t scale) {
-    if (number % scale == 0) return fmt::format("{}", number / scale);
-    const std::uint64_t magnitude =
-        number < 0 ? 0U - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
-    const auto unit = static_cast<std::uint64_t>(scale);
-    std::string digits = fmt::format("{:0{}}", magnitude % unit, fmt::formatted_size("{}", unit) - 1);
-    while (digits.back() == '0') digits.pop_back();
-    return fmt::format("{}{}.{}", number < 0 ? "-" : "", magnitude / unit, digits);
 }
 
 class Reader {
@@ -54,7 +45,7 @@ std::string Reader::real_text(std::string_view text) const {
     std::int64_t number = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool whole = code == std::errc() && end == text.data() + text.size();
-    return whole ? decimal_text(number, instantiation_.scale) : std::string(text);
+    return whole ? ir::decimal_text(number, instantiation_.scale) : std::string(text);
 }
 
 std::optional<std::size_t> Reader::find_literal(const ir::Type& type, std::string_view text) const {

@@ -9,6 +9,8 @@
 #include <optional>
 #include <set>
 
+#include "semantics/ir/numbers.hpp"
+
 namespace robochart::conformance {
 
 namespace {
@@ -65,17 +67,6 @@ std::vector<std::string> split_arguments(std::string_view text, const std::vecto
     return parts;
 }
 
-std::string decimal_text(std::int64_t value, std::int64_t scale) {
-    if (scale <= 1) return fmt::format("{}", value);
-    // a magnitude is unsigned, so that the least number has one
-    const std::uint64_t magnitude =
-        value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
-    const auto unit = static_cast<std::uint64_t>(scale);
-    std::string fraction = fmt::format("{:0{}}", magnitude % unit, fmt::formatted_size("{}", scale) - 1);
-    while (!fraction.empty() && fraction.back() == '0') fraction.pop_back();
-    return fmt::format("{}{}{}{}", value < 0 ? "-" : "", magnitude / unit, fraction.empty() ? "" : ".", fraction);
-}
-
 /// The number for CSPM text; no value if the carrier does not contain it.
 std::optional<std::int64_t> number_of(const Carrier& carrier, const std::string& text) {
     if (carrier.kind == Carrier::Kind::boolean) return text == "true" ? 1 : 0;
@@ -110,7 +101,7 @@ std::string cspm_text(const Carrier& carrier, std::int64_t value) {
 }
 
 std::string people_text(const Carrier& carrier, std::int64_t value, std::int64_t scale) {
-    if (carrier.kind == Carrier::Kind::real) return decimal_text(value, scale);
+    if (carrier.kind == Carrier::Kind::real) return ir::decimal_text(value, scale);
     if (carrier.kind == Carrier::Kind::enumeration && value >= 0 &&
         static_cast<std::uint64_t>(value) < carrier.literals.size())
         return carrier.literals[static_cast<std::size_t>(value)];

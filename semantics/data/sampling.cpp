@@ -40,19 +40,6 @@ std::vector<std::vector<Value>> values_in_contexts(const System& system, const I
     return {found.begin(), found.end()};
 }
 
-}  // namespace
-
-bool reads_state(const Expr& root) {
-    bool result = false;
-    visit_operands(root, [&](const Expr& expr) {
-        result = result || expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value ||
-                 expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
-    });
-    return result;
-}
-
-namespace {
-
 /// True if the value depends on the carriers of types, which are finite: quantifiers, functions of the model, and some
 /// functions of the toolkits.
 bool depends_on_carriers(const Expr& root) {
@@ -118,7 +105,7 @@ bool Sampling::is_set_by_property(MachineId machine, const Expr& root) const {
 }
 
 std::optional<Value> Sampling::closed_value(MachineId machine, const Expr& expr) const {
-    if (reads_state(expr) || depends_on_carriers(expr) || is_set_by_property(machine, expr)) return std::nullopt;
+    if (depends_on_state(expr) || depends_on_carriers(expr) || is_set_by_property(machine, expr)) return std::nullopt;
     std::optional<Value> result;
     for (const std::vector<Value>& constants : constants_[machine.index]) {
         const Environment environment{{}, constants, {}, {}};

@@ -39,7 +39,4 @@ private:
     std::vector<std::vector<std::vector<Value>>> constants_;  ///< of each machine, in each context
 };
 
-/// True if the expression reads a variable, the value of a trigger, or a clock.
-[[nodiscard]] bool reads_state(const Expr& expr);
-
 }  // namespace robochart::ir

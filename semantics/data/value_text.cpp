@@ -11,16 +11,6 @@
 namespace robochart::ir {
 namespace {
 
-std::string decimal_text(std::int64_t number, std::int64_t scale) {
-    Decimal decimal{number, 0};
-    for (std::int64_t unit = scale; unit > 1; unit /= 10) ++decimal.decimals;
-    while (decimal.decimals > 0 && decimal.unscaled % 10 == 0) {
-        decimal.unscaled /= 10;
-        --decimal.decimals;
-    }
-    return to_string(decimal);
-}
-
 std::string sequence_text(const System& system, std::int64_t scale, TypeId element, const Value& value) {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < value.parts.size();) {
@@ -71,11 +61,10 @@ std::string value_text(const System& system, std::int64_t scale, TypeId id, cons
         case TypeKind::set:
             add_parts(type.args);
             return fmt::format("{{{}}}", fmt::join(parts, ", "));
-        case TypeKind::string:
-            return "\"\"";
         case TypeKind::nat:
         case TypeKind::integer:
         case TypeKind::given:
+        case TypeKind::string:
         case TypeKind::function:
         case TypeKind::relation:
         case TypeKind::matrix:

@@ -15,9 +15,6 @@ bool binds_names(ExprKind kind) {
            kind == ExprKind::lambda || kind == ExprKind::the || kind == ExprKind::set_comprehension;
 }
 
-namespace {
-
-/// True if the value depends on the state, so that it cannot be evaluated in advance.
 bool depends_on_state(const Expr& expr) {
     bool result = false;
     visit_operands(expr, [&](const Expr& part) {
@@ -26,6 +23,8 @@ bool depends_on_state(const Expr& expr) {
     });
     return result;
 }
+
+namespace {
 
 bool depends_on_state(const std::vector<ExprPtr>& exprs) {
     return std::ranges::any_of(exprs, [](const ExprPtr& expr) { return expr && depends_on_state(*expr); });

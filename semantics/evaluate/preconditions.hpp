@@ -12,6 +12,10 @@ namespace robochart::ir {
 /// True if the expression binds variables: preconditions inside are checked for each of their values.
 [[nodiscard]] bool binds_names(ExprKind);
 
+/// True if the expression reads a variable, the value of a trigger or a clock, so that it cannot be evaluated in
+/// advance.
+[[nodiscard]] bool depends_on_state(const Expr&);
+
 /// True if the function may be called with these arguments. The preconditions of functions that its precondition calls
 /// are checked first. Throws like evaluate_expression().
 [[nodiscard]] bool precondition_holds(const System&, const Instantiation&, const Function&,

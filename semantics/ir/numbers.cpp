@@ -2,6 +2,8 @@
 // Number literals.
 #include "semantics/ir/numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 namespace robochart::ir {
@@ -39,6 +41,16 @@ std::string to_string(const Decimal& decimal) {
     if (digits.size() <= decimal.decimals) digits.insert(0, decimal.decimals + 1 - digits.size(), '0');
     digits.insert(digits.size() - decimal.decimals, ".");
     return sign + digits;
+}
+
+std::string decimal_text(std::int64_t number, std::int64_t scale) {
+    if (number % scale == 0) return fmt::format("{}", number / scale);
+    const std::uint64_t magnitude =
+        number < 0 ? 0U - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+    const auto unit = static_cast<std::uint64_t>(scale);
+    std::string digits = fmt::format("{:0{}}", magnitude % unit, fmt::formatted_size("{}", unit) - 1);
+    while (digits.back() == '0') digits.pop_back();
+    return fmt::format("{}{}.{}", number < 0 ? "-" : "", magnitude / unit, digits);
 }
 
 }  // namespace robochart::ir

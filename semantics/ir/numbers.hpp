@@ -17,5 +17,7 @@ namespace robochart::ir {
 [[nodiscard]] std::optional<Decimal> parse_decimal(std::string_view);
 /// The shortest RoboChart literal: "-0.75", "3".
 [[nodiscard]] std::string to_string(const Decimal&);
+/// `number` in units of 1/scale as a decimal: -1088 at scale 100 is "-10.88". The scale is a power of ten.
+[[nodiscard]] std::string decimal_text(std::int64_t number, std::int64_t scale);
 
 }  // namespace robochart::ir
