@@ -486,7 +486,7 @@ std::string data_text(const ir::ReplacedData& data) {
     const std::string names = fmt::format("{}", fmt::join(data.places, ", "));
     if (!data.all_values) return fmt::format("{}: {} (all that occur)", names, count_text(data.classes, "value"));
     if (data.nothing_tested) return fmt::format("{}: any value (nothing depends on it)", names);
-    return fmt::format("{}: {} classes by {} (all values)", names, data.classes,
+    return fmt::format("{}: {} {} by {} (all values)", names, data.classes, data.classes == 1 ? "class" : "classes",
                        count_text(data.conditions, "condition"));
 }
 

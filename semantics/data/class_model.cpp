@@ -2,6 +2,7 @@
 #include "semantics/data/class_model.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <memory>
 #include <set>
@@ -22,7 +23,10 @@ class Rewriter {
 public:
     Rewriter(const System& system, const Sampling& sampling, const Places& places,
              const std::map<PlaceId, ValueClasses>& classes)
-        : system_(system), sampling_(sampling), places_(places), classes_(classes) {}
+        : system_(system), sampling_(sampling), places_(places), classes_(classes) {
+        for (const auto& [flow, divided] : classes)
+            for (const auto& [condition, answers] : divided.answers) tested_.emplace(condition, flow);
+    }
 
     System rewrite() {
         System result = system_;
@@ -51,7 +55,7 @@ private:
     [[nodiscard]] ExprPtr written(PlaceId target, const ExprPtr& expr) const;
     [[nodiscard]] ExprPtr test(PlaceId flow, const Expr& condition) const;
     [[nodiscard]] ExprPtr literal(PlaceId flow, std::size_t number, diagnostics::Span span) const;
-    [[nodiscard]] PlaceId flow_of(const Expr& expr) const;
+    [[nodiscard]] PlaceId place_of(const Expr& expr) const { return places_.read_by(machine_, trigger_, expr); }
     [[nodiscard]] const ValueClasses* classes_at(PlaceId place) const {
         const auto found = place == no_id ? classes_.end() : classes_.find(places_.class_of(place));
         return found == classes_.end() ? nullptr : &found->second;
@@ -61,6 +65,7 @@ private:
     const Sampling& sampling_;
     const Places& places_;
     const std::map<PlaceId, ValueClasses>& classes_;
+    std::map<const Expr*, PlaceId> tested_;  ///< the flow class that a condition tests
     std::map<PlaceId, ClassTypes> types_;
     MachineId machine_;
     PlaceId trigger_ = no_id;
@@ -98,12 +103,6 @@ void Rewriter::add_types(System& result, PlaceId flow, const ValueClasses& class
     result.types.push_back(std::move(set));
 }
 
-/// The place that the expression is; no_id for other expressions.
-PlaceId Rewriter::flow_of(const Expr& expr) const {
-    if (expr.kind == ExprKind::variable) return places_.variable(machine_, expr.variable);
-    return expr.kind == ExprKind::trigger_value ? trigger_ : no_id;
-}
-
 ExprPtr Rewriter::literal(PlaceId flow, std::size_t number, diagnostics::Span span) const {
     Expr expr;
     expr.kind = ExprKind::enum_literal;
@@ -117,9 +116,10 @@ ExprPtr Rewriter::literal(PlaceId flow, std::size_t number, diagnostics::Span sp
 /// The condition as a test of the class.
 ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
     const std::vector<bool>& answers = classes_.at(flow).answers.at(&condition);
+    assert(answers.size() == classes_.at(flow).witnesses.size());
     const Expr* place = nullptr;
     visit_operands(condition, [&](const Expr& expr) {
-        if (place == nullptr && flow_of(expr) != no_id) place = &expr;
+        if (place == nullptr && place_of(expr) != no_id) place = &expr;
     });
     Expr result;
     result.type = condition.type;
@@ -145,9 +145,8 @@ ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
 
 ExprPtr Rewriter::rewritten(const ExprPtr& expr) const {
     if (!expr) return expr;
-    for (const auto& [flow, classes] : classes_)
-        if (classes.answers.contains(expr.get())) return test(flow, *expr);
-    if (const PlaceId place = flow_of(*expr); place != no_id && classes_at(place) != nullptr) {
+    if (const auto tested = tested_.find(expr.get()); tested != tested_.end()) return test(tested->second, *expr);
+    if (const PlaceId place = place_of(*expr); place != no_id && classes_at(place) != nullptr) {
         Expr result = *expr;
         result.type = types_.at(places_.class_of(place)).one;
         return std::make_shared<const Expr>(std::move(result));
@@ -165,16 +164,14 @@ ExprPtr Rewriter::rewritten(const ExprPtr& expr) const {
 /// A value that is stored or sent.
 ExprPtr Rewriter::written(PlaceId target, const ExprPtr& expr) const {
     const ValueClasses* classes = expr ? classes_at(target) : nullptr;
-    if (classes == nullptr || flow_of(*expr) != no_id) return rewritten(expr);
+    if (classes == nullptr || place_of(*expr) != no_id) return rewritten(expr);
     const auto value = sampling_.closed_value(machine_, *expr);
     return literal(places_.class_of(target), value ? classes->of_value.at(*value) : 0, expr->span);
 }
 
 void Rewriter::rewrite_communication(Communication& communication) const {
-    const Event& event = system_.machine(machine_).events[communication.event.index];
     communication.predicate = rewritten(communication.predicate);
-    communication.value = event.type ? written(places_.event(machine_, communication.event), communication.value)
-                                     : rewritten(communication.value);
+    communication.value = written(places_.event(machine_, communication.event), communication.value);
 }
 
 StmtPtr Rewriter::rewritten(const StmtPtr& stmt) const {
@@ -191,12 +188,8 @@ StmtPtr Rewriter::rewritten(const StmtPtr& stmt) const {
 }
 
 void Rewriter::rewrite_transition(Transition& transition) {
-    trigger_ = no_id;
-    if (transition.trigger) {
-        const Event& event = system_.machine(machine_).events[transition.trigger->event.index];
-        if (event.type) trigger_ = places_.event(machine_, transition.trigger->event);
-        rewrite_communication(*transition.trigger);
-    }
+    trigger_ = places_.trigger(machine_, transition);
+    if (transition.trigger) rewrite_communication(*transition.trigger);
     transition.guard = rewritten(transition.guard);
     transition.action = rewritten(transition.action);
     trigger_ = no_id;

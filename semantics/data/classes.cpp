@@ -2,6 +2,7 @@
 #include "semantics/data/classes.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <utility>
 
@@ -15,34 +16,28 @@ namespace {
 constexpr std::size_t most_conditions = 64;
 constexpr std::size_t most_classes = 256;
 
-/// True if the type has numbers, strings or elements of given types. Recursion depth: the depth of types.
-bool has_many_values(const System& system, TypeId id) {
+/// The parts of a type that are no parts of others, such as its numbers. Recursion depth: the depth of types.
+void collect_leaves(const System& system, TypeId id, std::set<TypeKind>& leaves) {
     const Type& type = system.type(id);
-    const auto part = [&](TypeId of) { return has_many_values(system, of); };
-    switch (type.kind) {
-        case TypeKind::nat:
-        case TypeKind::integer:
-        case TypeKind::real:
-        case TypeKind::string:
-        case TypeKind::given:
-        case TypeKind::sequence:
-            return true;
-        case TypeKind::boolean:
-        case TypeKind::unit:
-            return false;
-        case TypeKind::enumeration:
-            return std::ranges::any_of(type.literal_args,
-                                       [&](const auto& arguments) { return std::ranges::any_of(arguments, part); });
-        case TypeKind::set:
-        case TypeKind::product:
-        case TypeKind::record:
-        case TypeKind::function:
-        case TypeKind::relation:
-        case TypeKind::vector:
-        case TypeKind::matrix:
-            return std::ranges::any_of(type.args, part);
-    }
-    return true;
+    if (type.kind == TypeKind::sequence) leaves.insert(type.kind);
+    if (type.args.empty() && type.literal_args.empty()) leaves.insert(type.kind);
+    if (type.kind == TypeKind::function || type.kind == TypeKind::relation || type.kind == TypeKind::matrix)
+        leaves.insert(type.kind);
+    for (const TypeId part : type.args) collect_leaves(system, part, leaves);
+    for (const auto& arguments : type.literal_args)
+        for (const TypeId part : arguments) collect_leaves(system, part, leaves);
+}
+
+/// True if the type has numbers, elements of given types, or sequences. False for types with values that value_text
+/// cannot show.
+bool is_replaceable(const System& system, TypeId id) {
+    std::set<TypeKind> leaves;
+    collect_leaves(system, id, leaves);
+    const auto has = [&](std::initializer_list<TypeKind> kinds) {
+        return std::ranges::any_of(kinds, [&](TypeKind kind) { return leaves.contains(kind); });
+    };
+    return has({TypeKind::nat, TypeKind::integer, TypeKind::real, TypeKind::given, TypeKind::sequence}) &&
+           !has({TypeKind::string, TypeKind::function, TypeKind::relation, TypeKind::matrix});
 }
 
 /// Writes the number at a path of parts.
@@ -81,8 +76,7 @@ private:
     TypeId type_;
     const Uses& uses_;
     bool only_by_events_ = false;
-    std::map<std::pair<Answers, Value>, std::size_t>
-        numbers_;  ///< the value is set if each value is a class of its own
+    std::map<std::pair<Answers, Value>, std::size_t> numbers_;  ///< the value is set if no two values are in one class
     bool separate_ = false;
     ValueClasses result_;
 };
@@ -213,7 +207,7 @@ private:
 
     [[nodiscard]] std::optional<ValueClasses> classes_of(PlaceId flow, const Uses& uses) const {
         const Place& place = places_[flow];
-        if (place.opaque || !uses.needs_values.empty() || !has_many_values(system_, place.type)) return std::nullopt;
+        if (place.opaque || !uses.needs_values.empty() || !is_replaceable(system_, place.type)) return std::nullopt;
         const bool computed = is_computed(uses);
         if (computed && !uses.conditions.empty()) return std::nullopt;
         return Division(system_, sampling_, place.type, uses)

@@ -2,7 +2,7 @@
 #include "semantics/data/linear.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -17,8 +17,19 @@ __extension__ using Wide = __int128;
 
 constexpr std::size_t most_components = 3;
 constexpr std::size_t most_means = 1'000'000;
-/// Coordinates stay far below 2^63, so that sums of a few products fit.
+/// Constants and coordinates stay below 2^56 and coefficients below 2^20, so that determinants of three rows, which are
+/// sums of six products, and sums of three products fit into 128 bits.
 constexpr std::int64_t greatest_coordinate = std::int64_t{1} << 56U;
+constexpr std::int64_t greatest_coefficient = std::int64_t{1} << 20U;
+
+/// sum + number * factor; no value if it is not between -limit and limit.
+std::optional<std::int64_t> add_product(std::int64_t sum, std::int64_t number, std::int64_t factor,
+                                        std::int64_t limit) {
+    const auto product = checked_multiply(number, factor);
+    const auto total = product ? checked_add(sum, *product) : std::nullopt;
+    const bool fits = total && *total > -limit && *total < limit;
+    return fits ? total : std::nullopt;
+}
 
 /// The determinant of a matrix with at most three rows.
 Wide determinant(const std::vector<std::vector<Wide>>& m) {
@@ -89,16 +100,14 @@ bool LinearConditions::add_membership(const Expr& condition) {
 
 std::optional<LinearConditions::Form> LinearConditions::combine(const Form& a, const Form& b, std::int64_t factor) {
     Form result = a;
-    const auto add = [&](std::int64_t& sum, std::int64_t number) {
-        const auto product = checked_multiply(number, factor);
-        const auto total = product ? checked_add(sum, *product) : std::nullopt;
-        if (total) sum = *total;
-        return total && *total<greatest_coordinate&& * total> - greatest_coordinate;
-    };
-    if (!add(result.constant, b.constant)) return std::nullopt;
+    const auto constant = add_product(a.constant, b.constant, factor, greatest_coordinate);
+    if (!constant) return std::nullopt;
+    result.constant = *constant;
     for (const auto& [component, coefficient] : b.coefficients) {
-        if (!add(result.coefficients[component], coefficient)) return std::nullopt;
-        if (result.coefficients[component] == 0) result.coefficients.erase(component);
+        const auto sum = add_product(result.coefficients[component], coefficient, factor, greatest_coefficient);
+        if (!sum) return std::nullopt;
+        result.coefficients[component] = *sum;
+        if (*sum == 0) result.coefficients.erase(component);
     }
     return result;
 }

@@ -34,13 +34,22 @@ public:
     [[nodiscard]] PlaceId variable(MachineId machine, VariableId id) const {
         return machines_[machine.index].variables + id.index;
     }
-    /// The place of an event's value. The event must have a type.
+    /// The place of an event's value; no_id if the event has none.
     [[nodiscard]] PlaceId event(MachineId machine, EventId id) const {
         return machines_[machine.index].events[id.index];
     }
     /// The place of a parameter of an operation that the machine calls.
     [[nodiscard]] PlaceId parameter(MachineId machine, OperationId id, std::size_t position) const {
         return machines_[machine.index].operations[id.index] + static_cast<PlaceId>(position);
+    }
+    /// The place of the value that the transition's trigger receives; no_id if there is none.
+    [[nodiscard]] PlaceId trigger(MachineId machine, const Transition& transition) const {
+        return transition.trigger ? event(machine, transition.trigger->event) : no_id;
+    }
+    /// The place that the expression is: a variable, or the value of a trigger with this place; no_id for others.
+    [[nodiscard]] PlaceId read_by(MachineId machine, PlaceId trigger, const Expr& expr) const {
+        if (expr.kind == ExprKind::variable) return variable(machine, expr.variable);
+        return expr.kind == ExprKind::trigger_value ? trigger : no_id;
     }
     [[nodiscard]] std::size_t size() const { return places_.size(); }
     [[nodiscard]] const Place& operator[](PlaceId place) const { return places_[place]; }

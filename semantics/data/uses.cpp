@@ -56,7 +56,7 @@ private:
         if (uses_[place].needs_values.empty()) uses_[place].needs_values = element;
     }
     [[nodiscard]] std::set<PlaceId> places_read(const Expr& expr) const;
-    [[nodiscard]] PlaceId place_of(const Expr& expr) const;
+    [[nodiscard]] PlaceId place_of(const Expr& expr) const { return places_.read_by(machine_, trigger_, expr); }
     static void merge(Uses& all, Uses&& more);
 
     const System& system_;
@@ -72,12 +72,6 @@ void Collector::merge(Uses& all, Uses&& more) {
     all.writes.insert(all.writes.end(), more.writes.begin(), more.writes.end());
     all.entries.insert(all.entries.end(), more.entries.begin(), more.entries.end());
     if (all.needs_values.empty()) all.needs_values = std::move(more.needs_values);
-}
-
-/// The place that a variable or the value of a trigger is.
-PlaceId Collector::place_of(const Expr& expr) const {
-    if (expr.kind == ExprKind::variable) return places_.variable(machine_, expr.variable);
-    return expr.kind == ExprKind::trigger_value ? trigger_ : no_id;
 }
 
 std::set<PlaceId> Collector::places_read(const Expr& root) const {
@@ -108,7 +102,10 @@ void Collector::read_guard(const ExprPtr& expr, const std::string& element) {
     const std::set<PlaceId> read = places_read(*expr);
     if (read.empty()) return;
     if (read.size() == 1 && !reads_clock_somewhere(*expr)) {
-        uses_[*read.begin()].conditions.push_back({expr.get(), machine_});
+        // `condition else` shares the conditions of the other transitions.
+        std::vector<Condition>& conditions = uses_[*read.begin()].conditions;
+        if (std::ranges::find(conditions, expr.get(), &Condition::expr) == conditions.end())
+            conditions.push_back({expr.get(), machine_});
         return;
     }
     if (!is_connective(expr->kind) || may_be_undefined(system_, *expr)) return read_values(expr, element);
@@ -130,10 +127,9 @@ void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& el
 }
 
 void Collector::collect_communication(const Communication& communication, const std::string& element) {
-    const auto& event = system_.machine(machine_).events[communication.event.index];
     read_condition(communication.predicate, element);
-    if (!event.type) return;
     const PlaceId carried = places_.event(machine_, communication.event);
+    if (carried == no_id) return;
     if (communication.variable.is_valid()) places_.unite(carried, places_.variable(machine_, communication.variable));
     write(carried, communication.value, element);
 }
@@ -153,8 +149,8 @@ void Collector::collect_statement(const Stmt& stmt) {
     }
     if (stmt.kind == StmtKind::communicate) {
         collect_communication(stmt.communication, element);
-        if (stmt.communication.variable.is_valid())
-            uses_[places_.event(machine_, stmt.communication.event)].entries.push_back(nullptr);
+        const PlaceId carried = places_.event(machine_, stmt.communication.event);
+        if (stmt.communication.variable.is_valid() && carried != no_id) uses_[carried].entries.push_back(nullptr);
     }
     for (std::size_t i = 0; i < stmt.args.size(); ++i)
         write(places_.parameter(machine_, stmt.operation, i), stmt.args[i], element);
@@ -162,10 +158,8 @@ void Collector::collect_statement(const Stmt& stmt) {
 
 void Collector::collect_transition(const Transition& transition) {
     const std::string& element = transition.origin.element;
-    trigger_ = no_id;
+    trigger_ = places_.trigger(machine_, transition);
     if (transition.trigger) {
-        const auto& event = system_.machine(machine_).events[transition.trigger->event.index];
-        if (event.type) trigger_ = places_.event(machine_, transition.trigger->event);
         collect_communication(*transition.trigger, element);
         if (transition.trigger->variable.is_valid() && trigger_ != no_id) {
             const bool alone = transition.guard && places_read(*transition.guard) == std::set<PlaceId>{trigger_} &&

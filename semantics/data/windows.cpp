@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::int64_t longest_sequence = 4096;
 constexpr std::size_t most_candidates = 5'000;
+/// Numbers beside a threshold fit into 64 bits.
+constexpr std::int64_t greatest_threshold = std::int64_t{1} << 56U;
 
 bool is_toolkit(const Expr& expr, std::string_view function) {
     return expr.kind == ExprKind::toolkit && expr.text == function;
@@ -58,15 +60,16 @@ bool SequenceConditions::add_comparison(const Expr& subject, const Expr& with) {
     if (is_toolkit(plain, "sequence_toolkit_size") && is_place(without_casts(*plain.args.at(0)))) {
         const bool real = system_.type(with.type).kind == TypeKind::real;
         const std::int64_t size = real ? *floor_divide(value->number, scale_) : value->number;
-        sizes_.insert(size);
+        if (size >= 0) sizes_.insert(size);  // every size is greater than a negative number
         return size < longest_sequence;
     }
     if (&plain != &subject || !value->parts.empty()) return false;
     return add_window(plain, value->number);
 }
 
-/// `min(ran(extract(W, s)))`, or `min(ran(s))` for all places.
+/// `min(ran(extract(W, s)))` and the same with `max`.
 bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold) {
+    if (threshold <= -greatest_threshold || threshold >= greatest_threshold) return false;
     const bool greatest = is_toolkit(extremum, "sequence_toolkit_max");
     if (!greatest && !is_toolkit(extremum, "sequence_toolkit_min")) return false;
     const Expr& range = without_casts(*extremum.args.at(0));
@@ -129,7 +132,10 @@ std::vector<std::int64_t> SequenceConditions::numbers_beside(const std::vector<s
         result.insert(*at);
         if (at != thresholds.begin()) result.insert(*std::prev(at) + (*at - *std::prev(at)) / 2);
     }
-    if (kind == TypeKind::nat) std::erase_if(result, [](std::int64_t number) { return number < 0; });
+    if (kind == TypeKind::nat) {
+        std::erase_if(result, [](std::int64_t number) { return number < 0; });
+        result.insert(0);
+    }
     return {result.begin(), result.end()};
 }
 

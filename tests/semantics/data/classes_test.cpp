@@ -119,6 +119,7 @@ TEST(Classes, OfOneNumberAreTheIntervalsBetweenThresholds) {
     EXPECT_EQ(only_data(reading("real", {"x < 19.5", "x <= 19.5"})).classes, 3U);
     EXPECT_EQ(only_data(reading("nat", {"x < 1", "x > 1"})).classes, 3U);
     EXPECT_EQ(only_data(reading("nat", {"x < 0"})).classes, 1U);
+    EXPECT_EQ(only_data(reading("nat", {"-x < -3", "x - 5 > 3"})).classes, 3U) << "0..3, 4..8, and more";
     EXPECT_EQ(only_data(reading("int", {"x > 1 /\\ x < 2"})).classes, 1U) << "there is no integer between 1 and 2";
     EXPECT_EQ(only_data(reading("real", {"x > 1 /\\ x < 2"})).classes, 2U);
     EXPECT_EQ(only_data(reading("int", {"2 * x == 5", "2 * x == 4"})).classes, 2U);
@@ -199,6 +200,8 @@ TEST(Classes, AreNotMadeWhereValuesAreNeeded) {
     };
     EXPECT_THAT(data_of(reading("nat", {"x * x > 3"})), IsEmpty()) << "not linear";
     EXPECT_THAT(data_of(reading("Seq(real)", {"min(ran(x)) < 1 /\\ max(ran(x)) > 3"})), IsEmpty());
+    EXPECT_THAT(data_of(reading("int", {"2000000 * x > 3"})), IsEmpty()) << "a coefficient above 2^20";
+    EXPECT_THAT(data_of(reading("string", {"true"})), IsEmpty());
     const std::string machine =
         "package p\nstm S {{\n event e : int\n event f : int\n event out : int\n clock T\n var x : int, y : int\n"
         " initial i\n state A {{ }}\n transition t0 {{ from i to A }}\n transition t1 {{ from A to A trigger e ? x }}\n"
@@ -210,6 +213,21 @@ TEST(Classes, AreNotMadeWhereValuesAreNeeded) {
     EXPECT_THAT(with("condition since(T) > x").size(), 1U) << "x is a time; y is read by nothing";
     EXPECT_THAT(with("condition x > 3 action x = x + 1").size(), 1U) << "a computed value is compared";
     EXPECT_THAT(with("action out ! (x + y)").size(), 3U) << "out has one value; x and y, which nothing else reads, too";
+}
+
+/// `condition else` is the negation of the other conditions and shares them.
+TEST(Classes, OfAConditionThatTwoGuardsShareAreCountedOnce) {
+    const auto model = classes_of(
+        "package p\nstm S {\n event e : nat\n event f : boolean\n var x : nat, flag : boolean\n initial i\n"
+        " state A { }\n state B { }\n junction k\n transition t0 { from i to A }\n"
+        " transition t1 { from A to A trigger f ? flag }\n transition t2 { from A to k trigger e ? x }\n"
+        " transition t3 { from k to B condition flag /\\ x > 3 }\n transition t4 { from k to A condition else } }\n");
+    ASSERT_TRUE(model);
+    EXPECT_EQ(model->data.front().classes, 2U);
+    EXPECT_EQ(model->data.front().conditions, 1U);
+    const std::string dump = dump_text(model->system);
+    EXPECT_THAT(dump, HasSubstr("t3 k -> B when (flag /\\ (x in set(c2)))"));
+    EXPECT_THAT(dump, HasSubstr("t4 k -> A when not ((flag /\\ (x in set(c2))))"));
 }
 
 TEST(Classes, AGuardThatIsUndefinedIsNotItsNegation) {
