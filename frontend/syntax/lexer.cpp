@@ -8,12 +8,16 @@
 #include <array>
 #include <charconv>
 
+#include "base/diagnostics/scanner.hpp"
 #include "base/diagnostics/utf8.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
 namespace robochart::frontend {
 
+using diagnostics::begins_name;
+using diagnostics::continues_name;
 using diagnostics::Diagnostics;
+using diagnostics::is_digit;
 using diagnostics::SourceId;
 using diagnostics::Span;
 
@@ -71,12 +75,6 @@ constexpr std::array<std::string_view, 46> symbols = {
 /// The remaining `symbols` are used only in probabilistic assertions.
 constexpr std::size_t model_symbols = 41;
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
@@ -95,26 +93,18 @@ std::size_t index_of(std::string_view word) {
     return reserved.size() + static_cast<std::size_t>(symbol - symbols.begin());
 }
 
-class Lexer {
+class Lexer : diagnostics::Scanner {
 public:
     Lexer(std::string_view text, SourceId source, bool is_assertions, Diagnostics& out)
-        : text_(text), source_(source), is_assertions_(is_assertions), out_(out) {}
+        : Scanner(text, source), is_assertions_(is_assertions), out_(out) {}
 
     TokenStream run();
 
 private:
-    [[nodiscard]] char peek(std::size_t ahead = 0) const {
-        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-    }
-    [[nodiscard]] bool starts_with(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
-    [[nodiscard]] Span span_from(std::size_t begin) const {
-        return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
-    }
     void add(TokenKind kind, std::size_t begin, bool escaped = false);
     bool refuse_binary();
     void skip_space();
     bool read_comment();
-    void block_comment(std::size_t begin);
     void read_word();
     void csp_code(std::size_t begin);
     void read_number();
@@ -127,11 +117,8 @@ private:
     void read_token();
     bool too_long();
 
-    std::string_view text_;
-    SourceId source_;
     bool is_assertions_;
     Diagnostics& out_;
-    std::size_t at_ = 0;
     std::size_t line_begin_ = 0;  ///< offset just after the last line end passed
     std::size_t last_end_ = 0;    ///< end of the last token
     TokenStream stream_{TokenList(text_, source_), {}};
@@ -154,67 +141,45 @@ bool Lexer::refuse_binary() {
 }
 
 void Lexer::skip_space() {
-    for (; at_ < text_.size() && is_space(text_[at_]); ++at_)
-        if (text_[at_] == '\n' || text_[at_] == '\r') line_begin_ = at_ + 1;
-}
-
-void Lexer::block_comment(std::size_t begin) {
-    const std::size_t end = text_.find("*/", at_ + 2);
-    const bool closed = end != std::string_view::npos;
-    const std::size_t stop = closed ? end + 2 : text_.size();
-    if (!closed) {
-        at_ += 2;
-        out_.report(syntax::open_comment, span_from(begin));
-    }
-    const std::size_t line_end = text_.substr(begin, stop - begin).find_last_of("\r\n");
-    if (line_end != std::string_view::npos) line_begin_ = begin + line_end + 1;
-    at_ = stop;
-    stream_.comments.push_back(span_from(begin));
+    for (; is_space(peek()); ++at_)
+        if (peek() == '\n' || peek() == '\r') line_begin_ = at_ + 1;
 }
 
 bool Lexer::read_comment() {
     const std::size_t begin = at_;
-    if (starts_with("/*")) {
-        block_comment(begin);
-        return true;
+    if (accept("/*")) {
+        const Span opening = span_from(begin);
+        if (!skip_past("*/")) out_.report(syntax::open_comment, opening);
+        const std::size_t last = text_from(begin).find_last_of("\r\n");
+        if (last != std::string_view::npos) line_begin_ = begin + last + 1;
+    } else if (looking_at("//")) {
+        skip_to("\r\n");
+    } else {
+        return false;
     }
-    if (!starts_with("//")) return false;
-    at_ = std::min(text_.size(), text_.find_first_of("\r\n", at_));
     stream_.comments.push_back(span_from(begin));
     return true;
 }
 
 void Lexer::csp_code(std::size_t begin) {
-    const std::size_t end = text_.find("csp-end", at_);
-    if (end == std::string_view::npos) {
-        out_.report(syntax::open_csp_block, span_from(begin));
-        at_ = text_.size();
-    } else {
-        at_ = end + std::string_view("csp-end").size();
-    }
+    const Span opening = span_from(begin);
+    if (!skip_past("csp-end")) out_.report(syntax::open_csp_block, opening);
     add(TokenKind::csp_code, begin);
 }
 
 void Lexer::read_word() {
     const std::size_t begin = at_;
-    const bool escaped = peek() == '^';
-    if (escaped) ++at_;
+    const bool escaped = accept("^");
     const std::size_t name = at_;
-    while (is_letter(peek()) || is_digit(peek())) ++at_;
-    const std::string_view text = text_.substr(name, at_ - name);
-    if (is_assertions_ && text == "csp" && starts_with("-begin")) {
-        at_ += std::string_view("-begin").size();
-        return csp_code(begin);
-    }
-    if (!escaped && (text == "Set" || text == "Seq") && peek() == '(') {
-        ++at_;
-        return add(TokenKind::symbol, begin);
-    }
+    skip_name();
+    const std::string_view text = text_from(name);
+    if (is_assertions_ && text == "csp" && accept("-begin")) return csp_code(begin);
+    if (!escaped && (text == "Set" || text == "Seq") && accept("(")) return add(TokenKind::symbol, begin);
     add(!escaped && is_reserved(text) ? TokenKind::keyword : TokenKind::identifier, begin, escaped);
 }
 
 void Lexer::check_integer(std::size_t begin) {
-    const std::string_view digits = text_.substr(begin, at_ - begin);
+    const std::string_view digits = text_from(begin);
     std::int64_t value = 0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (result.ec != std::errc()) out_.report(syntax::huge_integer, span_from(begin), {shorten_token(digits)});
@@ -222,7 +187,7 @@ void Lexer::check_integer(std::size_t begin) {
 
 /// Reals are stored exactly, as decimals of at most 18 digits.
 void Lexer::check_real(std::size_t begin) {
-    std::string_view digits = text_.substr(begin, at_ - begin);
+    std::string_view digits = text_from(begin);
     const std::size_t leading = std::min(digits.find_first_not_of('0'), digits.find('.'));
     digits.remove_prefix(leading);
     if (digits.size() - 1 > 18) out_.report(syntax::long_real, span_from(begin), {shorten_token(digits)});
@@ -230,11 +195,11 @@ void Lexer::check_real(std::size_t begin) {
 
 void Lexer::read_number() {
     const std::size_t begin = at_;
-    while (is_digit(peek())) ++at_;
+    skip_digits();
     const bool real = peek() == '.' && is_digit(peek(1));
     if (real) {
         ++at_;
-        while (is_digit(peek())) ++at_;
+        skip_digits();
         check_real(begin);
     } else {
         check_integer(begin);
@@ -245,13 +210,13 @@ void Lexer::read_number() {
 void Lexer::read_string() {
     const std::size_t begin = at_;
     const char quote = text_[at_++];
-    while (at_ < text_.size() && text_[at_] != quote) at_ += text_[at_] == '\\' ? 2U : 1U;
-    if (at_ >= text_.size()) {
+    while (!at_end() && text_[at_] != quote) at_ += text_[at_] == '\\' ? 2U : 1U;
+    if (at_end()) {
         at_ = begin + 1;
         diagnostics::Diagnostic& finding = out_.report(syntax::open_string, span_from(begin));
-        if (quote == '\'' && begin > 0 && (is_letter(text_[begin - 1]) || is_digit(text_[begin - 1])))
+        if (quote == '\'' && begin > 0 && continues_name(text_[begin - 1]))
             finding.notes.push_back({{}, "a name cannot contain a prime: an assignment is written `x = e`"});
-        at_ = std::min(text_.size(), text_.find_first_of("\r\n", begin));
+        skip_to("\r\n");
     } else {
         ++at_;
     }
@@ -259,15 +224,11 @@ void Lexer::read_string() {
 }
 
 bool Lexer::read_symbol() {
+    const std::size_t begin = at_;
     const std::size_t known = is_assertions_ ? symbols.size() : model_symbols;
-    for (std::size_t i = 0; i < known; ++i) {
-        if (symbols[i].front() != text_[at_] || !starts_with(symbols[i])) continue;
-        const std::size_t begin = at_;
-        at_ += symbols[i].size();
-        add(TokenKind::symbol, begin);
-        return true;
-    }
-    return false;
+    if (accept_first(std::span(symbols).first(known)) == nullptr) return false;
+    add(TokenKind::symbol, begin);
+    return true;
 }
 
 /// Reads a mathematical sign such as ≤ as RoboChart's equivalent, and reports it.
@@ -285,18 +246,15 @@ bool Lexer::read_mathematical_sign() {
                                          {"\u2192", "->"},
                                          {"\u00D7", "*"},
                                          {"\u2212", "-"}}};
-    const auto* const sign =
-        std::ranges::find_if(signs, [&](const Sign& candidate) { return starts_with(candidate.written); });
-    if (sign == signs.end()) return false;
     const std::size_t begin = at_;
-    at_ += sign->written.size();
+    const Sign* const sign = accept_first(signs, &Sign::written);
+    if (sign == nullptr) return false;
     const bool word = sign->own == "not";
     out_.report(syntax::strange_character, span_from(begin), {std::string(sign->written)})
         .fixes.push_back({span_from(begin), word ? "not " : std::string(sign->own), "write"});
-    const std::size_t index = stream_.tokens.size();
-    add(word ? TokenKind::keyword : TokenKind::symbol, begin);
-    if (stream_.tokens.size() > index)
-        stream_.tokens.correct_token(index, word ? TokenKind::keyword : TokenKind::symbol, sign->own);
+    const TokenKind kind = word ? TokenKind::keyword : TokenKind::symbol;
+    add(kind, begin);
+    stream_.tokens.correct_token(stream_.tokens.size() - 1, kind, sign->own);
     return true;
 }
 
@@ -309,18 +267,16 @@ void Lexer::skip_unexpected() {
     };
     const bool inside_name =
         last_end_ == begin && !stream_.tokens.empty() && stream_.tokens.last_token().kind == TokenKind::identifier;
-    const auto goes_on = [&](char c) {
-        return (strange(c) && !is_space(c)) || (inside_name && (is_letter(c) || is_digit(c)));
-    };
-    do ++at_;
-    while (at_ < text_.size() && goes_on(text_[at_]));
-    out_.report(syntax::strange_character, span_from(begin), {shorten_token(text_.substr(begin, at_ - begin))});
+    const auto goes_on = [&](char c) { return (strange(c) && !is_space(c)) || (inside_name && continues_name(c)); };
+    ++at_;
+    skip_while(goes_on);
+    out_.report(syntax::strange_character, span_from(begin), {shorten_token(text_from(begin))});
 }
 
 void Lexer::read_token() {
     const char c = peek();
     if (read_comment()) return;
-    if (is_letter(c) || (c == '^' && is_letter(peek(1)))) return read_word();
+    if (begins_name(c) || (c == '^' && begins_name(peek(1)))) return read_word();
     if (is_digit(c)) return read_number();
     if (c == '"' || c == '\'') return read_string();
     if (!read_symbol() && !read_mathematical_sign()) skip_unexpected();
@@ -328,15 +284,14 @@ void Lexer::read_token() {
 
 bool Lexer::too_long() {
     if (stream_.tokens.size() < max_tokens) return false;
-    out_.report(syntax::too_long, {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)},
-                {std::to_string(max_tokens)});
+    out_.report(syntax::too_long, span_from(at_), {std::to_string(max_tokens)});
     at_ = text_.size();
     return true;
 }
 
 TokenStream Lexer::run() {
     if (!refuse_binary()) {
-        for (skip_space(); at_ < text_.size() && !too_long(); skip_space()) {
+        for (skip_space(); !at_end() && !too_long(); skip_space()) {
             out_.poll();
             read_token();
         }

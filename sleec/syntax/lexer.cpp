@@ -6,25 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <utility>
 
 #include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/scanner.hpp"
 #include "sleec/syntax/rules.hpp"
 
 namespace robochart::sleec {
 namespace {
-
-using diagnostics::Span;
-
-bool is_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
 
 /// Longest first.
 constexpr std::array<std::string_view, 18> symbols{"::", "<=", ">=", "<>", "{", "}", "(", ")", "[",
@@ -48,13 +38,13 @@ std::string_view meant_by(std::string_view character) {
     return {};
 }
 
-class Lexer {
+class Lexer : diagnostics::Scanner {
 public:
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics, bool comments)
-        : text_(text), source_(source), diagnostics_(diagnostics), comments_(comments) {}
+        : Scanner(text, source), diagnostics_(diagnostics), comments_(comments) {}
 
     std::vector<Token> read_tokens() {
-        while (at_ < text_.size()) {
+        while (!at_end()) {
             diagnostics_.poll();
             next();
         }
@@ -63,15 +53,7 @@ public:
     }
 
 private:
-    [[nodiscard]] char peek(std::size_t ahead = 0) const {
-        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-    }
-    [[nodiscard]] Span span_from(std::size_t begin) const {
-        return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
-    }
-    void push_token(Tok kind, std::size_t begin) {
-        tokens_.push_back({kind, span_from(begin), text_.substr(begin, at_ - begin)});
-    }
+    void push_token(Tok kind, std::size_t begin) { tokens_.push_back({kind, span_from(begin), text_from(begin)}); }
 
     void next() {
         const char c = peek();
@@ -79,11 +61,11 @@ private:
             ++at_;
         } else if (c == '/' && (peek(1) == '/' || peek(1) == '*')) {
             read_comment();
-        } else if (is_letter(c)) {
+        } else if (diagnostics::begins_name(c)) {
             const std::size_t begin = at_;
-            while (is_letter(peek()) || is_digit(peek())) ++at_;
+            skip_name();
             push_token(Tok::word, begin);
-        } else if (is_digit(c)) {
+        } else if (diagnostics::is_digit(c)) {
             read_number();
         } else {
             read_symbol();
@@ -92,14 +74,11 @@ private:
 
     void read_comment() {
         const std::size_t begin = at_;
-        if (peek(1) == '/') {
-            at_ = std::min(text_.find('\n', at_), text_.size());
+        if (accept("/*")) {
+            const diagnostics::Span opening = span_from(begin);
+            if (!skip_past("*/")) diagnostics_.report(rules::open_comment, opening);
         } else {
-            const std::size_t end = text_.find("*/", at_ + 2);
-            at_ = end == std::string_view::npos ? text_.size() : end + 2;
-            if (end == std::string_view::npos)
-                diagnostics_.report(rules::open_comment, {source_, static_cast<std::uint32_t>(begin),
-                                                          static_cast<std::uint32_t>(begin) + 2});
+            at_ = line_end();
         }
         if (comments_) push_token(Tok::comment, begin);
     }
@@ -107,8 +86,8 @@ private:
     void read_number() {
         constexpr std::size_t most_digits = 9;
         const std::size_t begin = at_;
-        while (is_digit(peek())) ++at_;
-        std::string_view digits = text_.substr(begin, at_ - begin);
+        skip_digits();
+        std::string_view digits = text_from(begin);
         while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
         if (digits.size() > most_digits && digits != "1000000000") {
             const std::string shown(digits.substr(0, 20));
@@ -119,27 +98,17 @@ private:
 
     void read_symbol() {
         const std::size_t begin = at_;
-        const std::string_view rest = text_.substr(at_);
-        const auto* found = std::ranges::find_if(symbols, [&](auto s) { return rest.starts_with(s); });
-        if (found != symbols.end()) {
-            at_ += found->size();
-            return push_token(Tok::symbol, begin);
-        }
-        do ++at_;
-        while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) & 0xc0U) == 0x80U);
-        const std::string shown =
-            diagnostics::escape_for_display(diagnostics::ForeignText(text_.substr(begin, at_ - begin)));
+        if (accept_first(symbols) != nullptr) return push_token(Tok::symbol, begin);
+        skip_character();
+        const std::string shown = diagnostics::escape_for_display(text_from(begin));
         auto& finding = diagnostics_.report(rules::bad_character, span_from(begin), {fmt::format("'{}'", shown)});
         if (const std::string_view advice = meant_by(shown); !advice.empty())
             finding.notes.push_back({{}, std::string(advice)});
         if ((shown == "&" || shown == "|") && peek() == shown.front()) ++at_;
     }
 
-    std::string_view text_;
-    diagnostics::SourceId source_;
     diagnostics::Diagnostics& diagnostics_;
     bool comments_;
-    std::size_t at_ = 0;
     std::vector<Token> tokens_;
 };
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "base/diagnostics/scanner.hpp"
 #include "base/diagnostics/utf8.hpp"
 #include "checker/cspm/syntax/advice.hpp"
 #include "checker/cspm/syntax/rules.hpp"
@@ -15,6 +16,7 @@ namespace robochart::cspm {
 
 namespace {
 
+using diagnostics::is_digit;
 using diagnostics::Span;
 
 // The treatment of line ends around a token (FDR's lexer, libcspm Lexer.x). `before`: line ends before the token are
@@ -111,23 +113,17 @@ constexpr std::array words{
     Symbol{Tok::kw_instance, "instance", after}, Symbol{Tok::kw_timed, "Timed", after},
 };
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
-class Lexer {
+class Lexer : diagnostics::Scanner {
 public:
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics)
-        : text_(text), source_(source), diagnostics_(diagnostics) {}
+        : Scanner(text, source), diagnostics_(diagnostics) {}
 
     std::vector<Token> run() {
-        while (skip_space(), at_ < text_.size()) {
+        while (skip_space(), !at_end()) {
             diagnostics_.poll();
             read_token();
         }
@@ -139,17 +135,9 @@ public:
     }
 
 private:
-    [[nodiscard]] char peek(std::size_t ahead = 0) const {
-        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-    }
-    [[nodiscard]] bool looking_at(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
-    [[nodiscard]] Span span(std::size_t from) const {
-        return {source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(at_)};
-    }
-
     void skip_space() {
         blank_before_ = false;
-        while (at_ < text_.size()) {
+        while (!at_end()) {
             const char c = peek();
             if (c == '\n') {
                 if (!line_end_) line_end_at_ = at_;
@@ -161,7 +149,7 @@ private:
                 ++at_;
             } else if (looking_at("--")) {
                 arrow_comment();
-                at_ = std::min(text_.find('\n', at_), text_.size());
+                at_ = line_end();
             } else if (looking_at("{-")) {
                 line_end_ = false;  // in FDR's lexer, the line ends before a block comment belong to it
                 block_comment();
@@ -182,16 +170,13 @@ private:
         const std::size_t from = at_;
         std::size_t depth = 0;
         do {
-            if (at_ >= text_.size()) return open_comment(from);
-            if (looking_at("{-")) {
+            if (at_end()) return open_comment(from);
+            if (accept("{-"))
                 ++depth;
-                at_ += 2;
-            } else if (looking_at("-}")) {
+            else if (accept("-}"))
                 --depth;
-                at_ += 2;
-            } else {
+            else
                 ++at_;
-            }
         } while (depth > 0);
     }
 
@@ -216,12 +201,12 @@ private:
         }
         line_end_ = false;
         soaking_ = (layout & after) != 0;
-        tokens_.push_back({kind, span(from), text_.substr(from, at_ - from), number});
+        tokens_.push_back({kind, span_from(from), text_from(from), number});
     }
 
     void read_token() {
         const char c = peek();
-        if (is_letter(c) || foreign_letter(text_.substr(at_)) > 0) {
+        if ((diagnostics::begins_name(c) && c != '_') || foreign_letter(rest()) > 0) {
             read_word();
         } else if (is_digit(c)) {
             read_integer();
@@ -239,19 +224,13 @@ private:
     void read_word() {
         const std::size_t from = at_;
         bool foreign = false;
-        for (;;) {
-            if (is_letter(peek()) || is_digit(peek()) || peek() == '_') {
-                ++at_;
-            } else if (const std::size_t length = foreign_letter(text_.substr(at_)); length > 0) {
-                foreign = true;
-                at_ += length;
-            } else {
-                break;
-            }
+        for (skip_name(); const std::size_t length = foreign_letter(rest()); skip_name()) {
+            foreign = true;
+            at_ += length;
         }
         while (peek() == '\'') ++at_;
         if (foreign) foreign_name(from);
-        const std::string_view text = text_.substr(from, at_ - from);
+        const std::string_view text = text_from(from);
         const bool first = starts_declaration();
         if (text == "print" && peek() == ' ' && first) return read_print_line(from);
         if (text == "include" && first) return read_include(from);
@@ -262,11 +241,11 @@ private:
 
     // Reports the name once and then accepts it as a name.
     void foreign_name(std::size_t from) {
-        const std::string name(text_.substr(from, at_ - from));
+        const std::string name(text_from(from));
         if (!foreign_names_.insert(name).second) return;
-        diagnostics::Diagnostic& finding = diagnostics_.report(rules::foreign_name, span(from), {name});
+        diagnostics::Diagnostic& finding = diagnostics_.report(rules::foreign_name, span_from(from), {name});
         if (const std::string plain = in_plain_letters(name); !plain.empty())
-            finding.notes.push_back({span(from), "write '" + plain + "'"});
+            finding.notes.push_back({span_from(from), "write '" + plain + "'"});
     }
 
     // Whether the token about to be emitted is the first of a declaration.
@@ -279,22 +258,21 @@ private:
     // Reads the rest of the line after `print`. The line ends there, even if the next line could continue it.
     void read_print_line(std::size_t from) {
         emit_token(Tok::print, from, after);
-        const std::size_t line = std::min(text_.find('\n', at_), text_.size());
         const std::string_view whole = text_;
-        text_ = text_.substr(0, line);
-        while (skip_space(), at_ < text_.size()) read_token();
+        text_ = text_.substr(0, line_end());
+        while (skip_space(), !at_end()) read_token();
         text_ = whole;
         emit_token(Tok::newline, at_, plain);
     }
 
     void read_include(std::size_t from) {
-        const std::size_t line = std::min(text_.find('\n', at_), text_.size());
+        const std::size_t line = line_end();
         const std::size_t open = text_.find_first_not_of(" \t\r", at_);
         const std::size_t close =
             open < line && text_[open] == '"' ? text_.find('"', open + 1) : std::string_view::npos;
         if (close >= line) {
             at_ = line;
-            diagnostics_.report(rules::bad_include, span(from));
+            diagnostics_.report(rules::bad_include, span_from(from));
             return;
         }
         at_ = close;
@@ -313,23 +291,20 @@ private:
             if (fits) value = value * 10 + digit;
         }
         if (!fits) {
-            const std::string_view digits = text_.substr(from, std::min<std::size_t>(at_ - from, 40));
-            diagnostics_.report(rules::big_number, span(from), {std::string(digits)});
+            const std::string digits(text_from(from).substr(0, 40));
+            diagnostics_.report(rules::big_number, span_from(from), {digits});
         }
         emit_token(Tok::integer, from, before, value);
     }
 
     void read_string() {
         const std::size_t from = at_++;
-        while (at_ < text_.size() && peek() != '"' && peek() != '\n')
-            at_ += peek() == '\\' && peek(1) != '\n' ? 2U : 1U;
+        while (!at_end() && peek() != '"' && peek() != '\n') at_ += peek() == '\\' && peek(1) != '\n' ? 2U : 1U;
         at_ = std::min(at_, text_.size());
-        if (peek() != '"') {
-            diagnostics_.report(rules::open_literal, span(from), {"string"});
-            return;
-        }
-        ++at_;
-        emit_token(Tok::string, from, before);
+        if (accept("\""))
+            emit_token(Tok::string, from, before);
+        else
+            diagnostics_.report(rules::open_literal, span_from(from), {"string"});
     }
 
     void read_character() {
@@ -346,30 +321,28 @@ private:
             else if (value == 'r')
                 value = '\r';
         }
-        if (peek() != '\'' || at_ > text_.size()) {
-            at_ = std::min(at_, text_.size());
-            diagnostics_.report(rules::open_literal, span(from), {"character"});
-            return;
-        }
-        ++at_;
-        emit_token(Tok::character, from, before, static_cast<unsigned char>(value));
+        at_ = std::min(at_, text_.size());
+        if (accept("'"))
+            emit_token(Tok::character, from, before, static_cast<unsigned char>(value));
+        else
+            diagnostics_.report(rules::open_literal, span_from(from), {"character"});
     }
 
     // `:[words [M]]` or `:[words]:` is one token; the parser parses its contents.
     void read_property() {
         const std::size_t from = at_;
-        const std::size_t line = std::min(text_.find('\n', at_), text_.size());
+        const std::size_t line = line_end();
         const std::size_t inner = text_.find('[', at_ + 2);
         std::size_t close = text_.find(']', at_);
         if (inner < close && close < line) close = text_.find(']', close + 1);
         if (close >= line) {
             at_ = std::min(line, from + 2);
-            diagnostics_.report(rules::bad_property, span(from), {std::string(text_.substr(from, line - from))});
+            diagnostics_.report(rules::bad_property, span_from(from), {std::string(text_.substr(from, line - from))});
             at_ = line;
             return;
         }
         at_ = close + 1;
-        if (peek() == ':') ++at_;  // FDR's lexer accepts `]:` for `]` after every property
+        accept(":");  // FDR's lexer accepts `]:` for `]` after every property
         const std::string_view inside = text_.substr(from + 2, close - from - 2);
         const bool takes_more =
             inside.find("trace") != std::string_view::npos || inside.find("priority") != std::string_view::npos;
@@ -406,10 +379,8 @@ private:
 
     bool read_symbol() {
         const std::size_t from = at_;
-        const auto* found =
-            std::ranges::find_if(symbols, [this](const Symbol& candidate) { return looking_at(candidate.text); });
-        if (found == symbols.end()) return false;
-        at_ += found->text.size();
+        const Symbol* const found = accept_first(symbols, &Symbol::text);
+        if (found == nullptr) return false;
         emit_token(found->kind, from, found->layout);
         return true;
     }
@@ -424,30 +395,26 @@ private:
 
     void report_bad_character() {
         const std::size_t from = at_;
-        const std::size_t length = diagnostics::utf8_length(text_.substr(at_));
+        const std::size_t length = diagnostics::utf8_length(rest());
         at_ += std::max<std::size_t>(length, 1);
         const auto code = static_cast<unsigned char>(text_[from]);
-        const std::string_view character = text_.substr(from, at_ - from);
+        const std::string_view character = text_from(from);
         constexpr std::string_view digits = "0123456789abcdef";
         const std::string hex{'0', 'x', digits[code >> 4U], digits[code & 15U]};
         const bool printable = length > 1 || (code >= 0x20U && code < 0x7fU);
-        diagnostics::Diagnostic& finding = diagnostics_.report(
-            rules::bad_character, span(from), {printable ? "'" + std::string(character) + "'" : "the byte " + hex});
+        diagnostics::Diagnostic& finding =
+            diagnostics_.report(rules::bad_character, span_from(from),
+                                {printable ? "'" + std::string(character) + "'" : "the byte " + hex});
         if (const std::string_view written = written_for(character); !written.empty()) {
-            finding.notes.push_back({span(from), "write `" + std::string(written) + "`"});
+            finding.notes.push_back({span_from(from), "write `" + std::string(written) + "`"});
             return read_as(written, from);
         }
-        while (text_.substr(at_, character.size()) == character) at_ += character.size();
+        while (looking_at(character)) at_ += character.size();
         if (code < 0x80U || length > 0) return;
-        while (at_ < text_.size() && static_cast<unsigned char>(peek()) >= 0x80U &&
-               diagnostics::utf8_length(text_.substr(at_)) == 0)
-            ++at_;
+        while (static_cast<unsigned char>(peek()) >= 0x80U && diagnostics::utf8_length(rest()) == 0) ++at_;
     }
 
-    std::string_view text_;
-    diagnostics::SourceId source_;
     diagnostics::Diagnostics& diagnostics_;
-    std::size_t at_ = 0;
     bool line_end_ = false;        // a line end was skipped since the last token,
     std::size_t line_end_at_ = 0;  // position of the first of them
     bool soaking_ = true;          // line ends after the last token are ignored
