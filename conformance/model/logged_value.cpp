@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/diagnostics/scanner.hpp"
 #include "conformance/code/interface.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
@@ -33,15 +34,15 @@ std::uint64_t hash_text(std::string_view text, std::uint64_t salt) {
 }
 
 /// Parses one value from left to right. Recursion depth: the depth of its type.
-class ValueParser {
+class ValueParser : diagnostics::Scanner {
 public:
     ValueParser(const ir::System& system, const ir::Instantiation& instantiation, std::string_view text)
-        : system_(system), instantiation_(instantiation), text_(text) {}
+        : Scanner(text), system_(system), instantiation_(instantiation) {}
 
     LoggedPart parse_whole(ir::TypeId type) {
         LoggedPart result = parse_value(type);
         skip_blanks();
-        if (at_ < text_.size()) throw ValueFault{describe_shape(type), 0, text_.size()};
+        if (!at_end()) throw ValueFault{describe_shape(type), 0, text_.size()};
         return result;
     }
 
@@ -91,13 +92,13 @@ private:
     }
 
     LoggedPart parse_number(TypeKind kind) {
-        const std::string_view rest = text_.substr(at_);
+        const std::string_view tail = rest();
         double value = 0;
-        const auto [end, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-        const auto length = static_cast<std::size_t>(end - rest.data());
-        if (code != std::errc() || !std::isfinite(value) || (length < rest.size() && !ends_value(rest[length])))
+        const auto [end, code] = std::from_chars(tail.data(), tail.data() + tail.size(), value);
+        const auto length = static_cast<std::size_t>(end - tail.data());
+        if (code != std::errc() || !std::isfinite(value) || (length < tail.size() && !ends_value(tail[length])))
             throw make_fault("a number", parse_name());
-        const std::string_view word = rest.substr(0, length);
+        const std::string_view word = tail.substr(0, length);
         const bool real = kind == TypeKind::real;
         const double scaled = real ? value * static_cast<double>(instantiation_.scale) : value;
         if (!real && scaled != std::floor(scaled)) throw make_fault("a whole number", word);
@@ -145,18 +146,16 @@ private:
         const std::size_t begin = at_;
         LoggedPart result{0, "", TypeKind::string, {}};
         const auto unfinished = [&] { return ValueFault{"a text in quotes", begin, text_.size() - begin}; };
-        if (at_ >= text_.size() || text_[at_] != '"') throw unfinished();
-        for (++at_; at_ < text_.size() && text_[at_] != '"';)
-            result.parts.push_back({parse_character(), "", TypeKind::unit, {}});
-        if (at_ >= text_.size()) throw unfinished();
-        ++at_;
+        if (!accept("\"")) throw unfinished();
+        while (!at_end() && peek() != '"') result.parts.push_back({parse_character(), "", TypeKind::unit, {}});
+        if (!accept("\"")) throw unfinished();
         return result;
     }
 
     /// A backslash and three octal digits encode any character.
     std::int64_t parse_character() {
         const auto digit = [&](std::size_t i) {
-            const char c = at_ + i < text_.size() ? text_[at_ + i] : ' ';
+            const char c = peek(i);
             return c >= '0' && c <= '7' ? c - '0' : -1;
         };
         if (text_[at_] == '\\' && digit(1) >= 0 && digit(1) < 4 && digit(2) >= 0 && digit(3) >= 0) {
@@ -206,13 +205,11 @@ private:
     // ------------------------------------------------------------ text
 
     void skip_blanks() {
-        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+        skip_while([](char c) { return c == ' ' || c == '\t'; });
     }
     bool accept_character(char c) {
         skip_blanks();
-        const bool found = at_ < text_.size() && text_[at_] == c;
-        if (found) ++at_;
-        return found;
+        return accept({&c, 1});
     }
     void expect(char c, const ir::Type& type, std::size_t begin) {
         if (!accept_character(c)) throw ValueFault{describe_shape(type), begin, text_.size() - begin};
@@ -222,11 +219,9 @@ private:
         return ends.find(c) != std::string_view::npos;
     }
     std::string_view parse_name() {
-        std::size_t end = at_;
-        while (end < text_.size() && !ends_value(text_[end])) ++end;
-        const std::string_view word = text_.substr(at_, end - at_);
-        at_ = end;
-        return word;
+        const std::size_t begin = at_;
+        skip_while([](char c) { return !ends_value(c); });
+        return text_from(begin);
     }
     [[nodiscard]] ValueFault make_fault(std::string expected, std::string_view word) const {
         const auto begin = static_cast<std::size_t>(word.data() - text_.data());
@@ -267,8 +262,6 @@ private:
 
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
-    std::string_view text_;
-    std::size_t at_ = 0;
 };
 
 /// The corresponding value of the model, in which other numbers replace those outside their carriers.

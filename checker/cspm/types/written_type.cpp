@@ -3,15 +3,16 @@
 #include "checker/cspm/types/written_type.hpp"
 
 #include <array>
-#include <cctype>
+
+#include "base/diagnostics/scanner.hpp"
 
 namespace robochart::cspm::types {
 
 namespace {
 
-class TypeReader {
+class TypeReader : diagnostics::Scanner {
 public:
-    explicit TypeReader(std::string_view text) : text_(text) { skip_spaces(); }
+    explicit TypeReader(std::string_view text) : Scanner(text) { skip_spaces(); }
 
     WrittenScheme read_scheme() {
         WrittenScheme result;
@@ -64,7 +65,7 @@ private:
 
     WrittenType read_dotted(bool& grouped) {
         WrittenType first = read_operand(grouped);
-        if (!peek(".")) return first;
+        if (!looking_at(".")) return first;
         grouped = false;
         WrittenType result{TypeKind::dot, "", {std::move(first)}};
         bool ignored = false;
@@ -97,40 +98,31 @@ private:
     WrittenType read_parenthesis(bool& grouped) {
         grouped = true;
         WrittenType result{TypeKind::tuple, "", {}};
-        if (!peek(")")) result.args.push_back(read_whole_type());
+        if (!looking_at(")")) result.args.push_back(read_whole_type());
         while (accept(",")) result.args.push_back(read_whole_type());
         accept(")");
         if (result.args.size() != 1) return result;
-        if (peek("->")) return result;
+        if (looking_at("->")) return result;
         WrittenType only = std::move(result.args.front());
         return only;
     }
 
     void skip_spaces() {
-        while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+        skip_while([](char c) { return c == ' '; });
     }
-    [[nodiscard]] bool peek(std::string_view token) const { return text_.substr(at_).starts_with(token); }
     bool accept(std::string_view token) {
-        if (!peek(token)) return false;
-        if (token == "=>" && peek("=>*")) return false;
-        at_ += token.size();
+        if (token == "=>" && looking_at("=>*")) return false;
+        if (!Scanner::accept(token)) return false;
         skip_spaces();
         return true;
     }
     std::string read_name() {
         const std::size_t start = at_;
-        while (at_ < text_.size()) {
-            const char c = text_[at_];
-            if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '\'' && c != ':') break;
-            ++at_;
-        }
-        std::string result(text_.substr(start, at_ - start));
+        skip_while([](char c) { return diagnostics::continues_name(c) || c == '\'' || c == ':'; });
+        std::string result(text_from(start));
         skip_spaces();
         return result;
     }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
 };
 
 }  // namespace
