@@ -8,6 +8,7 @@
 
 #include "base/diagnostics/escape.hpp"
 #include "checker/cspm/syntax/build.hpp"
+#include "checker/cspm/syntax/lexer.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/assertions.hpp"
 #include "csp_emit/base/block_comments.hpp"
@@ -226,14 +227,11 @@ std::set<std::string> names_for_blocks(const Project& project, const std::vector
 
 /// Reserves every word in the blocks, so that generated names differ from all of them.
 void reserve_words_of_blocks(const Project& project, NameManager& names) {
-    const auto in_name = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
-    };
     for (const ir::CspBlock& block : project.system.csp_blocks) {
         const std::string& text = block.text;
         for (auto at = text.begin(); at != text.end();) {
-            at = std::find_if(at, text.end(), in_name);
-            const auto end = std::find_if_not(at, text.end(), in_name);
+            at = std::find_if(at, text.end(), cspm::continues_name);
+            const auto end = std::find_if_not(at, text.end(), cspm::continues_name);
             if (at != end) names.reserve(std::string(at, end));
             at = end;
         }

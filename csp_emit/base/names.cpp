@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 
+#include "base/diagnostics/scanner.hpp"
 #include "checker/cspm/types/builtins.hpp"
 #include "csp_emit/base/library.hpp"
 
@@ -195,9 +196,8 @@ std::string module_name(const ir::Machine& machine) {
 }
 
 bool is_identifier(const std::string& name) {
-    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    const auto part = [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-    return !name.empty() && letter(name.front()) && std::ranges::all_of(name, part);
+    return !name.empty() && diagnostics::begins_name(name.front()) && name.front() != '_' &&
+           std::ranges::all_of(name, diagnostics::continues_name);
 }
 
 bool is_reserved(const std::string& name) {

@@ -3,9 +3,9 @@
 #include "csp_emit/base/project.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/diagnostics/text.hpp"
+#include "checker/cspm/syntax/lexer.hpp"
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/rules.hpp"
 
@@ -13,15 +13,11 @@ namespace robochart::csp_emit {
 
 namespace {
 
-bool in_name(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '\'';
-}
-
 std::size_t times_in(const std::string& text, const std::string& name) {
     std::size_t result = 0;
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-        const bool begins = at == 0 || !in_name(text[at - 1]);
-        const bool ends = at + name.size() == text.size() || !in_name(text[at + name.size()]);
+        const bool begins = at == 0 || !cspm::continues_name(text[at - 1]);
+        const bool ends = at + name.size() == text.size() || !cspm::continues_name(text[at + name.size()]);
         if (begins && ends) ++result;
     }
     return result;

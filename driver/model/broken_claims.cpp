@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "checker/cspm/syntax/lexer.hpp"
+
 namespace robochart::driver {
 namespace {
 
@@ -31,10 +33,6 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
 }
 
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '\'';
-}
-
 void blank_range(std::string& text, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < std::min(end, text.size()); ++i)
         if (text[i] != '\n') text[i] = ' ';
@@ -44,7 +42,7 @@ std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> result;
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at;
-        while (end < text.size() && is_word(text[end])) ++end;
+        while (end < text.size() && cspm::continues_name(text[end])) ++end;
         if (end > at) result.emplace_back(text.substr(at, end - at));
         at = std::max(end, at + 1);
     }
@@ -146,7 +144,7 @@ private:
         for (const std::string_view word : {"timed", "untimed", "assertion"}) {
             while (at < text_.size() && is_space(text_[at])) ++at;
             if (text_.compare(at, word.size(), word) != 0 ||
-                is_word(text_[std::min(at + word.size(), text_.size() - 1)]))
+                cspm::continues_name(text_[std::min(at + word.size(), text_.size() - 1)]))
                 continue;
             if (word == "assertion") return true;
             at += word.size();

@@ -6,16 +6,14 @@
 #include <array>
 #include <string>
 
+#include "base/diagnostics/scanner.hpp"
+
 namespace robochart::frontend {
 
 namespace {
 
 bool is_line_break(char c) {
     return c == '\n' || c == '\r';
-}
-
-bool is_word_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 }  // namespace
@@ -44,7 +42,8 @@ bool TokenReader::may_touch() const {
     const Token& before = stream_.tokens[at_ - 1];
     const std::string_view left = source_text(before.span);
     const std::string_view right = source_text(peek().span);
-    if (is_word_character(right.front()) && (is_word_character(left.back()) || left == "^")) return false;
+    if (diagnostics::continues_name(right.front()) && (diagnostics::continues_name(left.back()) || left == "^"))
+        return false;
     if ((left == "Set" || left == "Seq") && right.front() == '(') return false;
     if (before.kind != TokenKind::symbol || peek().kind != TokenKind::symbol) return true;
     const std::string both = std::string(left) + std::string(right);

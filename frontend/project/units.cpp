@@ -3,12 +3,12 @@
 #include "frontend/project/units.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
 
+#include "base/diagnostics/scanner.hpp"
 #include "frontend/names/names.hpp"
 #include "frontend/project/occurrences.hpp"
 
@@ -33,16 +33,12 @@ private:
     std::vector<std::size_t> parents_;
 };
 
-bool in_name(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// The words that begin a name and are followed by `::`.
 std::set<std::string> first_parts(const std::string& text) {
     std::set<std::string> result;
     for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at + 2)) {
         std::size_t begin = at;
-        while (begin > 0 && in_name(text[begin - 1])) --begin;
+        while (begin > 0 && diagnostics::continues_name(text[begin - 1])) --begin;
         const bool inside = begin >= 2 && text.compare(begin - 2, 2, "::") == 0;
         if (begin < at && !inside) result.insert(text.substr(begin, at - begin));
     }

@@ -4,11 +4,11 @@
 #include "semantics/instantiate/compared.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics/scanner.hpp"
 #include "semantics/ir/arithmetic.hpp"
 #include "semantics/ir/numbers.hpp"
 #include "semantics/ir/query.hpp"
@@ -90,9 +90,8 @@ using Chosen = std::map<std::string, ExprPtr>;
 
 /// The number that a block Instantiations assigns to a name; no value if it is another expression.
 std::optional<std::int64_t> defined_number(const std::string& text, const std::string& name) {
-    const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-        if (at > 0 && in_name(text[at - 1])) continue;
+        if (at > 0 && diagnostics::continues_name(text[at - 1])) continue;
         std::size_t next = text.find_first_not_of(" \t", at + name.size());
         if (next == std::string::npos || text[next] != '=') continue;
         next = text.find_first_not_of(" \t", next + 1);

@@ -429,6 +429,10 @@ std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diag
     return Lexer(text, source, diagnostics).run();
 }
 
+bool continues_name(char c) {
+    return diagnostics::continues_name(c) || c == '\'';
+}
+
 std::string_view spelling(Tok kind) {
     switch (kind) {
         case Tok::end:

@@ -43,6 +43,9 @@ struct Token {
 /// All tokens of a text; the last is `end`. Malformed tokens are reported and skipped.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&);
 
+/// True for the characters of names after the first.
+[[nodiscard]] bool continues_name(char c);
+
 /// The name of a token in messages: its spelling in quotes, or a description.
 [[nodiscard]] std::string_view spelling(Tok kind);
 

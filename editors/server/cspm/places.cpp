@@ -36,15 +36,11 @@ std::optional<NameAt> use_at(const ScriptReading& reading, SourceId source, std:
     return best;
 }
 
-bool is_part_of_name(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '\'';
-}
-
 std::string_view word_at(std::string_view text, std::size_t offset) {
     std::size_t begin = std::min(offset, text.size());
     std::size_t end = begin;
-    while (begin > 0 && is_part_of_name(text[begin - 1])) --begin;
-    while (end < text.size() && is_part_of_name(text[end])) ++end;
+    while (begin > 0 && cspm::continues_name(text[begin - 1])) --begin;
+    while (end < text.size() && cspm::continues_name(text[end])) ++end;
     return text.substr(begin, end - begin);
 }
 

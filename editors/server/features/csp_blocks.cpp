@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "checker/cspm/syntax/lexer.hpp"
 #include "csp_emit/blocks/check_blocks.hpp"
 #include "csp_emit/blocks/script_names.hpp"
 #include "editors/server/protocol/findings.hpp"
@@ -30,14 +31,10 @@ std::optional<csp_emit::Emission> emission_for(const Session& session, const Tar
                                              target.document.source, time, session.budget);
 }
 
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '\'';
-}
-
 /// The beginning of the qualified name that ends at an offset: identifiers joined by `::`.
 std::uint32_t begin_of_name(std::string_view text, std::uint32_t end) {
     std::uint32_t at = end;
-    while (at > 0 && (is_word(text[at - 1]) || text[at - 1] == ':')) --at;
+    while (at > 0 && (cspm::continues_name(text[at - 1]) || text[at - 1] == ':')) --at;
     while (at < end && text[at] == ':') ++at;
     return at;
 }
@@ -146,8 +143,8 @@ std::optional<Json> hover_in_block(const Session& session, const Target& target)
     const SourceManager& sources = target.project.sources();
     const std::string_view text = sources.source_text(target.document.source);
     std::uint32_t end = target.offset;
-    while (end < text.size() && (is_word(text[end]) || (text[end] == ':' && end + 1 < text.size() &&
-                                                        (text[end + 1] == ':' || text[end - 1] == ':'))))
+    while (end < text.size() && (cspm::continues_name(text[end]) || (text[end] == ':' && end + 1 < text.size() &&
+                                                                     (text[end + 1] == ':' || text[end - 1] == ':'))))
         ++end;
     const std::uint32_t begin = begin_of_name(text, end);
     const std::string full(text.substr(begin, end - begin));
