@@ -416,15 +416,19 @@ void SimulationPage::write_plots() {
     for (const simulation::Chart& chart : charts_.charts) {
         const bool lines = !shown_.trials.empty() && chart.series.size() <= most_line_series &&
                            chart.series.front().trials.size() <= most_line_trials;
-        const simulation::Plot made = simulation::draw_plot(chart, charts_.times, {lines, !shown_.trials.empty()});
+        simulation::ChartFrame plot = simulation::draw_plot(chart, charts_.times, lines);
+        const simulation::PlotArea& area = plot.area();
+        if (!shown_.trials.empty())
+            plot.add(fmt::format("<line class=\"sim-now\" x1=\"{0:g}\" x2=\"{0:g}\" y1=\"{1:g}\" y2=\"{2:g}\"/>\n",
+                                 area.left + area.width, area.top, area.top + area.height));
         out_ += fmt::format(
             "<figure><svg class=\"sim-plot\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" font-size=\"12\" "
             "data-left=\"{:g}\" "
             "data-width=\"{:g}\" data-end=\"{:g}\" font-family=\"DejaVu Sans, Verdana, "
             "sans-serif\"><title>{}</title>\n{}"
             "</svg>\n<figcaption>{}</figcaption></figure>\n",
-            made.width, made.height, made.area.left, made.area.width, charts_.times.back(), xml_text(chart.title),
-            made.svg, xml_text(chart.definition));
+            plot.width(), plot.height(), area.left, area.width, charts_.times.back(), xml_text(chart.title),
+            plot.content(), xml_text(chart.definition));
     }
     out_ += "</div>\n</section>\n";
 }

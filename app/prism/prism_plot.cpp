@@ -83,13 +83,13 @@ std::string prism_plot(const PrismReport& report) {
             lines[{answer.property, others}].push_back(*point);
         }
     if (lines.empty()) return "";
-    simulation::LinePlot plot{report.model, parameter, {}};
+    std::vector<simulation::PlotLine> drawn;
     for (auto& [key, points] : lines) {
         std::ranges::stable_sort(points, [](const auto& a, const auto& b) { return a.x < b.x; });
         const PrismProperty& property = report.properties[key.first];
-        plot.lines.push_back({(property.name.empty() ? property.text : property.name) + key.second, points});
+        drawn.push_back({(property.name.empty() ? property.text : property.name) + key.second, points});
     }
-    return line_plot_svg(plot);
+    return simulation::line_plot_svg(report.model, parameter, drawn);
 }
 
 }  // namespace robochart::app

@@ -160,15 +160,13 @@ std::string checks_csv(const ChainResult& result) {
 }
 
 std::string answer_svg(const ChainAnswer& answer) {
-    LinePlot plot{answer.asked.text,
-                  "time in s",
-                  {{"the chain, at most", {}}, {"the chain, at least", {}}, {"fresh trials", {}}}};
+    std::vector<PlotLine> lines{{"the chain, at most", {}}, {"the chain, at least", {}}, {"fresh trials", {}}};
     for (const ChainCheck& check : answer.checks) {
-        plot.lines[0].points.push_back({check.time, check.predicted.high, check.predicted.high, check.predicted.high});
-        plot.lines[1].points.push_back({check.time, check.predicted.low, check.predicted.low, check.predicted.low});
-        plot.lines[2].points.push_back({check.time, check.seen, check.by_trials.low, check.by_trials.high});
+        lines[0].points.push_back({check.time, check.predicted.high, check.predicted.high, check.predicted.high});
+        lines[1].points.push_back({check.time, check.predicted.low, check.predicted.low, check.predicted.low});
+        lines[2].points.push_back({check.time, check.seen, check.by_trials.low, check.by_trials.high});
     }
-    return line_plot_svg(plot);
+    return line_plot_svg(answer.asked.text, "time [s]", lines);
 }
 
 namespace {

@@ -17,12 +17,8 @@ struct PlotLine {
     std::vector<PlotPoint> points;  ///< ascending x; finite numbers only
 };
 
-struct LinePlot {
-    std::string title;
-    std::string parameter;  ///< label of the horizontal axis
-    std::vector<PlotLine> lines;
-};
-
-[[nodiscard]] std::string line_plot_svg(const LinePlot& plot);
+/// Draws the lines over an axis that is labelled with the parameter. The vertical axis includes 0.
+[[nodiscard]] std::string line_plot_svg(const std::string& title, const std::string& parameter,
+                                        const std::vector<PlotLine>& lines);
 
 }  // namespace robochart::simulation

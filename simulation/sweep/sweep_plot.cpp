@@ -8,7 +8,7 @@
 
 #include "base/diagnostics/escape.hpp"
 #include "base/statistics/survival.hpp"
-#include "simulation/report/drawing.hpp"
+#include "simulation/report/chart_frame.hpp"
 #include "simulation/report/percent.hpp"
 
 namespace robochart::simulation {
@@ -17,66 +17,29 @@ namespace {
 
 using diagnostics::xml_text;
 
-constexpr double plot_width = 640;
-constexpr double left_edge = 62;
-constexpr double area_width = 550;
-constexpr double area_height = 260;
 constexpr std::size_t most_curves = 8;
 
-/// A plot area with axes; the vertical axis shows fractions, from 0 to 100 %.
-class ShareFrame {
-public:
-    ShareFrame(std::string title, std::vector<LegendEntry> entries, double low, double high)
-        : title_(std::move(title)), legend_(std::move(entries), area_width, 1), low_(low), high_(high) {
-        top_ = 30 + legend_.height() + 14;
-    }
+/// From 0 to 100 %.
+Axis share_axis() {
+    Axis axis = number_axis("", 0, 1, 6);
+    for (Axis::Tick& tick : axis.ticks) tick.text = percent_text(tick.value);
+    return axis;
+}
 
-    [[nodiscard]] double x(double value) const { return left_edge + area_width * (value - low_) / (high_ - low_); }
-    [[nodiscard]] double y(double share) const { return top_ + area_height * (1 - share); }
-    void add(const std::string& text) { body_ += text; }
+/// An axis with at most 16 values of a variation. `place_of(index)` is the place of a value on the axis.
+template <class Place>
+Axis axis_of(const Variation& variation, double low, double high, Place place_of) {
+    Axis axis{name_of(variation), low, high, {}};
+    for (std::size_t i = 0; i < variation.values.size(); i += 1 + variation.values.size() / 16)
+        axis.ticks.push_back({place_of(i), value_text(variation, variation.values[i])});
+    return axis;
+}
 
-    /// Writes the plot. `names` are labels at values of the horizontal axis.
-    [[nodiscard]] std::string svg(const std::vector<std::pair<double, std::string>>& names,
-                                  const std::string& axis) const {
-        const double bottom = top_ + area_height;
-        const double height = bottom + 48;
-        std::string out = fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
-            "role=\"img\" font-family=\"DejaVu Sans, Verdana, sans-serif\" font-size=\"12\">\n<title>{2}</title>\n"
-            "<style>{3}</style>\n<rect class=\"sim-paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n"
-            "<text class=\"sim-text\" x=\"12\" y=\"20\" font-size=\"{4:.3g}\" font-weight=\"bold\">{2}</text>\n",
-            plot_width, height, xml_text(title_), picture_style(), title_size());
-        out += legend_.svg(left_edge, 30);
-        for (const double share : axis_ticks(0, 1, 6))
-            out += fmt::format(
-                "<path class=\"sim-grid\" d=\"M{:g} {:.1f}h{:g}\"/><text class=\"sim-soft\" x=\"{:g}\" y=\"{:.1f}\" "
-                "text-anchor=\"end\">{}</text>\n",
-                left_edge, y(share), area_width, left_edge - 6, y(share) + 4, percent_text(share));
-        for (const auto& [value, name] : names)
-            out += fmt::format(
-                "<path class=\"sim-axis\" d=\"M{0:.1f} {1:g}v5\"/><text class=\"sim-soft\" x=\"{0:.1f}\" y=\"{2:g}\" "
-                "text-anchor=\"middle\">{3}</text>\n",
-                x(value), bottom, bottom + 18, xml_text(name));
-        out +=
-            fmt::format("<path class=\"sim-axis\" d=\"M{:g} {:g}V{:g}h{:g}\"/>\n", left_edge, top_, bottom, area_width);
-        out += fmt::format("<text class=\"sim-soft\" x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n",
-                           left_edge + area_width / 2, bottom + 38, xml_text(axis));
-        return out + body_ + "</svg>\n";
-    }
-
-private:
-    /// A long title gets a smaller font, so that it fits.
-    [[nodiscard]] double title_size() const {
-        constexpr std::size_t letters = 76;
-        return 13 * std::min(1.0, static_cast<double>(letters) / static_cast<double>(std::max(title_.size(), letters)));
-    }
-
-    std::string title_;
-    Legend legend_;
-    double low_, high_;
-    double top_ = 0;
-    std::string body_;
-};
+/// An axis with a cell for each value, of width 1.
+Axis cell_axis(const Variation& variation) {
+    return axis_of(variation, 0, static_cast<double>(variation.values.size()),
+                   [](std::size_t i) { return static_cast<double>(i) + 0.5; });
+}
 
 /// The mark of a verdict; its shape also distinguishes it without colour.
 std::string verdict_mark(const std::string& word, double x, double y, const char* hue) {
@@ -95,10 +58,6 @@ std::vector<LegendEntry> verdict_entries(const Claim& claim) {
     for (const char* const word : {"estimated", "proved", "refuted", "open"})
         if (claim.estimate == (word == std::string_view("estimated")))
             entries.push_back({verdict_mark(word, 0, 0, "#777777"), word});
-    entries.push_back(
-        {"<path class=\"sim-target\" stroke-width=\"1\" d=\"M0 -6V6M-4 -6h8M-4 6h8\"/>", "joint interval"});
-    entries.push_back(
-        {"<path stroke=\"#777777\" stroke-width=\"4\" stroke-opacity=\"0.5\" d=\"M0 -6V6\"/>", "of one point"});
     return entries;
 }
 
@@ -112,21 +71,29 @@ public:
     SweepPlotter(const Scenario& scenario, const SweepResult& result) : scenario_(scenario), result_(result) {}
 
     [[nodiscard]] std::string draw_success(std::size_t claim) const {
+        const Claim& asked = scenario_.claims[claim];
         const Variation& first = scenario_.variations.front();
         const double low = first.values.front();
-        const double edge = std::max(1e-9, 0.04 * (first.values.back() - low));
-        std::vector<LegendEntry> entries = verdict_entries(scenario_.claims[claim]);
+        const double high = first.values.back();
+        const double edge = high > low ? 0.04 * (high - low) : 1;
+        std::vector<LegendEntry> entries = verdict_entries(asked);
+        entries.push_back(
+            {"<path class=\"sim-target\" stroke-width=\"1\" d=\"M0 -6V6M-4 -6h8M-4 6h8\"/>", "joint interval"});
+        entries.push_back(
+            {"<path stroke=\"#777777\" stroke-width=\"4\" stroke-opacity=\"0.5\" d=\"M0 -6V6\"/>", "of one point"});
         for (std::size_t s = 0; scenario_.variations.size() > 1 && s < second_values().size() && s < most_curves; ++s)
-            entries.push_back(
-                {fmt::format("<rect x=\"-6\" y=\"-5\" width=\"12\" height=\"10\" fill=\"{}\"/>", series_colour(s)),
-                 name_of(scenario_.variations[1]) + " " + value_text(scenario_.variations[1], second_values()[s])});
-        ShareFrame frame(scenario_.claims[claim].text, entries, low - edge, first.values.back() + edge);
-        if (!scenario_.claims[claim].estimate)
+            entries.push_back(area_entry(
+                s, 1,
+                name_of(scenario_.variations[1]) + " " + value_text(scenario_.variations[1], second_values()[s])));
+        ChartFrame frame(asked.text, std::move(entries),
+                         axis_of(first, low - edge, high + edge, [&](std::size_t i) { return first.values[i]; }),
+                         share_axis());
+        if (!asked.estimate)
             frame.add(fmt::format(
                 "<path class=\"sim-target\" stroke-width=\"1.4\" stroke-dasharray=\"6 3\" d=\"M{:g} {:.1f}h{:g}\"/>\n",
-                left_edge, frame.y(scenario_.claims[claim].probability), area_width));
+                frame.area().left, frame.y(asked.probability), frame.area().width));
         for (const PointResult& point : result_.points) point_of(frame, point, claim);
-        return frame.svg(axis_names(first), name_of(first));
+        return frame.svg();
     }
 
     /// The fraction of trials without success so far, over time.
@@ -134,61 +101,43 @@ public:
         const std::vector<const PointResult*> points = drawn_points();
         std::vector<LegendEntry> entries;
         for (std::size_t p = 0; p < points.size(); ++p)
-            entries.push_back({fmt::format("<path d=\"M-7 0H7\" stroke=\"{}\" stroke-width=\"2\"/>", series_colour(p)),
-                               point_text(scenario_, points[p]->point)});
-        ShareFrame frame("trials in which it has not come: " + scenario_.claims[claim].text, entries, 0,
-                         scenario_.duration);
-        for (std::size_t p = 0; p < points.size(); ++p) draw_curve(frame, points[p]->claims[claim], series_colour(p));
-        std::vector<std::pair<double, std::string>> names;
-        for (const double time : axis_ticks(0, scenario_.duration, 8)) names.emplace_back(time, number_text(time));
-        return frame.svg(names, "time [s]");
+            entries.push_back(line_entry(p, point_text(scenario_, points[p]->point)));
+        ChartFrame frame("trials in which it has not come: " + scenario_.claims[claim].text, std::move(entries),
+                         number_axis("time [s]", 0, scenario_.duration, 8), share_axis());
+        for (std::size_t p = 0; p < points.size(); ++p) draw_curve(frame, points[p]->claims[claim], p);
+        return frame.svg();
     }
 
     /// A cell for each point, with darkness by the fraction of trials; the tooltip shows the interval.
     [[nodiscard]] std::string draw_map(std::size_t claim) const {
-        const Variation& first = scenario_.variations[0];
-        const Variation& second = scenario_.variations[1];
-        const auto columns = static_cast<double>(first.values.size());
-        const auto rows = static_cast<double>(second.values.size());
-        ShareFrame frame(scenario_.claims[claim].text, verdict_entries(scenario_.claims[claim]), 0, columns);
+        const Claim& asked = scenario_.claims[claim];
+        const std::size_t columns = scenario_.variations[0].values.size();
+        ChartFrame frame(asked.text, verdict_entries(asked), cell_axis(scenario_.variations[0]),
+                         cell_axis(scenario_.variations[1]));
+        const double width = frame.x(1) - frame.x(0);
+        const double height = frame.y(0) - frame.y(1);
         for (std::size_t p = 0; p < result_.points.size(); ++p) {
             const PointResult& point = result_.points[p];
             if (point.claims.empty()) continue;
             const ClaimResult& found = point.claims[claim];
-            const auto column = static_cast<double>(p % first.values.size());
-            const auto row = static_cast<double>(p / first.values.size());
-            const double top = frame.y((row + 1) / rows);
-            frame.add(fmt::format(
-                "<g><title>{}: {}</title><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-                "fill=\"#0072b2\" "
-                "fill-opacity=\"{:.3f}\" stroke=\"#777777\"/>{}</g>\n",
-                xml_text(point_text(scenario_, point.point)), xml_text(evidence_text(scenario_.claims[claim], found)),
-                frame.x(column), top, area_width / columns, area_height / rows, share_of(found),
-                verdict_mark(point_word(point, claim), frame.x(column + 0.5), top + area_height / rows / 2,
-                             "#d55e00")));
-            if (column == 0)
-                frame.add(fmt::format("<text class=\"sim-text\" x=\"{:g}\" y=\"{:.1f}\">{}</text>\n",
-                                      left_edge + area_width + 2, top + area_height / rows / 2 + 4,
-                                      value_text(second, point.point[1])));
+            const double left = frame.x(static_cast<double>(p % columns));
+            const double top = frame.y(static_cast<double>(p / columns + 1));
+            const std::string cell =
+                fmt::format("x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"", left, top, width, height);
+            frame.add(
+                fmt::format("<g><title>{0}: {1}</title><rect class=\"sim-paper\" {2}/><rect {2} fill=\"#0072b2\" "
+                            "fill-opacity=\"{3:.3f}\" stroke=\"#777777\"/>{4}</g>\n",
+                            xml_text(point_text(scenario_, point.point)), xml_text(evidence_text(asked, found)), cell,
+                            share_of(found),
+                            verdict_mark(point_word(point, claim), left + width / 2, top + height / 2, "#d55e00")));
         }
-        std::vector<std::pair<double, std::string>> names;
-        for (std::size_t i = 0; i < first.values.size(); i += 1 + first.values.size() / 16)
-            names.emplace_back(static_cast<double>(i) + 0.5, value_text(first, first.values[i]));
-        return frame.svg(names, name_of(first) + " (right: " + name_of(second) + ")");
+        return frame.svg();
     }
 
 private:
     [[nodiscard]] const std::vector<double>& second_values() const { return scenario_.variations[1].values; }
 
-    static std::vector<std::pair<double, std::string>> axis_names(const Variation& variation) {
-        std::vector<std::pair<double, std::string>> names;
-        const std::size_t every = 1 + variation.values.size() / 16;
-        for (std::size_t i = 0; i < variation.values.size(); i += every)
-            names.emplace_back(variation.values[i], value_text(variation, variation.values[i]));
-        return names;
-    }
-
-    void point_of(ShareFrame& frame, const PointResult& point, std::size_t claim) const {
+    void point_of(ChartFrame& frame, const PointResult& point, std::size_t claim) const {
         if (point.claims.empty()) return;
         const ClaimResult& found = point.claims[claim];
         std::size_t hue = 0;
@@ -222,7 +171,7 @@ private:
         return some;
     }
 
-    void draw_curve(ShareFrame& frame, const ClaimResult& found, const char* hue) const {
+    void draw_curve(ChartFrame& frame, const ClaimResult& found, std::size_t number) const {
         const auto steps = statistics::survival_curve(durations_of(found), 0.05);
         std::string line = fmt::format("M{:.1f} {:.1f}", frame.x(0), frame.y(1));
         std::string above = line;
@@ -246,9 +195,8 @@ private:
             lost = fmt::format("M{:.1f} {:.1f}v8", frame.x(last), frame.y(share) - 4);
         }
         frame.add(fmt::format("<path d=\"{}H{:.1f}V{:.1f}{}Z\" fill=\"{}\" fill-opacity=\"0.14\"/>\n", above,
-                              frame.x(end), frame.y(low), below, hue));
-        frame.add(fmt::format("<path d=\"{}H{:.1f}{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>\n", line,
-                              frame.x(end), lost, hue));
+                              frame.x(end), frame.y(low), below, series_colour(number)));
+        frame.add(fmt::format("<path d=\"{}H{:.1f}{}\" {}/>\n", line, frame.x(end), lost, line_style(number)));
     }
 
     const Scenario& scenario_;

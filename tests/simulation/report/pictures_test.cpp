@@ -107,6 +107,17 @@ TEST(Ticks, AreRound) {
     EXPECT_EQ(number_text(-0.0), "0");
 }
 
+TEST(ChartFrame, ScalesReachFromEndToEnd) {
+    const ChartFrame frame("<script>", {}, number_axis("<script>", 2, 12, 8), number_axis("", 3, 3, 6));
+    const PlotArea& area = frame.area();
+    EXPECT_DOUBLE_EQ(frame.x(2), area.left);
+    EXPECT_DOUBLE_EQ(frame.x(12), area.left + area.width);
+    EXPECT_DOUBLE_EQ(frame.y(3), area.top + area.height) << "an axis without extent ends one above";
+    EXPECT_DOUBLE_EQ(frame.y(4), area.top);
+    EXPECT_DOUBLE_EQ(frame.y(100), area.top) << "at the end of the axis";
+    EXPECT_THAT(frame.svg(), Not(HasSubstr("<script")));
+}
+
 // Definition 7: the quartiles of 1, 2, 4, 8 are at ranks 0.75, 1.5 and 2.25 of 0..3.
 TEST(Series, QuartilesAreInterpolated) {
     const Quartiles found = quartiles_of({8, 1, 4, 2});
@@ -198,17 +209,17 @@ TEST(Plot, HasAxesBandsAndALineForEachTrial) {
     Scenario scenario = small();
     scenario.robots = 3;
     const Charts charts = charts_of(scenario, {rows({30, 10, 3}), rows({60, 30, 6})}, machines());
-    const Plot drawn = draw_plot(charts.charts[0], charts.times, {true, true});
-    EXPECT_THAT(drawn.svg, HasSubstr(">[cm]</text>"));
-    EXPECT_THAT(drawn.svg, HasSubstr(">time [s]</text>"));
-    EXPECT_THAT(drawn.svg, HasSubstr("data-trial=\"1\""));
+    const ChartFrame drawn = draw_plot(charts.charts[0], charts.times, true);
+    EXPECT_THAT(drawn.content(), HasSubstr(">[cm]</text>"));
+    EXPECT_THAT(drawn.content(), HasSubstr(">time [s]</text>"));
+    EXPECT_THAT(drawn.content(), HasSubstr("data-trial=\"1\""));
     // The values 40 and 80 at 0 s; the axis ends 5 % above 80.
     const auto y = [&](double value) {
-        return fmt::format("{:.1f}", drawn.area.top + drawn.area.height * (1 - value / 84));
+        return fmt::format("{:.1f}", drawn.area().top + drawn.area().height * (1 - value / 84));
     };
-    EXPECT_THAT(drawn.svg, HasSubstr("points=\"62.0," + y(60))) << "the median";
-    EXPECT_THAT(drawn.svg, HasSubstr("points=\"62.0," + y(80))) << "the upper edge of all trials";
-    EXPECT_THAT(drawn.svg, HasSubstr("points=\"62.0," + y(40))) << "the first trial";
+    EXPECT_THAT(drawn.content(), HasSubstr("points=\"62.0," + y(60))) << "the median";
+    EXPECT_THAT(drawn.content(), HasSubstr("points=\"62.0," + y(80))) << "the upper edge of all trials";
+    EXPECT_THAT(drawn.content(), HasSubstr("points=\"62.0," + y(40))) << "the first trial";
 }
 
 }  // namespace
