@@ -14,8 +14,8 @@
 
 #include "app/pages/page.hpp"
 #include "app/pages/part_diagrams.hpp"
-#include "app/pages/value_plot.hpp"
 #include "app/report/probability_report.hpp"
+#include "app/report/value_plot.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/json.hpp"
 #include "counterexample/text.hpp"
@@ -65,8 +65,9 @@ std::string basis_list(const driver::Basis& basis) {
     return items.empty() ? "" : fmt::format("<div class=\"basis\">rests on:<ul>{}</ul></div>", items);
 }
 
-/// The values of a probabilistic assertion: one row for each combination of the constants that vary.
-std::string values_table(const driver::ProbabilityReport& report) {
+/// The values of a probabilistic assertion with this title: one row for each combination of the constants that vary,
+/// and a plot.
+std::string values_table(const std::string& title, const driver::ProbabilityReport& report) {
     if (report.rows.empty()) return "";
     std::string head;
     for (const auto& [name, value] : varying_constants(report, report.rows.front()))
@@ -81,7 +82,7 @@ std::string values_table(const driver::ProbabilityReport& report) {
                             path.empty() ? "" : fmt::format("<pre>{}</pre>", xml_text(path)));
     }
     return fmt::format("<br>{}<table><thead><tr>{}<th scope=\"col\">value</th></tr></thead><tbody>{}</tbody></table>{}",
-                       xml_text(reading_of(report)), head, body, value_plot(report));
+                       xml_text(reading_of(report)), head, body, value_plot(title, report));
 }
 
 /// Elements of diagrams: the number of the machine, and the id of the element in its diagram.
@@ -201,7 +202,7 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
     shown += basis_list(assertion.basis);
-    if (assertion.probability) shown += values_table(*assertion.probability);
+    if (assertion.probability) shown += values_table(title_of(assertion), *assertion.probability);
     const bool information = assertion.core && assertion.core->information;
     const bool holds = assertion.answer == driver::Answer::holds;
     const bool good = holds || assertion.answer == driver::Answer::computed || information;

@@ -12,8 +12,8 @@
 #include "app/command/output.hpp"
 #include "app/command/run.hpp"
 #include "app/prism/prism_model.hpp"
-#include "app/prism/prism_plot.hpp"
 #include "app/report/prism_report.hpp"
+#include "app/report/value_plot.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/render.hpp"
@@ -84,7 +84,7 @@ public:
 
 private:
     Exit write_plot() {
-        const std::string picture = prism_plot(*report_);
+        const std::string picture = value_plot(*report_);
         if (picture.empty())
             throw UsageError("--plot: there is no number for several values of a constant: --const NAME=LOW:HIGH");
         const std::string error = diagnostics::replace_file(options_.prism.plot, picture, &options_.run->budget());
