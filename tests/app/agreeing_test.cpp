@@ -68,15 +68,20 @@ nlohmann::json report(const std::vector<std::string>& arguments) {
     return report;
 }
 
+std::string short_answer(const std::string& answer) {
+    if (answer == "holds") return "H";
+    if (answer == "fails") return "F";
+    return answer;
+}
+
 std::string verdicts(const fs::path& model) {
     const nlohmann::json found = report({"check", model.string(), "--format", "json", "--timeout", "60"});
     if (!found.contains("assertions")) return found["words"];
     std::string text;
     for (const auto& assertion : found["assertions"]) {
         const std::string title = assertion["title"];
-        const std::string answer = assertion["answer"];
-        const std::string letter = answer == "holds" ? "H" : answer == "fails" ? "F" : answer;
-        text += (text.empty() ? "" : " ") + title.substr(0, title.find(' ')) + ":" + letter;
+        const std::string answer = short_answer(assertion["answer"]);
+        text += (text.empty() ? "" : " ") + title.substr(0, title.find(' ')) + ":" + answer;
     }
     return text;
 }

@@ -37,9 +37,9 @@ std::map<std::string, std::string> answers(const Files& files, int exit, const s
     const auto json = nlohmann::json::parse(ran.out);
     std::map<std::string, std::string> result;
     if (!json.contains("assertions")) return result;
-    for (const auto& each : json.at("assertions")) {
-        const std::string title = each.at("title");
-        result[title.substr(0, title.find(' '))] = each.at("answer");
+    for (const auto& assertion : json.at("assertions")) {
+        const std::string title = assertion.at("title");
+        result[title.substr(0, title.find(' '))] = assertion.at("answer");
     }
     return result;
 }

@@ -136,9 +136,9 @@ void expect_that_limits_only_hide(const Inputs& inputs, Seen& seen) {
     Model model(inputs);
     const Report whole = model.check(model.options().limits.max_states, 1);
     EXPECT_FALSE(whole.assertions.empty()) << model.name();
-    for (const driver::AssertionReport& each : whole.assertions)
-        EXPECT_NE(each.answer, driver::Answer::inconclusive)
-            << model.name() << ": " << each.title << ": " << each.reason;
+    for (const driver::AssertionReport& assertion : whole.assertions)
+        EXPECT_NE(assertion.answer, driver::Answer::inconclusive)
+            << model.name() << ": " << assertion.title << ": " << assertion.reason;
     unsigned threads = 1;
     for (const std::uint64_t states : {1U, 2U, 5U, 20U, 100U, 1000U}) {
         expect_equal_or_inconclusive(whole, model.check(states, threads),

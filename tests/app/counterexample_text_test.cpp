@@ -286,7 +286,7 @@ module M { rref p = P cref c = C connection p on go to c on go (_async) }
     const Ran data = run({"check", model.path(), "--no-cache", "--format", "json"});
     std::size_t runs = 0;
     const nlohmann::json report = nlohmann::json::parse(data.out);
-    for (const auto& each : report.at("assertions")) runs += each.contains("counterexample") ? 1U : 0U;
+    for (const auto& assertion : report.at("assertions")) runs += assertion.contains("counterexample") ? 1U : 0U;
     EXPECT_EQ(runs, 3U);
 }
 

@@ -131,12 +131,12 @@ TEST(FormatVerb, SaysWhatCannotBeReadOrWritten) {
     EXPECT_THAT(empty.err, HasSubstr("RC-F03"));
     EXPECT_EQ(run({"format"}).exit, 4);
     if (geteuid() == 0) return;  // root may write any file
-    const TemporaryFile kept("kept.rct", untidy);
-    ASSERT_EQ(chmod(kept.path().c_str(), 0440), 0);
-    const Ran refused = run({"format", kept.path()});
+    const TemporaryFile read_only("kept.rct", untidy);
+    ASSERT_EQ(chmod(read_only.path().c_str(), 0440), 0);
+    const Ran refused = run({"format", read_only.path()});
     EXPECT_EQ(refused.exit, 2);
     EXPECT_THAT(refused.err, HasSubstr("RC-A03"));
-    EXPECT_EQ(read_contents(kept.path()), untidy);
+    EXPECT_EQ(read_contents(read_only.path()), untidy);
 }
 
 TEST(FormatVerb, TheModelsOfTheRepositoryAreInTheStyle) {

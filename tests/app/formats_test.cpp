@@ -101,7 +101,7 @@ TEST_P(Formats, AreWholeWhereMemoryIsUp) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Verbs, Formats, ::testing::ValuesIn(forms),
-                         [](const auto& each) { return std::string(each.param.name); });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(FormatsAtALimitOfStates, AreWhole) {
     for (const Form& form : {Form{"", "check --core --format json m.rct", "robochart-verify/report/1"},

@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(LimitedPhases, HardWork,
                                            Hard{"CarriersOfCode", doubling_records(22), "conform"},
                                            Hard{"Values", large_quantifier(), "check --core"},
                                            Hard{"Composition", many_machines(40), "conform --walks 0"}),
-                         [](const auto& each) { return std::string(each.param.name); });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(RunLimits, AreOfTheWholeRunNotOfEachCheck) {
     // Ten assertions, each of which alone would need all of its two seconds.

@@ -42,11 +42,11 @@ public:
         std::string error;
         const auto controller = simulation::Controller::build(emission, "", error);
         EXPECT_NE(controller, nullptr) << error;
-        simulation::RunOptions wanted;
-        wanted.record = false;
-        wanted.trace = monitors_->make_observer({});
+        simulation::RunOptions options;
+        options.record = false;
+        options.trace = monitors_->make_observer({});
         diagnostics::Diagnostics found;
-        return simulation::run_trials(simulation_->plan, controller->drive(), wanted, found).trials.at(0).stop;
+        return simulation::run_trials(simulation_->plan, controller->drive(), options, found).trials.at(0).stop;
     }
 
 private:

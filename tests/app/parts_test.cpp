@@ -298,25 +298,25 @@ TEST(Project, ProbabilisticClaimsAreAnsweredByRandomPaths) {
           "prob property Open : Prob>0.2 of [Finally #heads] using sim with CI at n=10, alpha=0.01, and pathlen=2\n"
           "prob property Wrong : Prob>0.2 of [Finally #heads] using sim with CI at w=0, alpha=0.01, and pathlen=9\n"
           "prob generate path Run : using simulation for 2 steps\n"}});
-    const auto asked = [&](const char* name) {
+    const auto check = [&](const char* name) {
         return run({"check", folder.path(), "--allow", "PJ3", "--allow", "PT2", "--assertion", name});
     };
-    const auto value = asked("Value");
+    const auto value = check("Value");
     EXPECT_EQ(value.exit, 0) << value.out << value.err;
     EXPECT_THAT(value.out, HasSubstr("by random paths in RoboTool's encoding"));
     EXPECT_THAT(value.out, HasSubstr("at 99.9 % (ci, 1000 paths of 3 steps, 3 to 3); Clopper-Pearson: from 0.4"));
-    EXPECT_EQ(asked("Value").out.substr(value.out.find("at 99.9")), value.out.substr(value.out.find("at 99.9")))
+    EXPECT_EQ(check("Value").out.substr(value.out.find("at 99.9")), value.out.substr(value.out.find("at 99.9")))
         << "the same seed gives the same paths";
-    EXPECT_EQ(asked("Holds").exit, 0);
-    const auto fails = asked("Fails");
+    EXPECT_EQ(check("Holds").exit, 0);
+    const auto fails = check("Fails");
     EXPECT_EQ(fails.exit, 1);
     EXPECT_THAT(fails.out, Not(HasSubstr("known")));
     EXPECT_THAT(fails.out, Not(HasSubstr("states")));
-    const auto open = asked("Open");
+    const auto open = check("Open");
     EXPECT_EQ(open.exit, 3);
     EXPECT_THAT(open.out, HasSubstr("not decided: path 1 is open after 2 steps (path=2)"));
-    EXPECT_EQ(asked("Wrong").exit, 2);
-    const auto path = asked("Run");
+    EXPECT_EQ(check("Wrong").exit, 2);
+    const auto path = check("Run");
     EXPECT_EQ(path.exit, 0) << path.out << path.err;
     EXPECT_THAT(path.out, HasSubstr("a random path of 2 steps"));
     EXPECT_THAT(path.out, HasSubstr("0: Game::hand::coin at i\n"));

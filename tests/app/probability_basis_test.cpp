@@ -57,7 +57,7 @@ TEST_F(ProbabilityBasis, NamesTheBoundsOfEachSetOfConstants) {
     EXPECT_THAT(texts(found[1], "bound"), IsEmpty());
     EXPECT_THAT(texts(found[2], "bound"), ElementsAre("in x + step, 2 + 2 leaves its type and is taken as 2"));
     EXPECT_EQ(found[0][0]["element"], "Walk::t2");
-    for (const auto& each : found) EXPECT_THAT(texts(each, "constant"), IsEmpty()) << "the claim gives the value";
+    for (const auto& basis : found) EXPECT_THAT(texts(basis, "constant"), IsEmpty()) << "the claim gives the value";
 }
 
 TEST_F(ProbabilityBasis, NamesConstantsThatNothingGivesAValue) {

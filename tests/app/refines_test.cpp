@@ -61,7 +61,7 @@ Json refines(const std::string& path, std::vector<std::string> more = {}) {
 /// Translates a list of event numbers to names, with the map of the same object.
 std::vector<std::string> named(const Json& object, const Json& numbers) {
     std::vector<std::string> names;
-    for (const Json& each : numbers) names.push_back(object["event_map"][std::to_string(each.get<int>())]);
+    for (const Json& number : numbers) names.push_back(object["event_map"][std::to_string(number.get<int>())]);
     return names;
 }
 
@@ -70,7 +70,7 @@ TEST(Refines, ResultsAreNumbersAsWorded) {
     const Json object = refines(script.path());
     EXPECT_EQ(object["file_name"], script.path());
     std::vector<Json> results;
-    for (const Json& each : object["results"]) results.push_back(each["result"]);
+    for (const Json& result : object["results"]) results.push_back(result["result"]);
     // T: after a and the hidden h, b and c are possible in any order; SPEC allows one of them and then a again.
     EXPECT_THAT(results, ElementsAre(0, 0, 0, 1, 1, 0));
     EXPECT_EQ(object["results"][4]["is_negated"], 1);
@@ -137,7 +137,7 @@ assert ([|{a}|] x : {0..30} @ N(x)) :[deadlock free [F]]
 )");
     const Json stopped = refines(endless.path(), {"--timeout", "1", "--max-states", "20000"});
     ASSERT_EQ(stopped["results"].size(), 3U);
-    for (const Json& each : stopped["results"]) EXPECT_TRUE(each["result"].is_null()) << each;
+    for (const Json& result : stopped["results"]) EXPECT_TRUE(result["result"].is_null()) << result;
 }
 
 TEST(Refines, ATraceCounterexampleIsSplit) {
@@ -394,7 +394,7 @@ TEST(Refines, AScriptThatOnlyPrintsHasAFrame) {
 /// Collects the names of all fields in a JSON value, with the path to each.
 void collect_fields(const Json& value, const std::string& above, std::set<std::string>& out) {
     if (value.is_array())
-        for (const Json& each : value) collect_fields(each, above, out);
+        for (const Json& element : value) collect_fields(element, above, out);
     if (!value.is_object()) return;
     for (const auto& [name, inside] : value.items()) {
         const std::string path = above + "/" + name;
@@ -427,7 +427,7 @@ TEST(Refines, EveryFieldOfARecordedRunIsOurs) {
     std::set<std::string> theirs;
     const std::vector<Json> objects = recorded_objects(text.str());
     ASSERT_EQ(objects.size(), 2U);
-    for (const Json& each : objects) collect_fields(each, "", theirs);
+    for (const Json& object : objects) collect_fields(object, "", theirs);
     ASSERT_TRUE(theirs.contains("/results/counterexamples/implementation_behaviour/loop_start")) << "read in vain";
     const TemporaryFile script("failing.csp", failing);
     std::set<std::string> ours;
@@ -459,7 +459,7 @@ TEST(Refines, FramesAreOneAnAssertion) {
     const TemporaryFile script("failing.csp", failing);
     const std::vector<Json> frames = lines(run({"cspm", script.path(), "--format", "framed_json"}).out);
     ASSERT_EQ(frames.size(), 6U);
-    for (const Json& each : frames) EXPECT_EQ(each["results"].size(), 1U);
+    for (const Json& frame : frames) EXPECT_EQ(frame["results"].size(), 1U);
     EXPECT_EQ(frames[3]["results"][0]["number"], 4);
 }
 
@@ -595,12 +595,12 @@ TEST(Progress, JsonEventsTellBothPhases) {
     const std::vector<Json> events = lines(ran.err);
     ASSERT_FALSE(events.empty());
     std::uint64_t states = 0;
-    for (const Json& each : events) {
-        EXPECT_EQ(each["event"], "progress");
-        EXPECT_EQ(each["subject"], "SYSTEM :[deadlock free [F]]");
-        if (each["phase"] != "searching") continue;
-        EXPECT_GE(each["states"], states) << "states are never forgotten";
-        states = each["states"];
+    for (const Json& event : events) {
+        EXPECT_EQ(event["event"], "progress");
+        EXPECT_EQ(event["subject"], "SYSTEM :[deadlock free [F]]");
+        if (event["phase"] != "searching") continue;
+        EXPECT_GE(event["states"], states) << "states are never forgotten";
+        states = event["states"];
     }
     EXPECT_GT(states, 1000U);
     const TemporaryFile compiling("endless.csp", endless);
@@ -643,18 +643,18 @@ TEST(Progress, TheLineFitsTheTerminal) {
 TEST(Progress, LogsHaveALineNowAndThen) {
     ProgressLog log("A [timed] S\nx");
     refine::Progress progress;
-    std::vector<int> said;
+    std::vector<int> seconds;
     for (const auto phase : {refine::Progress::Phase::compiling, refine::Progress::Phase::searching})
         for (int second = 0; second <= 70; ++second) {
             progress.phase = phase;
             progress.seconds = second;
             const auto line = log.next_line(progress);
             if (!line) continue;
-            said.push_back(second);
+            seconds.push_back(second);
             EXPECT_THAT(*line, HasSubstr("A [timed] S\\nx: "));
             EXPECT_THAT(*line, HasSubstr(phase == refine::Progress::Phase::compiling ? "compiling" : "searching"));
         }
-    EXPECT_THAT(said, ElementsAre(30, 60, 30, 60));
+    EXPECT_THAT(seconds, ElementsAre(30, 60, 30, 60));
 }
 
 // ---------------------------------------------------------------- exports
@@ -683,7 +683,7 @@ TEST(Export, CspReadsBackEqual) {
     const TemporaryFile again("again.csp", ran.out);
     const Json object = refines(again.path());
     ASSERT_EQ(object["results"].size(), 2U) << "the script's own assertions are left out\n" << ran.out;
-    for (const Json& each : object["results"]) EXPECT_EQ(each["result"], 1) << each;
+    for (const Json& result : object["results"]) EXPECT_EQ(result["result"], 1) << result;
 }
 
 TEST(Export, MistakesAreSaid) {

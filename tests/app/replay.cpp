@@ -121,10 +121,10 @@ std::string Replay::claimed(const std::string& component) const {
 Replay::States Replay::perform(const States& from, const Raw& event) {
     States result;
     for (const TermId state : from)
-        for (const process::Transition& each : session_.transitions(state)) {
-            const bool same = event.hidden ? each.event == process::tau && name(each.revealed) == event.name
-                                           : each.event != process::tau && name(each.event) == event.name;
-            if (same) result.insert(each.target);
+        for (const process::Transition& transition : session_.transitions(state)) {
+            const bool same = event.hidden ? transition.event == process::tau && name(transition.revealed) == event.name
+                                           : transition.event != process::tau && name(transition.event) == event.name;
+            if (same) result.insert(transition.target);
         }
     return result;
 }
@@ -137,8 +137,8 @@ std::vector<std::string> Replay::calls_of(TermId term) {
 /// The machine has not moved: the description shows an enclosing process, or a call in front of its first definition.
 bool Replay::waits_to_begin(const json& machine, const std::vector<std::string>& calls) const {
     const std::string component = machine["component"].get<std::string>() + "::";
-    const bool initial =
-        std::any_of(run_["initial"].begin(), run_["initial"].end(), [&](const json& each) { return each == machine; });
+    const bool initial = std::any_of(run_["initial"].begin(), run_["initial"].end(),
+                                     [&](const json& initial_machine) { return initial_machine == machine; });
     return std::ranges::any_of(calls, [&](const std::string& call) {
         const std::string name = call.substr(0, call.find('('));
         const auto at = name.rfind("::");
@@ -192,7 +192,7 @@ bool Replay::fits(const json& machine, const std::vector<std::string>& calls) co
         const auto has = [&](const std::string& value) { return values.contains({name, value}); };
         if (variable["value"].is_null()) return has("_") || has("'_'");
         if (!is_plain(system_, variable) && variable.contains("type"))
-            return std::ranges::any_of(values, [&](const auto& each) { return each.first == name; });
+            return std::ranges::any_of(values, [&](const auto& entry) { return entry.first == name; });
         return has(variable["value"]);
     });
 }
@@ -260,8 +260,8 @@ bool Replay::offered(const json& offer, const States& states) {
             end += "." + value["value"].get<std::string>();
         }
     for (const TermId state : states)
-        for (const process::Transition& each : session_.transitions(state)) {
-            const std::string& found = name(each.event == process::tau ? each.revealed : each.event);
+        for (const process::Transition& transition : session_.transitions(state)) {
+            const std::string& found = name(transition.event == process::tau ? transition.revealed : transition.event);
             if (offer["kind"] == "transition" ? keys.contains(found) : found.ends_with(end)) return true;
         }
     return false;
@@ -316,8 +316,9 @@ void Replay::end(const States& states, const States& loop_start) {
         fault("no deadlock");
     if (kind == "timelock" && !some([&](TermId state) {
             const auto list = session_.transitions(state);
-            return std::ranges::none_of(
-                list, [&](const auto& each) { return each.event == process::tau || name(each.event) == "tock"; });
+            return std::ranges::none_of(list, [&](const auto& transition) {
+                return transition.event == process::tau || name(transition.event) == "tock";
+            });
         }))
         fault("time can pass");
     if (kind == "refusal" && end["required"].empty()) fault("nothing is required");
@@ -327,17 +328,17 @@ void Replay::end(const States& states, const States& loop_start) {
 std::vector<std::string> Replay::against(const cspm::ExprPtr& process) {
     raw_ = run_["events"].get<std::vector<std::string>>();
     const std::size_t loop = raw_.size();
-    for (const auto& each : run_["loopEvents"]) raw_.push_back(each);
+    for (const auto& event : run_["loopEvents"]) raw_.push_back(event);
     States states{session_.process(process)};
     States loop_start;
     note_compressed(*states.begin());
-    for (const json& each : run_["steps"]) {
-        if (!run_["loopStart"].is_null() && each["n"] == run_["loopStart"]) {
+    for (const json& run_step : run_["steps"]) {
+        if (!run_["loopStart"].is_null() && run_step["n"] == run_["loopStart"]) {
             if (next_ != loop) fault("the loop begins elsewhere");
             if (run_["timed"] == true && run_["time"] != time_) fault("time of the end");
             loop_start = states;
         }
-        step(each, states);
+        step(run_step, states);
         if (!faults_.empty()) return faults_;
     }
     if (next_ != raw_.size()) fault("steps are missing");
@@ -352,12 +353,12 @@ std::vector<std::string> replay_one(const ir::System& system, const csp_emit::Em
                                     Replayed& sum) {
     std::vector<std::string> faults{obligation.title + ": no assertion of it can fail with a run"};
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
-        const cspm::Assertion& asked = assertion->assertion;
-        if (asked.negated) continue;
-        const bool refinement = asked.kind == cspm::AssertionKind::refinement;
+        const cspm::Assertion& checked = assertion->assertion;
+        if (checked.negated) continue;
+        const bool refinement = checked.kind == cspm::AssertionKind::refinement;
         Replayed tally = sum;
         faults = Replay(system, emission, session, obligation, run, tally)
-                     .against(refinement ? asked.implementation : asked.specification);
+                     .against(refinement ? checked.implementation : checked.specification);
         if (!faults.empty()) continue;
         sum = tally;
         return {};
@@ -373,7 +374,7 @@ void replay_time(driver::Project& project, const Options& options, csp_emit::Tim
     const csp_emit::Emission emission = emit_csp(project, options.claims, options.swarm, time);
     if (!project.diagnostics.ok()) return;
     std::map<std::string, const json*> answers;
-    for (const json& each : report["assertions"]) answers[each["title"]] = &each;
+    for (const json& answer : report["assertions"]) answers[answer["title"]] = &answer;
     cspm::Session session(emission.script);
     for (const csp_emit::Obligation& obligation : emission.obligations) {
         const auto found = answers.find(obligation.title);
@@ -383,9 +384,9 @@ void replay_time(driver::Project& project, const Options& options, csp_emit::Tim
         const json& run = (*found->second)["counterexample"];
         ++sum.counterexamples;
         ++sum.endings[run["end"]["kind"]];
-        for (std::string& each : replay_one(project.system, emission, session, obligation, run, sum)) {
+        for (std::string& fault : replay_one(project.system, emission, session, obligation, run, sum)) {
             std::string where = options.load.inputs.front();
-            sum.faults.push_back(where + ": " + each);
+            sum.faults.push_back(where + ": " + fault);
         }
     }
 }

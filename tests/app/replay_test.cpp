@@ -116,8 +116,8 @@ TEST(Replay, OfRandomModelsCoreAssertions) {
     Replayed sum;
     std::size_t count = tests::rounds(12);
     std::size_t first = 0;
-    if (const char* wanted = std::getenv("ROBOCHART_SEEDS")) count = std::stoull(wanted);
-    if (const char* wanted = std::getenv("ROBOCHART_FIRST_SEED")) first = std::stoull(wanted);
+    if (const char* text = std::getenv("ROBOCHART_SEEDS")) count = std::stoull(text);
+    if (const char* text = std::getenv("ROBOCHART_FIRST_SEED")) first = std::stoull(text);
     for (std::size_t seed = first; seed < first + count; ++seed) {
         const TemporaryFile folder("README", "");
         const std::string path = fs::path(folder.path()).parent_path().string();

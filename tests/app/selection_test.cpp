@@ -15,7 +15,7 @@ struct Row {
     const char* name;
     const char* arguments;
     int exit;
-    const char* said;  ///< expected on standard output or error
+    const char* message;  ///< expected on standard output or error
 };
 
 // A folder with a model with two assertions, a model without assertions, a model without machines, a script with an
@@ -45,7 +45,7 @@ TEST_P(Selection, IsSaid) {
     const Row& row = GetParam();
     const Ran ran = run_shell(std::string(files) + "timeout 60 \"$verify\" " + row.arguments);
     EXPECT_EQ(ran.exit, row.exit) << row.arguments << "\n" << ran.out << ran.err;
-    EXPECT_THAT(ran.out + ran.err, HasSubstr(row.said)) << row.arguments;
+    EXPECT_THAT(ran.out + ran.err, HasSubstr(row.message)) << row.arguments;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"SeedNegative", "simulate x --seed -1", 4, "--seed"},
         Row{"ExtraStates", "emit tests claimed --extra-states 9", 4, "--extra-states"},
         Row{"AssertionZero", "cspm --assertion 0 s.csp", 4, "--assertion"}),
-    [](const auto& each) { return std::string(each.param.name); });
+    [](const auto& instance) { return std::string(instance.param.name); });
 
 /// Every verb that takes a name reports an unknown name and suggests the nearest one.
 TEST(NamesInEveryVerb, AreSuggested) {
@@ -206,13 +206,13 @@ TEST(NamesInEveryVerb, AreSuggested) {
         commands.emplace_back(verb + " --allow RC-W077", "did you mean 'RC-W07'?");
     commands.emplace_back("simulate 'CORPUS' --const Turns=1", "--const Turns: the model has no constant");
     std::string script = files;
-    for (const auto& [command, said] : commands) {
+    for (const auto& [command, message] : commands) {
         std::string line = "timeout 60 \"$verify\" " + command + "; echo \"exit $?\"\n";
         if (const std::size_t at = line.find("CORPUS"); at != std::string::npos)
             line.replace(at, 6, repository("corpus/aggregation/aggregation.scenario"));
         const Ran ran = run_shell(script + line);
         EXPECT_EQ(ran.out, "exit 4\n") << command;
-        EXPECT_THAT(ran.err, HasSubstr(said)) << command;
+        EXPECT_THAT(ran.err, HasSubstr(message)) << command;
     }
 }
 

@@ -31,11 +31,12 @@ nlohmann::json report(std::vector<std::string> arguments) {
 Verdicts verdicts(const nlohmann::json& report) {
     Verdicts result;
     if (!report.is_object() || !report.contains("assertions")) return result;
-    for (const auto& each : report["assertions"]) {
-        std::string title = each["title"];
+    for (const auto& assertion : report["assertions"]) {
+        std::string title = assertion["title"];
         if (const auto label = title.find(": "); label != std::string::npos && title.find(' ') > label)
             title.erase(0, label + 2);
-        result.insert(each["place"].get<std::string>() + " " + title + ": " + each["answer"].get<std::string>());
+        result.insert(assertion["place"].get<std::string>() + " " + title + ": " +
+                      assertion["answer"].get<std::string>());
     }
     return result;
 }
@@ -43,8 +44,8 @@ Verdicts verdicts(const nlohmann::json& report) {
 /// Every third model, or all if requested.
 std::vector<std::string> sample(std::vector<std::string> models) {
     std::ranges::sort(models);
-    const char* wanted = std::getenv("ROBOCHART_TOGETHER");
-    if (wanted != nullptr && std::string(wanted) == "all") return models;
+    const char* setting = std::getenv("ROBOCHART_TOGETHER");
+    if (setting != nullptr && std::string(setting) == "all") return models;
     std::vector<std::string> some;
     for (std::size_t i = 0; i < models.size(); i += 3) some.push_back(models[i]);
     return some;
@@ -62,10 +63,10 @@ void expect_the_same(const std::vector<std::string>& models, const std::vector<s
     all.insert(all.end(), options.begin(), options.end());
     const Verdicts together = verdicts(report(all));
     std::string differ;
-    for (const std::string& each : alone)
-        if (!together.contains(each)) differ += "only alone: " + each + "\n";
-    for (const std::string& each : together)
-        if (!alone.contains(each)) differ += "only together: " + each + "\n";
+    for (const std::string& answer : alone)
+        if (!together.contains(answer)) differ += "only alone: " + answer + "\n";
+    for (const std::string& answer : together)
+        if (!alone.contains(answer)) differ += "only together: " + answer + "\n";
     EXPECT_EQ(differ, "");
     EXPECT_FALSE(alone.empty());
 }
@@ -109,7 +110,7 @@ TEST(Together, CodeOfModulesOfOneNameIsComparedForEach) {
     std::vector<std::string> all{"conform"};
     std::multiset<std::string> alone, together;
     const auto take = [](const nlohmann::json& report, std::multiset<std::string>& outcomes) {
-        for (const auto& each : report["conformance"]) outcomes.insert(each["outcome"].get<std::string>());
+        for (const auto& row : report["conformance"]) outcomes.insert(row["outcome"].get<std::string>());
     };
     for (const char* name : {"m05_async_cycle", "m05b_async_cycle_silent", "m05c_async_overwrite"}) {
         const std::string model = (shared / "suite/findings/agreeing" / name).string();

@@ -152,7 +152,7 @@ TEST(Tune, WhatFailsACheckIsRefused) {
     const auto json = nlohmann::json::parse(ran.out);
     for (const auto& elite : json.at("elites")) EXPECT_LE(std::stod(constant(elite, "speed")), 8.0);
     std::uint64_t refused = 0;
-    for (const auto& each : json.at("iterations")) refused += each.at("refused").get<std::uint64_t>();
+    for (const auto& iteration : json.at("iterations")) refused += iteration.at("refused").get<std::uint64_t>();
     EXPECT_GT(refused, 0U);
 }
 

@@ -47,17 +47,17 @@ std::string text_of(const Report& report, bool quiet) {
 TEST(Basis, StandsWithTheVerdictInEveryFormat) {
     for (const driver::Answer answer : {driver::Answer::holds, driver::Answer::fails, driver::Answer::inconclusive}) {
         const Report report = report_of(answer, {guard("late", 7)});
-        const char* const said = "the condition of `late` is taken for true";
+        const char* const warning = "the condition of `late` is taken for true";
         for (const bool quiet : {false, true})
             EXPECT_THAT(text_of(report, quiet), HasSubstr("rests on: the condition of `late` is taken for true "
                                                           "(pump.rct:7)\n               write `timed assertion`"));
-        EXPECT_THAT(render_junit(report), HasSubstr(said));
+        EXPECT_THAT(render_junit(report), HasSubstr(warning));
         const auto json = nlohmann::json::parse(render_json(report));
         EXPECT_EQ(json["assertions"][0]["basis"], nlohmann::json::parse(R"([{"kind": "guard",
             "text": "the condition of `late` is taken for true", "element": "Pump::late", "place": "pump.rct:7",
             "remedy": "write `timed assertion`"}])"));
         const auto result = nlohmann::json::parse(render_sarif(report))["runs"][0]["results"][0];
-        EXPECT_THAT(result["message"]["text"], HasSubstr(said));
+        EXPECT_THAT(result["message"]["text"], HasSubstr(warning));
         EXPECT_THAT(result["message"]["text"], HasSubstr("write `timed assertion`"));
         EXPECT_EQ(result["relatedLocations"][0]["physicalLocation"]["region"]["startLine"], 7);
         if (answer == driver::Answer::holds) {

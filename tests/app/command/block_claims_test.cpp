@@ -57,8 +57,8 @@ TEST(BlockClaims, AreWrittenOnce) {
     const Folder folder = claiming("assert STOP [T= p::S::O__(0)\n");
     EXPECT_EQ(run({"emit", "csp", folder.path(), "--untimed", "--out", folder / "out"}).exit, 0);
     std::string all;
-    for (const auto& each : std::filesystem::recursive_directory_iterator(folder / "out"))
-        if (each.is_regular_file()) all += tests::read_contents(each.path());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "out"))
+        if (entry.is_regular_file()) all += tests::read_contents(entry.path());
     const std::string line = "assert STOP [T= p::S::O__(0)";
     EXPECT_NE(all.find(line), std::string::npos);
     EXPECT_EQ(all.find(line), all.rfind(line));

@@ -42,10 +42,10 @@ TEST(Chain, AnswersAndLeavesFiles) {
     EXPECT_EQ(found.at("states"), 3) << "one robot rests, searches or is on its way home";
     EXPECT_THAT(found.at("proof").get<std::string>(), HasSubstr("states of its semantics"));
     ASSERT_EQ(found.at("answers").size(), 3U);
-    for (const json& each : found.at("answers")) {
-        EXPECT_EQ(each.at("verdict"), "estimated");
-        EXPECT_LT(each.at("low"), each.at("high"));
-        EXPECT_FALSE(each.at("checks").empty());
+    for (const json& answer : found.at("answers")) {
+        EXPECT_EQ(answer.at("verdict"), "estimated");
+        EXPECT_LT(answer.at("low"), answer.at("high"));
+        EXPECT_FALSE(answer.at("checks").empty());
     }
     EXPECT_EQ(found.at("files").size(), 5U);
     for (const json& file : found.at("files")) EXPECT_TRUE(std::filesystem::exists(file.get<std::string>()));

@@ -49,11 +49,11 @@ class EvaluationErrors : public ::testing::TestWithParam<Question> {};
 TEST_P(EvaluationErrors, HaveThePlaceOfTheModel) {
     const Folder folder({{"sorter.rct", sorter}, {"lanes.sleec", rules}, {"one.trace", log}});
     std::vector<std::string> arguments = GetParam().arguments;
-    for (std::string& each : arguments) {
-        if (each == "MODEL") each = folder / "sorter.rct";
-        if (each == "RULES") each = folder / "lanes.sleec";
-        if (each == "LOG") each = folder / "one.trace";
-        if (each == "OUT") each = folder / "out";
+    for (std::string& argument : arguments) {
+        if (argument == "MODEL") argument = folder / "sorter.rct";
+        if (argument == "RULES") argument = folder / "lanes.sleec";
+        if (argument == "LOG") argument = folder / "one.trace";
+        if (argument == "OUT") argument = folder / "out";
     }
     const Ran ran = run(arguments, GetParam().input);
     EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Verbs, EvaluationErrors,
                                            Question{"tests", {"emit", "tests", "MODEL", "--out", "OUT"}, ""},
                                            Question{"traces", {"conform", "MODEL", "--traces", "LOG"}, ""},
                                            Question{"step", {"step", "MODEL", "Sorter"}, "1\n1\n1\n"}),
-                         [](const auto& each) { return std::string(each.param.name); });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 // Line 7 reads the element of index i of two: 1, then 0, which the functions of the scripts' library find at the end.
 const std::string indexed = R"(stm Belt {
@@ -91,9 +91,9 @@ class MissingElements : public ::testing::TestWithParam<Question> {};
 TEST_P(MissingElements, HaveThePlaceOfTheModel) {
     const Folder folder({{"belt.rct", indexed}});
     std::vector<std::string> arguments = GetParam().arguments;
-    for (std::string& each : arguments) {
-        if (each == "MODEL") each = folder / "belt.rct";
-        if (each == "OUT") each = folder / "out";
+    for (std::string& argument : arguments) {
+        if (argument == "MODEL") argument = folder / "belt.rct";
+        if (argument == "OUT") argument = folder / "out";
     }
     const Ran ran = run(arguments, GetParam().input);
     EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Verbs, MissingElements,
                          ::testing::Values(Question{"check", {"check", "MODEL", "--core"}, ""},
                                            Question{"monitor", {"emit", "monitor", "MODEL", "--out", "OUT"}, ""},
                                            Question{"tests", {"emit", "tests", "MODEL", "--out", "OUT"}, ""}),
-                         [](const auto& each) { return std::string(each.param.name); });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(MissingElementsOfTheEmptySequence, AreSaid) {
     const std::string belt =

@@ -170,12 +170,12 @@ TEST(Completions, OfCodesInBash) {
 
 /// The installed man page and completions are identical to the program's output.
 TEST(Completions, AreKeptAsTheyAreWritten) {
-    const auto kept = [](const char* path) { return tests::read_contents(repository(path)); };
+    const auto file_text = [](const char* path) { return tests::read_contents(repository(path)); };
     constexpr const char* how = "robochart-verify help --generate writes it anew";
-    EXPECT_EQ(kept("editors/completion/robochart-verify.bash"), bash_completion()) << how;
-    EXPECT_EQ(kept("editors/completion/_robochart-verify"), zsh_completion()) << how;
-    EXPECT_EQ(kept("editors/completion/robochart-verify.fish"), fish_completion()) << how;
-    EXPECT_EQ(kept("docs/robochart-verify.1"), manual_page()) << how;
+    EXPECT_EQ(file_text("editors/completion/robochart-verify.bash"), bash_completion()) << how;
+    EXPECT_EQ(file_text("editors/completion/_robochart-verify"), zsh_completion()) << how;
+    EXPECT_EQ(file_text("editors/completion/robochart-verify.fish"), fish_completion()) << how;
+    EXPECT_EQ(file_text("docs/robochart-verify.1"), manual_page()) << how;
     EXPECT_EQ(run({"help", "--generate", "fish"}).out, fish_completion());
 }
 

@@ -417,8 +417,8 @@ TEST_F(HtmlInABrowser, PlaysFromTheBeginningToTheEnd) {
                                     "key ArrowLeft\n" + look + "key p\n" + look + "key End\n" + look + speed + look +
                                     "print void due()\nclick #a0 .play\ncalm\nclick #a0 .play\nprint asked\n" + look);
     std::vector<std::string> values;
-    for (const std::string& each : lines)
-        if (each != "undefined") values.push_back(each);
+    for (const std::string& line : lines)
+        if (line != "undefined") values.push_back(line);
     ASSERT_EQ(values.size(), 9U) << ::testing::PrintToString(lines);
     EXPECT_EQ(values[0], "[\"#a0/s/1\",\"pause\"]") << "it goes on from where it is";
     EXPECT_EQ(values[1], "[\"#a0/s/2\",\"pause\"]");

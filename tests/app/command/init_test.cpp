@@ -86,10 +86,10 @@ TEST(Init, SuggestsANameThatIsFit) {
         {"state", "a reserved word of RoboChart; did you mean 'robot_state'?"},
         {"channel", "a reserved word of CSPM; did you mean 'robot_channel'?"},
         {"Polite", "called so; did you mean 'robot_Polite'?"}};
-    for (const auto& [name, said] : rows) {
+    for (const auto& [name, message] : rows) {
         const Ran ran = run({"init", name});
         EXPECT_EQ(ran.exit, 4) << name;
-        EXPECT_THAT(ran.err, HasSubstr(said)) << name;
+        EXPECT_THAT(ran.err, HasSubstr(message)) << name;
     }
     EXPECT_THAT(run({"init", "--", "!!"}).err, Not(HasSubstr("did you mean")));
     const std::string longest(100, 'a');

@@ -114,7 +114,7 @@ const char* const claim = "accept probability way <= 0.5 cm at end >= 90 % with 
 
 class Herd {
 public:
-    explicit Herd(const std::string& asked)
+    explicit Herd(const std::string& claims)
         : folder_(
               {{"herd/sheep/sheep.rct", sheep},
                {"herd/sheep/sheep.assertions", "assertion S1 : herd::Runner::Running is reachable in herd::Sheep\n"},
@@ -123,7 +123,7 @@ public:
                 "assertion L1 : lead::Backer::Standing is reachable in lead::Leader\n"},
                {"herd/sky/sky.rct", sun},
                {"herd/sky/sky.assertions", "assertion E1 : sky::Waits::Bright is reachable in sky::Sun\n"},
-               {"herd/herd.scenario", asking(asked)}}) {}
+               {"herd/herd.scenario", asking(claims)}}) {}
     [[nodiscard]] std::string operator/(const std::string& name) const { return folder_ / name; }
     [[nodiscard]] Ran simulated(const std::vector<std::string>& more) const {
         std::vector<std::string> words{"simulate", folder_ / "herd/herd.scenario", "--no-pictures"};
@@ -132,9 +132,9 @@ public:
     }
 
 private:
-    static std::string asking(const std::string& asked) {
+    static std::string asking(const std::string& claims) {
         std::string text = world;
-        text.replace(text.find("CLAIMS"), 6, asked);
+        text.replace(text.find("CLAIMS"), 6, claims);
         return text;
     }
     Folder folder_;
@@ -225,7 +225,7 @@ TEST(KindsOfRobots, LogsGiveWayToTheCommandLine) {
 }
 
 /// One kind alone: it drives back 1 cm in each time unit, for `pace` time units.
-std::string alone(const std::string& constant, const std::string& asked) {
+std::string alone(const std::string& constant, const std::string& items) {
     return "scenario Alone for lead::Leader {\n\tstep 0.1 s physics 0.01 s unit 0.1 s duration 3 s trials 1 seed 1\n"
            "\tarena 400 cm by 400 cm\n\tlight goal at (-10 cm, 0 cm)\n\trobots 1 leaders { radius 3 cm axle 5 cm "
            "wheel 10 cm/s " +
@@ -233,18 +233,18 @@ std::string alone(const std::string& constant, const std::string& asked) {
            "\n\t\tplace at (0 cm, 0 cm) heading 0 deg }\n\tactuator motors is differential_drive\n"
            "\tdrive motors by forward(-10 cm/s) on back\n\tdrive motors by stop on halt\n"
            "\tmeasure way is distance(goal)\n\t" +
-           asked + "\n}\n";
+           items + "\n}\n";
 }
 
 /// In sweeps, searches and certificates, every spelling of a constant overrides the value in the scenario.
 TEST(KindsOfRobots, NoConstantHasTwoNamesOfWhichOneDecides) {
-    const std::string asked = "accept probability way <= 0.5 cm at end >= 90 % with confidence 90 %";
+    const std::string accept_claim = "accept probability way <= 0.5 cm at end >= 90 % with confidence 90 %";
     const Folder folder(
         {{"leader.rct", leader},
-         {"sweep.scenario", alone("const pace = 3", asked + " vary const Leader::pace in 3, 10")},
-         {"same.scenario", alone("const pace = 3", asked + " vary const pace in 3, 10")},
-         {"twice.scenario", alone("", asked + " vary const pace in 3, 10 vary const leaders.pace in 3, 10")},
-         {"search.scenario", alone("const pace = 10", asked)}});
+         {"sweep.scenario", alone("const pace = 3", accept_claim + " vary const Leader::pace in 3, 10")},
+         {"same.scenario", alone("const pace = 3", accept_claim + " vary const pace in 3, 10")},
+         {"twice.scenario", alone("", accept_claim + " vary const pace in 3, 10 vary const leaders.pace in 3, 10")},
+         {"search.scenario", alone("const pace = 10", accept_claim)}});
     const auto swept = [&](const char* file) {
         return run({"simulate", folder / file, "--no-pictures", "--no-cache", "--format", "json"});
     };
@@ -328,7 +328,7 @@ TEST(KindsOfRobots, TuningCertifiesAllModels) {
     const auto certificate = nlohmann::json::parse(ran.out).at("certificate");
     const auto every = [&](const char* list, const char* field) {
         std::vector<std::string> values;
-        for (const auto& each : certificate.at(list)) values.push_back(each.at(field));
+        for (const auto& entry : certificate.at(list)) values.push_back(entry.at(field));
         return values;
     };
     EXPECT_THAT(every("constants", "name"), ::testing::ElementsAre("leaders.pace", "slow.pace", "environment.delay"));

@@ -64,9 +64,10 @@ INSTANTIATE_TEST_SUITE_P(
                       "validate --format json m.rct", "validate --format sarif m.rct", "format --check f.rct",
                       "format --diff f.rct", "format - < f.rct", "explain RC-A01", "explain", "check --print ast m.rct",
                       "check --print ir m.rct", "check --print script m.rct"),
-    [](const auto& each) {
+    [](const auto& instance) {
         std::string name;
-        for (const char c : std::string(each.param)) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+        for (const char c : std::string(instance.param))
+            name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
         return name;
     });
 

@@ -80,12 +80,12 @@ TEST_F(Prism, JsonSaysOfWhichKindTheModelIsAlsoWhereAPropertyIsWrong) {
 }
 
 TEST_F(Prism, StatesOfAnExtremeValueAreListed) {
-    const std::vector<std::string> asked{"--const", "p=1/3", "--property", "filter(argmax, P=? [ F s=1 ])"};
-    const Ran text = ask(asked);
+    const std::vector<std::string> options{"--const", "p=1/3", "--property", "filter(argmax, P=? [ F s=1 ])"};
+    const Ran text = ask(options);
     EXPECT_EQ(text.exit, 0);
     EXPECT_THAT(text.out, HasSubstr("  1 state\n  "));
     EXPECT_THAT(text.out, HasSubstr("  s=1: 1\n"));
-    std::vector<std::string> as_json = asked;
+    std::vector<std::string> as_json = options;
     as_json.insert(as_json.end(), {"--format", "json"});
     const json answer = json::parse(ask(as_json).out)["runs"][0]["answers"][0];
     EXPECT_EQ(answer["answer"], "states");

@@ -65,10 +65,10 @@ protected:
         const nlohmann::json report = nlohmann::json::parse(ran.out, nullptr, false);
         if (report.is_discarded() || !report.contains("results")) return ran.out + ran.err;
         std::string text = fmt::format("exit {}", ran.exit);
-        for (const nlohmann::json& each : report["results"])
-            text += fmt::format("\n{} {} {} {} {}", each["answer"].dump(), each["visited_states"].dump(),
-                                each["visited_transitions"].dump(), each["visited_plys"].dump(),
-                                each["counterexamples"].dump());
+        for (const nlohmann::json& result : report["results"])
+            text += fmt::format("\n{} {} {} {} {}", result["answer"].dump(), result["visited_states"].dump(),
+                                result["visited_transitions"].dump(), result["visited_plys"].dump(),
+                                result["counterexamples"].dump());
         return text;
     }
     [[nodiscard]] std::string uninterrupted() const {
@@ -117,13 +117,13 @@ void Resumed::survive_kills() {
     // A busy machine needs more and longer rounds.
     for (int round = 0; round < 8 || (gone_on == 0 && round < 40); ++round) {
         const double seconds = 0.02 + 0.001 * static_cast<double>(random() % 80) * (1 + round / 8);
-        const bool kept = has_checkpoint();
+        const bool has_saved = has_checkpoint();
         const Ran ran = decide_until(seconds, round % 2 == 0 ? "KILL" : "TERM",
                                      fmt::format("--every 0.0002 --threads {} {}", 1 + random() % 3,
                                                  random() % 2 == 0 ? "" : "--disk " + folder_.path("kept")));
         ASSERT_NE(ran.exit, 2) << ran.err;
         if (ran.exit > 2) ++ended;
-        if (!kept) continue;
+        if (!has_saved) continue;
         EXPECT_THAT(ran.err, Not(HasSubstr("begins anew")));
         ++gone_on;
     }

@@ -182,16 +182,17 @@ TEST(RulesOfModels, AsRecorded) {
     const auto verdicts = [&](const std::string& project, const std::vector<std::string>& files,
                               const std::string& rules) {
         std::vector<std::pair<std::string, std::string>> copied{{rules, tests::read_contents(suite / project / rules)}};
-        for (const std::string& each : files) copied.emplace_back(each, tests::read_contents(suite / project / each));
+        for (const std::string& file : files) copied.emplace_back(file, tests::read_contents(suite / project / file));
         const Folder folder(copied);
         const Ran ran = run({"rules", folder / rules, folder / "main.rct", "--format", "json"});
         std::map<std::string, std::string> result;
         const json found = json::parse(ran.out, nullptr, false);
         if (found.is_discarded()) return std::map<std::string, std::string>{{"", ran.err}};
-        for (const auto& each : found["verdicts"]) {
-            const std::string verdict = each["verdict"];
-            const bool conforms = verdict == "never asked" || verdict == "obeyed";
-            result[each["rule"]] = conforms ? "conforms" : verdict == "broken" ? "fails" : verdict;
+        for (const auto& entry : found["verdicts"]) {
+            std::string verdict = entry["verdict"];
+            if (verdict == "never asked" || verdict == "obeyed") verdict = "conforms";
+            if (verdict == "broken") verdict = "fails";
+            result[entry["rule"]] = verdict;
         }
         return result;
     };
@@ -318,7 +319,7 @@ TEST(RulesOfSimulations, WhatIsObeyedIsCounted) {
 }
 
 /// Runs for two seconds without bands. The run succeeds unless a rule is broken or could not be followed.
-Ran guarded_briefly(const std::string& rules, const std::string& asked, const std::vector<std::string>& options) {
+Ran guarded_briefly(const std::string& rules, const std::string& rule, const std::vector<std::string>& options) {
     std::string measures;
     for (int i = 0; i < 13; ++i) measures += " measure m" + std::to_string(i) + " : boolean";
     const Folder folder(
@@ -331,7 +332,7 @@ Ran guarded_briefly(const std::string& rules, const std::string& asked, const st
           "sensor eye is line_of_sight\nfeed seeRobot with eye.robot\nfeed seeWall with eye.clear\n"
           "actuator motors is differential_drive\n"
           "drive motors by speeds(linearSpeed in cm/s, angularSpeed in rad/s)\nmeasure spread is spread\n" +
-              asked + "}\n"},
+              rule + "}\n"},
          {"a.sleec",
           "def_start\nevent seeRobot event seeWall" + measures + "\ndef_end\nrule_start\n" + rules + "\nrule_end\n"}});
     std::vector<std::string> arguments{"simulate", folder / "brief.scenario", folder / "a.sleec", "--monitor",
@@ -370,13 +371,13 @@ TEST(RulesOfSimulations, ThatCannotBeFollowedAreNoSuccess) {
 }
 
 TEST(RulesOfSimulations, ThatCannotBeFollowedAreNoSuccessOfASweep) {
-    const std::string asked =
+    const std::string rule =
         "vary robots in 2 to 3\ntrials 5\nestimate probability spread >= 0 cm at 1 s with confidence 90 %\n";
-    EXPECT_EQ(guarded_briefly("One when seeWall then not seeRobot within 0 seconds", asked, {}).exit, 0);
-    const Ran some = guarded_briefly(unread, asked, {"--format", "json"});
+    EXPECT_EQ(guarded_briefly("One when seeWall then not seeRobot within 0 seconds", rule, {}).exit, 0);
+    const Ran some = guarded_briefly(unread, rule, {"--format", "json"});
     EXPECT_EQ(some.exit, 3) << some.err;
     EXPECT_EQ(nlohmann::json::parse(some.out).at("monitor").at("complete"), false);
-    const Ran text = guarded_briefly(unread, asked, {});
+    const Ran text = guarded_briefly(unread, rule, {});
     EXPECT_EQ(text.exit, 3);
     EXPECT_THAT(text.out, HasSubstr("some triggers were not followed"));
 }
@@ -419,7 +420,7 @@ TEST(RulesOfModels, DrawARunThatWaitsWithoutEnd) {
     const json& drawn = found["counterexample"];
     EXPECT_FALSE(drawn["loopStart"].is_null());
     std::string steps;
-    for (const json& each : drawn["steps"]) steps += each["text"].get<std::string>() + "\n";
+    for (const json& step : drawn["steps"]) steps += step["text"].get<std::string>() + "\n";
     EXPECT_THAT(steps, HasSubstr("Ring"));
     EXPECT_THAT(steps, ::testing::Not(HasSubstr("sleec_")));
     EXPECT_THAT(run({"check", folder.path()}).out, HasSubstr("then for ever:"));

@@ -43,12 +43,15 @@ std::vector<Element> elements(const std::string& document) {
     for (auto at = std::sregex_iterator(text.begin(), text.end(), tag); at != std::sregex_iterator(); ++at) {
         const std::string name = (*at)[2];
         if ((*at)[1] == "/") {
-            if (open.empty() || open.back() != name) return ADD_FAILURE() << "not open: " << name, found;
+            if (open.empty() || open.back() != name) {
+                ADD_FAILURE() << "not open: " << name;
+                return found;
+            }
             open.pop_back();
             continue;
         }
         Element one{name, {}, ""};
-        for (const std::string& each : open) one.inside += each + "/";
+        for (const std::string& ancestor : open) one.inside += ancestor + "/";
         const std::string list = (*at)[3];
         for (auto a = std::sregex_iterator(list.begin(), list.end(), attribute); a != std::sregex_iterator(); ++a)
             EXPECT_TRUE(one.attributes.emplace((*a)[1], (*a)[2]).second) << "twice: " << (*a)[1];
@@ -61,7 +64,8 @@ std::vector<Element> elements(const std::string& document) {
 }
 
 std::size_t count(const std::vector<Element>& all, const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::count_if(all, [&](const Element& each) { return each.name == name; }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(all, [&](const Element& element) { return element.name == name; }));
 }
 
 TEST(Junit, IsWellFormedWhateverItHolds) {
@@ -96,11 +100,11 @@ TEST(Junit, HasWhatAllSchemasHave) {
         {"testcase", {"testsuites/testsuite/", {"classname", "name", "time"}}},
         {"failure", {"testsuites/testsuite/testcase/", {"message", "type"}}},
         {"system-out", {"testsuites/testsuite/", {}}}};
-    for (const Element& each : all) {
+    for (const Element& element : all) {
         std::set<std::string> names;
-        for (const auto& [name, value] : each.attributes) names.insert(name);
-        EXPECT_EQ(names, expected.at(each.name).second) << each.name;
-        EXPECT_EQ(each.inside, expected.at(each.name).first) << each.name;
+        for (const auto& [name, value] : element.attributes) names.insert(name);
+        EXPECT_EQ(names, expected.at(element.name).second) << element.name;
+        EXPECT_EQ(element.inside, expected.at(element.name).first) << element.name;
     }
 }
 

@@ -101,7 +101,7 @@ TEST(SwarmCommand, StepsSayWhichRobot) {
         std::size_t robots = 0;
         for (const json& machine : step.at("machines")) {
             const std::string component = machine.at("component");
-            for (const char* each : {"of robot 0", "of robot 1"}) robots += component.ends_with(each) ? 1U : 0U;
+            for (const char* ending : {"of robot 0", "of robot 1"}) robots += component.ends_with(ending) ? 1U : 0U;
         }
         EXPECT_EQ(robots, step.at("machines").size());
         if (!step.contains("component") || step.at("raw") >= events.size()) continue;

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "app/command/option_table.hpp"
 #include "tests/app/command.hpp"
@@ -112,8 +113,8 @@ bool looks_like_command(const std::string& line) {
 }
 
 const NotRun* exception_for(const std::string& document, const std::string& command) {
-    const auto* const found = std::ranges::find_if(not_run, [&](const NotRun& each) {
-        return (each.document.empty() || each.document == document) && command.starts_with(each.command);
+    const auto* const found = std::ranges::find_if(not_run, [&](const NotRun& exception) {
+        return (exception.document.empty() || exception.document == document) && command.starts_with(exception.command);
     });
     return found == not_run.end() ? nullptr : found;
 }
@@ -144,7 +145,8 @@ std::vector<std::string> faults_of(const std::string& document, std::set<const N
 TEST(CommandsInDocuments, AreRunOrExcepted) {
     std::set<const NotRun*> used;
     for (const std::string& document : written_documents()) EXPECT_THAT(faults_of(document, used), IsEmpty());
-    for (const NotRun& each : not_run) EXPECT_TRUE(used.contains(&each)) << "nobody needs it: " << each.command;
+    for (const NotRun& exception : not_run)
+        EXPECT_TRUE(used.contains(&exception)) << "nobody needs it: " << exception.command;
 }
 
 /// These tests would not see commands in other kinds of blocks.
@@ -188,6 +190,15 @@ TEST(CommandsInDocuments, NameScriptsThatAreThere) {
 
 using Words = std::vector<std::string>;
 
+/// Removes dots, semicolons and `\|` at the end.
+void strip_end(std::string& word) {
+    constexpr std::string_view endings[] = {"...", ";", "\\|"};
+    const auto ends = [&](std::string_view ending) { return word.ends_with(ending); };
+    for (const auto* found = std::ranges::find_if(endings, ends); found != std::end(endings);
+         found = std::ranges::find_if(endings, ends))
+        word.resize(word.size() - found->size());
+}
+
 /// The words of a command up to the next command, without the brackets and dots of synopses.
 Words words_of(std::string text) {
     for (char& c : text)
@@ -198,8 +209,7 @@ Words words_of(std::string text) {
         static const std::set<std::string> ends = {"|", ">", "<", ">>", "&&", "||", ";", "#", "\\", "2>", "&"};
         if (ends.contains(word)) break;
         const bool last = word.ends_with(';');
-        while (word.ends_with("...") || word.ends_with(';') || word.ends_with("\\|"))
-            word.resize(word.size() - (word.ends_with("...") ? 3 : word.ends_with(';') ? 1 : 2));
+        strip_end(word);
         if (!word.empty()) words.push_back(word);
         if (last) break;
     }
@@ -209,9 +219,9 @@ Words words_of(std::string text) {
 Words alternatives(const std::string& word) {
     Words result;
     std::istringstream in(word);
-    for (std::string each; std::getline(in, each, '|');) {
-        if (each.ends_with('\\')) each.pop_back();
-        result.push_back(each);
+    for (std::string alternative; std::getline(in, alternative, '|');) {
+        if (alternative.ends_with('\\')) alternative.pop_back();
+        result.push_back(alternative);
     }
     return result;
 }
@@ -232,11 +242,11 @@ const OptionRow* option_of(Verbs verb, const std::string& name) {
 /// Explains why the words after an option do not fit; "" if they fit.
 std::string wrong_words(const OptionRow& row, const Words& given) {
     for (std::size_t at = 0; at < given.size(); ++at)
-        for (std::string each : alternatives(given[at])) {
-            if (is_placeholder(each)) continue;
-            const std::string why = wrong_word(row.argument, at, each);
+        for (std::string alternative : alternatives(given[at])) {
+            if (is_placeholder(alternative)) continue;
+            const std::string why = wrong_word(row.argument, at, alternative);
             const bool of_choice = row.argument.kind == Argument::Kind::choice;
-            if (of_choice && !why.empty()) return "`" + each + "` behind " + row.names + ": " + why;
+            if (of_choice && !why.empty()) return "`" + alternative + "` behind " + row.names + ": " + why;
         }
     return {};
 }
@@ -310,10 +320,10 @@ TEST(CommandsInDocuments, HaveVerbsAndOptionsThatExist) {
     };
     for (const std::string& document : written_documents()) {
         const std::string text = tests::read_contents(repository(document));
-        for (const Inline& each : inline_code(text)) {
-            const std::string place = document + ":" + std::to_string(each.line) + ": " + each.text;
-            for (const Words& words : calls_in(each.text)) check(place, words);
-            if (is_call_of_verb(each.text)) check(place, words_of(each.text));
+        for (const Inline& code : inline_code(text)) {
+            const std::string place = document + ":" + std::to_string(code.line) + ": " + code.text;
+            for (const Words& words : calls_in(code.text)) check(place, words);
+            if (is_call_of_verb(code.text)) check(place, words_of(code.text));
         }
         for (const Block& block : blocks_of(text))
             for (const std::string& line : block.lines) {

@@ -10,17 +10,25 @@
 #include "app/mpi/ranked_command.hpp"
 #include "tests/checker/ranks/faulty_exchange.hpp"
 
+namespace {
+
+using robochart::ranks::FaultyExchange;
+
+FaultyExchange::Fault fault_of(const std::string& name) {
+    if (name == "memory") return FaultyExchange::Fault::memory;
+    if (name == "sleep") return FaultyExchange::Fault::sleep;
+    return FaultyExchange::Fault::error;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-    using robochart::ranks::FaultyExchange;
     robochart::app::block_signals();
     const robochart::app::MpiProgram program(argc, argv);
     if (argc < 4) return EXIT_FAILURE;
     robochart::app::MpiExchange exchange;
     const bool faulty = exchange.rank() == std::stoul(argv[1]);
-    const std::string what = argv[3];
-    const auto fault = what == "memory"  ? FaultyExchange::Fault::memory
-                       : what == "sleep" ? FaultyExchange::Fault::sleep
-                                         : FaultyExchange::Fault::error;
+    const FaultyExchange::Fault fault = fault_of(argv[3]);
     argv[3] = argv[0];
     argc -= 3;
     argv += 3;

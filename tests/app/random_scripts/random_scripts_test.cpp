@@ -24,8 +24,8 @@ using refine::RandomCases;
 constexpr std::size_t cases_a_script = 4;
 
 /// A compression may change which tau `chase` follows.
-bool has_one_meaning(const Case& asked) {
-    std::string text = show(asked.script);
+bool has_one_meaning(const Case& test_case) {
+    std::string text = show(test_case.script);
     text.erase(0, text.find("channel"));
     const auto used = [&](const std::string& word) { return text.find(word) != std::string::npos; };
     const std::vector<std::string> compressions{"normal(",    "bisim(",     "diamond(",      "_factor(",
@@ -57,13 +57,13 @@ std::string written(std::mt19937_64& numbers, const std::string& name, const std
 }
 
 /// The case as a module, or as an instance of a parameterised module.
-std::string module_of(std::mt19937_64& numbers, const Case& asked, const std::string& name) {
+std::string module_of(std::mt19937_64& numbers, const Case& test_case, const std::string& name) {
     std::string text;
-    for (std::size_t i = 0; i < asked.script.definitions.size(); ++i)
-        text += fmt::format("P{} = {}\n", i, show(asked.script.definitions[i]));
+    for (std::size_t i = 0; i < test_case.script.definitions.size(); ++i)
+        text += fmt::format("P{} = {}\n", i, show(test_case.script.definitions[i]));
     std::string exported;
-    for (std::size_t i = 0; i < asked.script.mains.size(); ++i)
-        exported += written(numbers, fmt::format("M{}", i), name, show(asked.script.mains[i]));
+    for (std::size_t i = 0; i < test_case.script.mains.size(); ++i)
+        exported += written(numbers, fmt::format("M{}", i), name, show(test_case.script.mains[i]));
     if (numbers() % 3 != 0) return fmt::format("module {}\n{}exports\n{}endmodule\n", name, text, exported);
     return fmt::format("module Of{0}(unused)\n{1}exports\n{2}endmodule\ninstance {0} = Of{0}(0)\n", name, text,
                        exported);
@@ -75,7 +75,7 @@ std::string in_module(std::string assertion, const std::string& module) {
     return assertion;
 }
 
-struct Asked {
+struct Assertion {
     std::string text;
     bool holds;
 };
@@ -89,17 +89,17 @@ public:
         script = show(none);
         // Which tau `chase` follows depends on the order in which events first occur. This question makes that order
         // alphabetical.
-        asked = {{"assert RUN({a, b, c}) [T= STOP", true}};
+        assertions = {{"assert RUN({a, b, c}) [T= STOP", true}};
         for (std::size_t i = 0; i < cases_a_script;) {
-            const RandomCases::Explored each = cases_.next();
-            if (!has_one_meaning(each.asked)) continue;
+            const RandomCases::Explored explored = cases_.next();
+            if (!has_one_meaning(explored.test_case)) continue;
             const std::string module = fmt::format("Case{}", i++);
-            script += module_of(numbers_, each.asked, module);
+            script += module_of(numbers_, explored.test_case, module);
             for (const Question& question : refine::questions())
-                asked.push_back({in_module(assertion(question, each.asked.trace), module),
-                                 expected(question, each.graphs, each.asked.trace)});
+                assertions.push_back({in_module(assertion(question, explored.test_case.trace), module),
+                                      expected(question, explored.graphs, explored.test_case.trace)});
         }
-        for (const Asked& each : asked) script += each.text + "\n";
+        for (const Assertion& line : assertions) script += line.text + "\n";
     }
     std::vector<std::string> another_format() {
         switch (numbers_() % 5) {
@@ -117,7 +117,7 @@ public:
     }
 
     std::string script;
-    std::vector<Asked> asked;
+    std::vector<Assertion> assertions;
 
 private:
     RandomCases cases_;
@@ -131,22 +131,22 @@ Ran run_on(const TemporaryFile& file, const std::vector<std::string>& options) {
 }
 
 TEST(RandomScripts, AreDecidedByTheCommandAsByDefinition) {
-    const int wanted = refine::wanted_scripts(12);
+    const int script_count = refine::wanted_scripts(12);
     Scripts scripts(7);
     std::size_t checks = 0;
-    for (int i = 0; i < wanted; ++i) {
+    for (int i = 0; i < script_count; ++i) {
         scripts.next();
-        const bool all_hold = std::ranges::all_of(scripts.asked, [](const Asked& each) { return each.holds; });
+        const bool all_hold = std::ranges::all_of(scripts.assertions, [](const Assertion& line) { return line.holds; });
         const TemporaryFile file("random.csp", scripts.script);
         const Ran ran = run_on(file, {"--format", "json"});
         ASSERT_EQ(ran.exit, all_hold ? 0 : 1) << ran.err << scripts.script;
         const Json reported = Json::parse(ran.out);
-        ASSERT_EQ(reported["results"].size(), scripts.asked.size()) << ran.out << scripts.script;
-        for (std::size_t at = 0; at < scripts.asked.size(); ++at) {
+        ASSERT_EQ(reported["results"].size(), scripts.assertions.size()) << ran.out << scripts.script;
+        for (std::size_t at = 0; at < scripts.assertions.size(); ++at) {
             const Json& result = reported["results"][at];
-            const bool holds = scripts.asked[at].holds;
-            ASSERT_EQ(result["result"], holds ? 1 : 0) << scripts.asked[at].text << "\n" << scripts.script;
-            ASSERT_EQ(result["counterexamples"].size(), holds ? 0U : 1U) << scripts.asked[at].text << "\n"
+            const bool holds = scripts.assertions[at].holds;
+            ASSERT_EQ(result["result"], holds ? 1 : 0) << scripts.assertions[at].text << "\n" << scripts.script;
+            ASSERT_EQ(result["counterexamples"].size(), holds ? 0U : 1U) << scripts.assertions[at].text << "\n"
                                                                          << scripts.script;
             ++checks;
         }
@@ -155,7 +155,7 @@ TEST(RandomScripts, AreDecidedByTheCommandAsByDefinition) {
         ASSERT_EQ(again.exit, ran.exit) << fmt::format("{}\n", format.front()) << again.err << scripts.script;
         ASSERT_FALSE(again.out.empty());
     }
-    std::cout << checks << " checks of " << wanted << " scripts agree\n";
+    std::cout << checks << " checks of " << script_count << " scripts agree\n";
 }
 
 }  // namespace
