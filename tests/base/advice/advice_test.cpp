@@ -12,8 +12,8 @@ namespace {
 
 /// The advice for a position in a text of words; `NUMBER` stands for digits, and the ends of the text for positions
 /// outside.
-std::string said(const std::vector<Advice>& rows, const std::string& expected, const std::vector<std::string>& text,
-                 std::size_t place) {
+std::string advice_for(const std::vector<Advice>& rows, const std::string& expected,
+                       const std::vector<std::string>& text, std::size_t place) {
     return std::string(advice_on(rows, expected, [&](std::ptrdiff_t ahead) -> AdviceWord {
         const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(place) + ahead;
         if (at < 0 || at >= std::ssize(text)) return {WordKind::end, {}};
@@ -30,17 +30,17 @@ TEST(Advice, IsOfTheFirstRowWhoseWordsStandAroundThePlace) {
                                       {"", "@ b END", "at the end"},
                                       {"", "@ TEXT", "a string"},
                                       {"a type", "@", "any"}};
-    EXPECT_EQ(said(rows, "x", {"clock", "t", "="}, 2), "in front");
-    EXPECT_EQ(said(rows, "x", {"clocks", "t", "="}, 2), "");
-    EXPECT_EQ(said(rows, "x", {"t", "="}, 1), "") << "a word is missing in front";
-    EXPECT_EQ(said(rows, "a name", {"3"}, 0), "a number");
-    EXPECT_EQ(said(rows, "x", {"3"}, 0), "") << "something else is expected";
-    EXPECT_EQ(said(rows, "x", {"b"}, 0), "at the end");
-    EXPECT_EQ(said(rows, "x", {"b", "b"}, 0), "");
-    EXPECT_EQ(said(rows, "x", {"\"s\""}, 0), "a string");
-    EXPECT_EQ(said(rows, "x", {"\"clock\"", "t", "="}, 2), "") << "what is in a string is no word";
-    EXPECT_EQ(said(rows, "a type", {"clock", "t", "="}, 2), "in front") << "the first row";
-    EXPECT_EQ(said(rows, "a type", {}, 0), "any");
+    EXPECT_EQ(advice_for(rows, "x", {"clock", "t", "="}, 2), "in front");
+    EXPECT_EQ(advice_for(rows, "x", {"clocks", "t", "="}, 2), "");
+    EXPECT_EQ(advice_for(rows, "x", {"t", "="}, 1), "") << "a word is missing in front";
+    EXPECT_EQ(advice_for(rows, "a name", {"3"}, 0), "a number");
+    EXPECT_EQ(advice_for(rows, "x", {"3"}, 0), "") << "something else is expected";
+    EXPECT_EQ(advice_for(rows, "x", {"b"}, 0), "at the end");
+    EXPECT_EQ(advice_for(rows, "x", {"b", "b"}, 0), "");
+    EXPECT_EQ(advice_for(rows, "x", {"\"s\""}, 0), "a string");
+    EXPECT_EQ(advice_for(rows, "x", {"\"clock\"", "t", "="}, 2), "") << "what is in a string is no word";
+    EXPECT_EQ(advice_for(rows, "a type", {"clock", "t", "="}, 2), "in front") << "the first row";
+    EXPECT_EQ(advice_for(rows, "a type", {}, 0), "any");
 }
 
 }  // namespace

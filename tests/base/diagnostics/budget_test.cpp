@@ -49,9 +49,9 @@ TEST(Budget, SaysWhichLimitAndInWhichPhase) {
     Budget large(little);
     EXPECT_EQ(thrown_by_polling(large), "the memory limit of 1 MiB was reached");
 
-    Limits asked;
-    asked.interrupted = [] { return true; };
-    Budget stopped(asked);
+    Limits limits;
+    limits.interrupted = [] { return true; };
+    Budget stopped(limits);
     EXPECT_EQ(thrown_by_polling(stopped), "the run was interrupted");
 }
 

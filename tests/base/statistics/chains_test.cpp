@@ -102,8 +102,8 @@ StateSequence remembering(double after_equal, double after_other, std::mt19937_6
     StateSequence sequence{0, 0};
     while (sequence.size() < 40) {
         const std::size_t last = sequence.back();
-        const bool equal = last == sequence[sequence.size() - 2];
-        sequence.push_back(draw(random) < (equal ? after_equal : after_other) ? last : 1 - last);
+        const double stays = last == sequence[sequence.size() - 2] ? after_equal : after_other;
+        sequence.push_back(draw(random) < stays ? last : 1 - last);
     }
     return sequence;
 }

@@ -47,7 +47,8 @@ Outcome run(std::uint64_t most, double p, const Stops& stops) {
 Outcome run(const Sprt& test, std::uint64_t most, double p) {
     return run(most, p, [&](std::uint64_t x, std::uint64_t n) {
         const Sprt::Answer answer = test.answer(x, n);
-        return answer == Sprt::Answer::open ? -1 : answer == Sprt::Answer::at_least ? 0 : 1;
+        if (answer == Sprt::Answer::open) return -1;
+        return answer == Sprt::Answer::at_least ? 0 : 1;
     });
 }
 

@@ -30,7 +30,7 @@ TEST(Parallel, EveryNumberIsDoneOnce) {
             ++done[number];
             if (thread > greatest) greatest = thread;
         });
-        for (const std::atomic<int>& each : done) EXPECT_EQ(each, 1);
+        for (const std::atomic<int>& count : done) EXPECT_EQ(count, 1);
         EXPECT_LT(greatest, std::max(1U, threads));
     }
     in_parallel(0, 4, [](std::size_t, unsigned) { FAIL(); });
