@@ -44,7 +44,7 @@ protected:
         limits.reduction = reduction;
         for (const DeclPtr& assertion : session.assertions()) {
             const refine::Verdict verdict = session.check(*assertion, limits).verdict;
-            answers.outcomes += verdict.outcome == Outcome::holds ? 'h' : verdict.outcome == Outcome::fails ? 'f' : '?';
+            answers.outcomes += outcome_letter(verdict.outcome);
             answers.known += verdict.known ? 'y' : 'n';
             answers.states.push_back(verdict.statistics.states);
             std::string run;

@@ -30,9 +30,7 @@ inline std::vector<refine::Outcome> outcomes(const std::string& text) {
 // Marks: h holds, f fails.
 inline void expect_outcomes(const std::string& text, const std::string& marks) {
     std::string found;
-    for (const refine::Outcome each : outcomes(text)) {
-        found += each == refine::Outcome::holds ? 'h' : (each == refine::Outcome::fails ? 'f' : '?');
-    }
+    for (const refine::Outcome outcome : outcomes(text)) found += outcome_letter(outcome);
     EXPECT_EQ(found, marks) << text;
 }
 

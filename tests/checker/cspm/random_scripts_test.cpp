@@ -20,8 +20,8 @@ using refine::Outcome;
 using refine::RandomCases;
 
 /// A compression may change which tau `chase` follows.
-bool has_one_meaning(const Case& asked) {
-    std::string text = show(asked.script);
+bool has_one_meaning(const Case& test_case) {
+    std::string text = show(test_case.script);
     text.erase(0, text.find("channel"));  // skip the declarations, which the script may not use
     const auto used = [&](const std::string& word) { return text.find(word) != std::string::npos; };
     const std::vector<std::string> compressions{"normal(",    "bisim(",     "diamond(",      "_factor(",
@@ -41,8 +41,8 @@ const Way ways[] = {{"", false, {1U << 30U, std::nullopt, false}},
                     {", packed by terms alone", false, {0, std::nullopt, true}}};
 
 /// The first wrong answer of the script, if any.
-std::optional<std::string> fault(const Case& asked, const Graphs& graphs, int& checks) {
-    Reading reading(refine::script_with_assertions(asked));
+std::optional<std::string> fault(const Case& test_case, const Graphs& graphs, int& checks) {
+    Reading reading(refine::script_with_assertions(test_case));
     if (reading.ok()) (void)check_types(reading.script, reading.diagnostics);
     if (!reading.ok()) return reading.report();
     for (const Way& way : ways) {
@@ -51,17 +51,17 @@ std::optional<std::string> fault(const Case& asked, const Graphs& graphs, int& c
         const std::vector<DeclPtr> assertions = session.assertions();
         for (std::size_t i = 0; i < assertions.size(); ++i) {
             const refine::Question& question = refine::questions()[i];
-            const bool holds = expected(question, graphs, asked.trace);
+            const bool holds = expected(question, graphs, test_case.trace);
             refine::Limits limits;
             limits.reduction = way.reduction;
             refine::Verdict verdict;
             try {
                 verdict = session.check(*assertions[i], limits).verdict;
             } catch (const std::logic_error& error) {
-                return assertion(question, asked.trace) + way.name + ": " + error.what();
+                return assertion(question, test_case.trace) + way.name + ": " + error.what();
             }
             if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails))
-                return assertion(question, asked.trace) + (holds ? " should hold" : " should fail") + way.name;
+                return assertion(question, test_case.trace) + (holds ? " should hold" : " should fail") + way.name;
             ++checks;
         }
     }
@@ -69,18 +69,19 @@ std::optional<std::string> fault(const Case& asked, const Graphs& graphs, int& c
 }
 
 TEST(RandomScriptsTest, AgreeWithTheDefinitions) {
-    const int wanted = refine::wanted_checks(3'000);
+    const int required_checks = refine::wanted_checks(3'000);
     RandomCases cases(3);
     int checks = 0;
-    while (checks < wanted) {
-        const RandomCases::Explored each = cases.next();
-        if (!has_one_meaning(each.asked) || !fault(each.asked, each.graphs, checks)) continue;
+    while (checks < required_checks) {
+        const RandomCases::Explored explored = cases.next();
+        if (!has_one_meaning(explored.test_case) || !fault(explored.test_case, explored.graphs, checks)) continue;
         int ignored = 0;
-        const auto wrong = [&](const Case& asked) -> std::optional<std::string> {
-            const auto graphs = has_one_meaning(asked) ? explore(asked, refine::largest_graph) : std::nullopt;
-            return graphs ? fault(asked, *graphs, ignored) : std::nullopt;
+        const auto wrong = [&](const Case& test_case) -> std::optional<std::string> {
+            const auto graphs = has_one_meaning(test_case) ? explore(test_case, refine::largest_graph) : std::nullopt;
+            return graphs ? fault(test_case, *graphs, ignored) : std::nullopt;
         };
-        const Case least = refine::shrink(each.asked, [&](const Case& asked) { return wrong(asked).has_value(); });
+        const Case least =
+            refine::shrink(explored.test_case, [&](const Case& test_case) { return wrong(test_case).has_value(); });
         FAIL() << wrong(least).value_or("?") << "\n" << refine::script_with_assertions(least);
     }
     std::cout << checks << " random checks of scripts agree\n";

@@ -56,8 +56,7 @@ std::string verdicts_of(const std::filesystem::path& file) {
     try {
         Session session(script);
         for (const DeclPtr& assertion : session.assertions()) {
-            const refine::Outcome outcome = session.check(*assertion, {}).verdict.outcome;
-            verdicts += outcome == refine::Outcome::holds ? 'h' : outcome == refine::Outcome::fails ? 'f' : '?';
+            verdicts += outcome_letter(session.check(*assertion, {}).verdict.outcome);
         }
     } catch (const EvaluationError& error) {
         verdicts += fmt::format(" {}: {}", sources.path_and_line(error.span), error.what());
@@ -68,8 +67,8 @@ std::string verdicts_of(const std::filesystem::path& file) {
 TEST(RightScripts, AreAnsweredAsTheirQuestionsSay) {
     const auto shared = shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
-    for (const RightScript& each : right_scripts)
-        EXPECT_EQ(verdicts_of(shared / "suite/findings3/right" / each.file), each.verdicts) << each.file;
+    for (const RightScript& script : right_scripts)
+        EXPECT_EQ(verdicts_of(shared / "suite/findings3/right" / script.file), script.verdicts) << script.file;
 }
 
 }  // namespace

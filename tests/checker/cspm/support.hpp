@@ -11,6 +11,7 @@
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/render.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "checker/refine/verdict/verdict.hpp"
 #include "tests/shared_folder.hpp"
 
 namespace robochart::cspm::test {
@@ -31,6 +32,19 @@ struct Reading {
         return all.empty() ? "" : std::string(all.front().rule->code);
     }
 };
+
+/// h: holds, f: fails, ?: inconclusive.
+inline char outcome_letter(refine::Outcome outcome) {
+    switch (outcome) {
+        case refine::Outcome::holds:
+            return 'h';
+        case refine::Outcome::fails:
+            return 'f';
+        case refine::Outcome::inconclusive:
+            break;
+    }
+    return '?';
+}
 
 using tests::shared_folder;
 

@@ -40,9 +40,9 @@ INSTANTIATE_TEST_SUITE_P(Widths, StateStores, testing::Values(1, 2, 3, 9));
 TEST(StateStore, ViewsStayWhereTheyAre) {
     StateStore store(1);
     const Word first = 42;
-    const StateView kept = store[store.insert(StateView(&first, 1)).index];
+    const StateView stored = store[store.insert(StateView(&first, 1)).index];
     for (Word i = 0; i < 100000; ++i) store.insert(StateView(&i, 1));
-    EXPECT_EQ(kept[0], 42U);
+    EXPECT_EQ(stored[0], 42U);
     EXPECT_EQ(store.size(), 100000U);
 }
 

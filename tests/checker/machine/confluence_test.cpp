@@ -83,8 +83,9 @@ protected:
                                           const std::vector<EventSet>& alphabets) {
         std::vector<Requirement> result;
         for (std::uint32_t who = 0; who < participants.size(); ++who) {
-            const bool asked = std::ranges::find(joint.slots, participants[who].index) != joint.slots.end();
-            if (!participants[who].is_region && asked) result.push_back({who, place_of(alphabets[who], joint.event)});
+            const bool participates = std::ranges::find(joint.slots, participants[who].index) != joint.slots.end();
+            if (!participants[who].is_region && participates)
+                result.push_back({who, place_of(alphabets[who], joint.event)});
         }
         return result;
     }
@@ -108,8 +109,8 @@ protected:
         refine::Limits limits;
         const auto all = refine::refines(specification, *whole, refine::Model::traces, limits).outcome;
         limits.reduction = true;
-        const auto kept = refine::refines(specification, *whole, refine::Model::traces, limits).outcome;
-        if (all != kept) return testing::AssertionFailure() << "the reduction changes the answer";
+        const auto with_reduction = refine::refines(specification, *whole, refine::Model::traces, limits).outcome;
+        if (all != with_reduction) return testing::AssertionFailure() << "the reduction changes the answer";
         if (all == refine::Outcome::fails) return testing::AssertionSuccess() << "x can happen";
         return testing::AssertionFailure() << "x cannot happen";
     }
@@ -118,9 +119,9 @@ protected:
         const auto reduced = whole->make_reduced_system(diagnostics::unlimited);
         const lts::Graph all = lts::graph_of(*whole, 1'000);
         if (!reduced) return {all.size(), all.size()};
-        const lts::Graph kept = lts::graph_of(*reduced, 1'000);
-        EXPECT_TRUE(lts::are_bisimilar(all, kept, lts::Equivalence::branching_with_divergence));
-        return {all.size(), kept.size()};
+        const lts::Graph reduced_graph = lts::graph_of(*reduced, 1'000);
+        EXPECT_TRUE(lts::are_bisimilar(all, reduced_graph, lts::Equivalence::branching_with_divergence));
+        return {all.size(), reduced_graph.size()};
     }
     using Sizes = std::pair<std::size_t, std::size_t>;
 

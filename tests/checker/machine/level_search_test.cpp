@@ -35,8 +35,8 @@ std::string words(const std::vector<refine::Step>& steps) {
 std::string verdict_text(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
-    for (const std::uint64_t each : {size.states, size.transitions, size.depth, size.chased, size.spec_nodes})
-        text += " " + std::to_string(each);
+    for (const std::uint64_t figure : {size.states, size.transitions, size.depth, size.chased, size.spec_nodes})
+        text += " " + std::to_string(figure);
     if (!verdict.counterexample) return text;
     return text + " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + ":" +
            words(verdict.counterexample->steps) + " then" + words(verdict.counterexample->loop);
@@ -48,8 +48,8 @@ std::string in_common(const Verdict& verdict) {
     const refine::Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
     if (verdict.outcome == Outcome::holds)
-        for (const std::uint64_t each : {size.states, size.transitions, size.depth, size.chased})
-            text += " " + std::to_string(each);
+        for (const std::uint64_t figure : {size.states, size.transitions, size.depth, size.chased})
+            text += " " + std::to_string(figure);
     if (!verdict.counterexample) return text;
     return text + " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind)) + " after " +
            std::to_string(verdict.counterexample->steps.size());
@@ -75,12 +75,12 @@ std::vector<Ask> questions(lts::TransitionSystem& specification, lts::Transition
 }
 
 TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
-    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 50 + 1;
+    const int rounds = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 50 + 1;
     Scripted s;
     for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2027);
-    int fails = 0, asked = 0;
-    for (int round = 0; round < wanted; ++round) {
+    int fails = 0, decided = 0;
+    for (int round = 0; round < rounds; ++round) {
         SupercombinatorSystem specification(rules.next(s.stop()), s.store);
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
         for (const bool reduction : {false, true}) {
@@ -100,14 +100,14 @@ TEST(LevelSearch, FindsTheSameForEveryNumberOfRanks) {
                     if (first.empty()) first = verdict_text(verdict);
                     ASSERT_EQ(verdict_text(verdict), first) << by;
                 }
-                ++asked;
+                ++decided;
                 fails += ordinary.outcome == Outcome::fails ? 1 : 0;
             }
         }
     }
-    std::cout << asked << " questions, " << fails << " fail\n";
-    EXPECT_GT(fails * 20, asked);
-    EXPECT_LT(fails * 20, 19 * asked);
+    std::cout << decided << " questions, " << fails << " fail\n";
+    EXPECT_GT(fails * 20, decided);
+    EXPECT_LT(fails * 20, 19 * decided);
 }
 
 class LevelFamilies : public testing::Test {
@@ -216,9 +216,9 @@ TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
 /// One message per round, preceded by a number for each pair of threads.
 void exchange_by_programs(unsigned programs, unsigned threads) {
     refine::as_ranks(programs, [=](refine::Exchange& exchange) {
-        refine::as_ranks(exchange, threads, [=](refine::Exchange& each) {
-            EXPECT_EQ(each.ranks_here(), threads);
-            exchange_everything(each, programs * threads);
+        refine::as_ranks(exchange, threads, [=](refine::Exchange& rank_exchange) {
+            EXPECT_EQ(rank_exchange.ranks_here(), threads);
+            exchange_everything(rank_exchange, programs * threads);
         });
         EXPECT_EQ(exchange.traffic().rounds, programs == 1 ? 0U : 3U);
         EXPECT_EQ(exchange.traffic().messages, 3 * (programs - 1));

@@ -65,8 +65,8 @@ protected:
 
 TEST_F(Proofs, DoNotDependOnWhatWasAskedBefore) {
     int followed = 0;
-    const int wanted = refine::wanted_checks(1'000) / 5;
-    for (int round = 0; round < wanted; ++round) {
+    const int rounds = refine::wanted_checks(1'000) / 5;
+    for (int round = 0; round < rounds; ++round) {
         next();
         const std::vector<std::vector<Local>> all = states();
         Confluence forwards(combined, rules, {}), backwards(combined, rules, {});
@@ -80,21 +80,22 @@ TEST_F(Proofs, DoNotDependOnWhatWasAskedBefore) {
             ASSERT_EQ(ahead[i], alone) << "round " << round << ", state " << i;
         }
     }
-    EXPECT_GT(followed, wanted / 10);
+    EXPECT_GT(followed, rounds / 10);
 }
 
 TEST_F(Proofs, AreRightWhateverThePlan) {
     int smaller = 0;
-    const int wanted = refine::wanted_checks(1'000) / 5;
-    for (int round = 0; round < wanted; ++round) {
+    const int rounds = refine::wanted_checks(1'000) / 5;
+    for (int round = 0; round < rounds; ++round) {
         next();
         ReducedSystem reduced(whole->clone_for_thread(), combined, rules, some_plan());
         const lts::Graph all = lts::graph_of(*whole, 100'000);
-        const lts::Graph kept = lts::graph_of(reduced, 100'000);
-        ASSERT_TRUE(lts::are_bisimilar(all, kept, Equivalence::branching_with_divergence)) << "round " << round;
-        if (kept.size() < all.size()) ++smaller;
+        const lts::Graph reduced_graph = lts::graph_of(reduced, 100'000);
+        ASSERT_TRUE(lts::are_bisimilar(all, reduced_graph, Equivalence::branching_with_divergence))
+            << "round " << round;
+        if (reduced_graph.size() < all.size()) ++smaller;
     }
-    EXPECT_GT(smaller * 20, wanted);
+    EXPECT_GT(smaller * 20, rounds);
 }
 
 TEST_F(Proofs, AreNotTriedWhereThePlanHasNothingInPlaceOfThem) {

@@ -38,9 +38,9 @@ std::vector<std::uint32_t> RandomRules::levels() {
 
 Region RandomRules::region(const std::vector<Participant>& participants, const std::vector<std::uint32_t>& slots) {
     std::vector<EventSet> alphabets;
-    for (const Participant& each : participants)
-        alphabets.push_back(each.is_region ? made_.regions[each.index].alphabet
-                                           : made_.components[each.index]->alphabet());
+    for (const Participant& participant : participants)
+        alphabets.push_back(participant.is_region ? made_.regions[participant.index].alphabet
+                                                  : made_.components[participant.index]->alphabet());
     std::vector<DraftRule> drafts;
     for (std::uint32_t count = 4 + below(14); count > 0; --count) {
         DraftRule draft{event(50), {}, {}};

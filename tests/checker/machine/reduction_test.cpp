@@ -28,7 +28,7 @@ constexpr std::size_t most_states = 100'000;
 struct Seen {
     int smaller = 0;    ///< systems whose reduction has fewer states
     int diverging = 0;  ///< of these, those with a cycle of taus
-    std::uint64_t states = 0, kept = 0;
+    std::uint64_t states = 0, reduced_states = 0;
 };
 
 bool loops_by_tau(const Graph& quotient) {
@@ -43,34 +43,34 @@ bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
     const auto reduced = whole.make_reduced_system(diagnostics::unlimited);
     if (!reduced) return true;
     const Graph all = lts::graph_of(whole, most_states);
-    const Graph kept = lts::graph_of(*reduced, most_states);
+    const Graph reduced_graph = lts::graph_of(*reduced, most_states);
     const Graph quotient = lts::minimise(all, Equivalence::branching_with_divergence).graph;
-    const Graph quotient_of_kept = lts::minimise(kept, Equivalence::branching_with_divergence).graph;
+    const Graph quotient_of_reduced = lts::minimise(reduced_graph, Equivalence::branching_with_divergence).graph;
     seen.states += all.size();
-    seen.kept += kept.size();
-    if (kept.size() < all.size()) {
+    seen.reduced_states += reduced_graph.size();
+    if (reduced_graph.size() < all.size()) {
         ++seen.smaller;
         if (loops_by_tau(quotient)) ++seen.diverging;
     }
-    return kept.size() <= all.size() && quotient.size() == quotient_of_kept.size() &&
-           quotient.edge_count() == quotient_of_kept.edge_count() &&
-           lts::are_bisimilar(all, kept, Equivalence::branching_with_divergence);
+    return reduced_graph.size() <= all.size() && quotient.size() == quotient_of_reduced.size() &&
+           quotient.edge_count() == quotient_of_reduced.edge_count() &&
+           lts::are_bisimilar(all, reduced_graph, Equivalence::branching_with_divergence);
 }
 
 TEST(Reduction, KeepsRandomRules) {
-    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(1'000)));
+    const int rounds = refine::wanted_checks(static_cast<int>(tests::rounds(1'000)));
     Scripted s;
     for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2022);
     Seen seen;
-    for (int round = 0; round < wanted; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         SupercombinatorSystem whole(rules.next(s.stop()), s.store);
         ASSERT_TRUE(keeps_everything(whole, seen)) << "round " << round;
     }
-    std::cout << seen.smaller << " of " << wanted << " with fewer states, " << seen.diverging
-              << " of them divergent; states " << seen.states << ", kept " << seen.kept << "\n";
-    EXPECT_GT(seen.smaller * 10, wanted);
-    EXPECT_GT(seen.diverging * 20, wanted);
+    std::cout << seen.smaller << " of " << rounds << " with fewer states, " << seen.diverging
+              << " of them divergent; states " << seen.states << ", kept " << seen.reduced_states << "\n";
+    EXPECT_GT(seen.smaller * 10, rounds);
+    EXPECT_GT(seen.diverging * 20, rounds);
 }
 
 /// A verdict as text, with the trace of a violation, and with the size of the search if it must agree.
@@ -114,12 +114,12 @@ refine::Limits limits_of(bool reduction, unsigned threads) {
 /// Checks every model, with several threads. Counterexamples are the shortest ones of the full state space, found in
 /// the same order.
 TEST(Reduction, ChangesNoAnswerAndNoRun) {
-    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 8 + 1;
+    const int rounds = refine::wanted_checks(static_cast<int>(tests::rounds(1'000))) / 8 + 1;
     Scripted s;
     for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2023);
     int fails = 0;
-    for (int round = 0; round < wanted; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         SupercombinatorSystem specification(rules.next(s.stop()), s.store);
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
         ASSERT_EQ(answer_texts(specification, system, false, limits_of(true, 1)),
@@ -130,8 +130,8 @@ TEST(Reduction, ChangesNoAnswerAndNoRun) {
             << "round " << round;
         if (refine::deadlock_free(system, refine::Model::failures, limits_of(true, 1)).counterexample) ++fails;
     }
-    EXPECT_GT(fails * 20, wanted);
-    EXPECT_LT(fails * 20, 19 * wanted);
+    EXPECT_GT(fails * 20, rounds);
+    EXPECT_LT(fails * 20, 19 * rounds);
 }
 
 /// Six processes with four hidden steps each, which then perform one event together: 5^6 states. After the reduction at
@@ -185,23 +185,23 @@ TEST_F(HiddenSteps, CounterexampleMayBeLongerIfALimitIsReached) {
 }
 
 TEST(Reduction, KeepsRandomProcesses) {
-    const int wanted = refine::wanted_checks(60);
+    const int comparisons = refine::wanted_checks(60);
     refine::RandomCases cases(22);
     Seen seen;
     int compared = 0;
-    while (compared < wanted) {
-        const refine::RandomCases::Explored each = cases.next();
-        for (const refine::naive::Process& main : each.asked.script.mains) {
-            refine::Translation translation(each.asked.script);
+    while (compared < comparisons) {
+        const refine::RandomCases::Explored explored = cases.next();
+        for (const refine::naive::Process& main : explored.test_case.script.mains) {
+            refine::Translation translation(explored.test_case.script);
             Compiler compiler(translation.semantics());
             const auto whole = compiler.compile(translation.term(main), diagnostics::unlimited);
             if (!whole) continue;
             ++compared;
-            ASSERT_TRUE(keeps_everything(*whole, seen)) << show(each.asked.script);
+            ASSERT_TRUE(keeps_everything(*whole, seen)) << show(explored.test_case.script);
         }
     }
     std::cout << seen.smaller << " of " << compared << " with fewer states, " << seen.diverging
-              << " of them divergent; states " << seen.states << ", kept " << seen.kept << "\n";
+              << " of them divergent; states " << seen.states << ", kept " << seen.reduced_states << "\n";
     EXPECT_GT(seen.smaller * 10, compared);
 }
 

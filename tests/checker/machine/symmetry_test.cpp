@@ -224,12 +224,12 @@ protected:
     }
 
     /// The first difference between the engine's answers and the definitions; empty if there is none.
-    std::string find_disagreement(const refine::Case& asked, const refine::Graphs& graphs) {
-        refine::Translation translation(asked.script);
+    std::string find_disagreement(const refine::Case& test_case, const refine::Graphs& graphs) {
+        refine::Translation translation(test_case.script);
         Compiler compiler(translation.semantics());
-        const auto system = compiler.compile(translation.term(asked.script.mains[1]), diagnostics::unlimited);
+        const auto system = compiler.compile(translation.term(test_case.script.mains[1]), diagnostics::unlimited);
         if (!system) return "";
-        process::TermSystem left = translation.system(asked.script.mains[0]);
+        process::TermSystem left = translation.system(test_case.script.mains[0]);
         ++compared_;
         for (const refine::Question& question : refine::questions()) {
             if (question.kind == refine::Question::Kind::has_trace || question.right != 1) continue;
@@ -237,18 +237,28 @@ protected:
             const Verdict verdict = ask(question, left, *system);
             folded_ += verdict.statistics.replicas > 0 ? 1 : 0;
             distinguished_ += verdict.statistics.distinguished > 0 ? 1 : 0;
-            const bool holds = refine::expected(question, graphs, asked.trace);
+            const bool holds = refine::expected(question, graphs, test_case.trace);
             if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails))
-                return refine::assertion(question, asked.trace) + (holds ? " should hold" : " should fail");
+                return refine::assertion(question, test_case.trace) + (holds ? " should hold" : " should fail");
             fails_ += holds ? 0 : 1;
         }
         return "";
     }
-    static Verdict ask(const refine::Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right) {
+    static refine::Model model_of(refine::naive::Semantics semantics) {
         using Semantics = refine::naive::Semantics;
-        const refine::Model model = question.semantics == Semantics::T   ? refine::Model::traces
-                                    : question.semantics == Semantics::F ? refine::Model::failures
-                                                                         : refine::Model::failures_divergences;
+        switch (semantics) {
+            case Semantics::T:
+                return refine::Model::traces;
+            case Semantics::F:
+                return refine::Model::failures;
+            case Semantics::FD:
+                break;
+        }
+        return refine::Model::failures_divergences;
+    }
+    /// `question` has no trace.
+    static Verdict ask(const refine::Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right) {
+        const refine::Model model = model_of(question.semantics);
         switch (question.kind) {
             case refine::Question::Kind::refinement:
                 return refine::refines(left, right, model, limits_of(true));
@@ -256,29 +266,31 @@ protected:
                 return refine::deadlock_free(right, model, limits_of(true));
             case refine::Question::Kind::divergence_free:
                 return refine::divergence_free(right, limits_of(true));
-            default:
-                return refine::deterministic(right, model, limits_of(true));
+            case refine::Question::Kind::deterministic:
+            case refine::Question::Kind::has_trace:
+                break;
         }
+        return refine::deterministic(right, model, limits_of(true));
     }
 
     int compared_ = 0, folded_ = 0, distinguished_ = 0, fails_ = 0;
 };
 
 TEST_F(RandomReplicas, AnswerAsTheDefinitionsSay) {
-    const int wanted = refine::wanted_checks(static_cast<int>(tests::rounds(60)));
+    const int comparisons = refine::wanted_checks(static_cast<int>(tests::rounds(60)));
     refine::RandomCases cases(2019);
-    for (int way = 0; compared_ < wanted; ++way) {
-        refine::Case asked = cases.next().asked;
-        asked.script.mains[1] = replicated(asked.script.mains[1], way);
-        const auto graphs = refine::explore(asked, refine::largest_graph);
+    for (int way = 0; compared_ < comparisons; ++way) {
+        refine::Case test_case = cases.next().test_case;
+        test_case.script.mains[1] = replicated(test_case.script.mains[1], way);
+        const auto graphs = refine::explore(test_case, refine::largest_graph);
         if (!graphs) continue;
-        ASSERT_EQ(find_disagreement(asked, *graphs), "") << show(asked.script);
+        ASSERT_EQ(find_disagreement(test_case, *graphs), "") << show(test_case.script);
     }
     std::cout << compared_ << " processes, " << folded_ << " answers by symmetry, " << distinguished_
               << " where the specification distinguishes replicas, " << fails_ << " that something fails\n";
-    EXPECT_GT(folded_, wanted);
-    EXPECT_GT(distinguished_ * 20, wanted);
-    EXPECT_GT(fails_, wanted);
+    EXPECT_GT(folded_, comparisons);
+    EXPECT_GT(distinguished_ * 20, comparisons);
+    EXPECT_GT(fails_, comparisons);
 }
 
 }  // namespace

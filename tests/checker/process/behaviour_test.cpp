@@ -19,9 +19,9 @@ protected:
         std::vector<Transition> steps;
         TermId now = initial;
         for (const Event action : actions) {
-            for (const Transition& each : semantics.successors(now))
-                if (each.event == action) {
-                    steps.push_back(each);
+            for (const Transition& transition : semantics.successors(now))
+                if (transition.event == action) {
+                    steps.push_back(transition);
                     break;
                 }
             now = steps.back().target;
@@ -150,8 +150,8 @@ TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
         } compressor;
         OperationalSemantics compressing{s.store, &compressor};
         const TermId small = s.op(Op::compress, {inside}, static_cast<std::uint32_t>(Compression::dbisim));
-        for (const Transition& each : compressing.successors(small))
-            if (each.event == s.event("a")) return behaviour(compressing, small, {each});
+        for (const Transition& transition : compressing.successors(small))
+            if (transition.event == s.event("a")) return behaviour(compressing, small, {transition});
         return Behaviour{};
     }();
     EXPECT_EQ(trace(whole), "a");

@@ -49,7 +49,8 @@ public:
     TermId cycle(const std::string& named, const std::vector<std::string>& event_names) {
         const TermId again = name(named);
         TermId rest = again;
-        for (auto each = event_names.rbegin(); each != event_names.rend(); ++each) rest = prefix(*each, rest);
+        for (auto event_name = event_names.rbegin(); event_name != event_names.rend(); ++event_name)
+            rest = prefix(*event_name, rest);
         bind(again, rest);
         return again;
     }

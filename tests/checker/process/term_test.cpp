@@ -35,14 +35,14 @@ TEST(TermStore, GivesEqualTermsEqualIds) {
 TEST(TermStore, KeepsIdsAndReferencesWhileItGrows) {
     Scripted s;
     const TermId first = s.stop();
-    const Term& kept = s.store[first];
+    const Term& stored = s.store[first];
     std::vector<TermId> made;
     for (std::uint32_t i = 0; i < 20000; ++i) made.push_back(s.op(Op::call, {}, i));
     for (std::uint32_t i = 0; i < 20000; ++i) {
         ASSERT_EQ(s.op(Op::call, {}, i), made[i]);
         ASSERT_EQ(s.store[made[i]].payload, i);
     }
-    EXPECT_EQ(kept.op, Op::stop);
+    EXPECT_EQ(stored.op, Op::stop);
     EXPECT_EQ(s.store.size(), 20001U);
 }
 

@@ -31,7 +31,11 @@ public:
     /// Moves in the order in which chase chooses: taus first, then by letter, then by operand.
     Moves moves(const Process& p) const {
         Moves result = fire(p);
-        const auto rank = [](Letter l) { return l == tau ? -2 : l == tick ? -1 : l; };
+        const auto rank = [](Letter letter) {
+            if (letter == tau) return -2;
+            if (letter == tick) return -1;
+            return static_cast<int>(letter);
+        };
         std::ranges::stable_sort(result, [&](const Move& x, const Move& y) { return rank(x.letter) < rank(y.letter); });
         return result;
     }

@@ -11,7 +11,9 @@ namespace robochart::refine::naive {
 namespace {
 
 std::string letter_text(Letter l) {
-    return l == tau ? "tau" : l == tick ? "tick" : std::string(1, static_cast<char>('a' + l));
+    if (l == tau) return "tau";
+    if (l == tick) return "tick";
+    return {static_cast<char>('a' + l)};
 }
 
 std::string letters(const std::set<Letter>& set) {

@@ -19,7 +19,15 @@ using naive::Semantics;
 using naive::Tree;
 
 const char* model(Semantics semantics) {
-    return semantics == Semantics::T ? "T" : semantics == Semantics::F ? "F" : "FD";
+    switch (semantics) {
+        case Semantics::T:
+            return "T";
+        case Semantics::F:
+            return "F";
+        case Semantics::FD:
+            break;
+    }
+    return "FD";
 }
 
 std::vector<Question> all_questions() {
@@ -124,15 +132,15 @@ std::string assertion(const Question& question, const std::vector<naive::Letter>
                        traced ? ": " + events(trace) : "");
 }
 
-std::string script_with_assertions(const Case& asked) {
-    std::string text = show(asked.script);
-    for (const Question& question : questions()) text += assertion(question, asked.trace) + "\n";
+std::string script_with_assertions(const Case& test_case) {
+    std::string text = show(test_case.script);
+    for (const Question& question : questions()) text += assertion(question, test_case.trace) + "\n";
     return text;
 }
 
-std::optional<Graphs> explore(const Case& asked, std::size_t largest) {
-    const auto first = naive::explore(asked.script, asked.script.mains.at(0), largest);
-    const auto second = naive::explore(asked.script, asked.script.mains.at(1), largest);
+std::optional<Graphs> explore(const Case& test_case, std::size_t largest) {
+    const auto first = naive::explore(test_case.script, test_case.script.mains.at(0), largest);
+    const auto second = naive::explore(test_case.script, test_case.script.mains.at(1), largest);
     if (!first || !second) return std::nullopt;
     return Graphs{{*first, *second}};
 }
@@ -155,20 +163,20 @@ bool expected(const Question& question, const Graphs& graphs, const std::vector<
     return false;
 }
 
-std::vector<Case> smaller(const Case& asked) {
+std::vector<Case> smaller(const Case& test_case) {
     std::vector<Case> result;
-    for (std::size_t i = 0; i < asked.script.mains.size(); ++i)
-        for (const Process& next : smaller(asked.script.mains[i])) {
-            result.push_back(asked);
+    for (std::size_t i = 0; i < test_case.script.mains.size(); ++i)
+        for (const Process& next : smaller(test_case.script.mains[i])) {
+            result.push_back(test_case);
             result.back().script.mains[i] = next;
         }
-    for (std::size_t i = 0; i < asked.script.definitions.size(); ++i)
-        for (const Process& next : smaller(asked.script.definitions[i])) {
+    for (std::size_t i = 0; i < test_case.script.definitions.size(); ++i)
+        for (const Process& next : smaller(test_case.script.definitions[i])) {
             if (!guarded(next)) continue;
-            result.push_back(asked);
+            result.push_back(test_case);
             result.back().script.definitions[i] = next;
         }
-    const auto size = [](const Case& each) { return show(each.script).size(); };
+    const auto size = [](const Case& candidate) { return show(candidate.script).size(); };
     std::ranges::stable_sort(result, [&](const Case& x, const Case& y) { return size(x) < size(y); });
     return result;
 }

@@ -32,13 +32,13 @@ struct Case {
 /// The question as an assertion about M0 and M1.
 [[nodiscard]] std::string assertion(const Question& question, const std::vector<naive::Letter>& trace);
 /// The case as a script with all its assertions, in the order of questions().
-[[nodiscard]] std::string script_with_assertions(const Case& asked);
+[[nodiscard]] std::string script_with_assertions(const Case& test_case);
 
 /// The two graphs of a case; nullopt if they are larger than a test can use.
 struct Graphs {
     naive::Graph graphs[2];
 };
-[[nodiscard]] std::optional<Graphs> explore(const Case& asked, std::size_t largest);
+[[nodiscard]] std::optional<Graphs> explore(const Case& test_case, std::size_t largest);
 /// The answer by definition.
 [[nodiscard]] bool expected(const Question& question, const Graphs& graphs, const std::vector<naive::Letter>& trace);
 
@@ -48,7 +48,7 @@ template <class Fails>
 [[nodiscard]] Case shrink(Case failing, const Fails& fails);
 
 /// All cases that are one step smaller, the smallest first.
-[[nodiscard]] std::vector<Case> smaller(const Case& asked);
+[[nodiscard]] std::vector<Case> smaller(const Case& test_case);
 
 template <class Fails>
 Case shrink(Case failing, const Fails& fails) {

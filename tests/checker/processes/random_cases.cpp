@@ -33,8 +33,8 @@ Case RandomCases::random_case() {
 
 RandomCases::Explored RandomCases::next() {
     for (;;) {
-        Case asked = random_case();
-        if (auto graphs = explore(asked, largest_graph)) return {std::move(asked), std::move(*graphs)};
+        Case test_case = random_case();
+        if (auto graphs = explore(test_case, largest_graph)) return {std::move(test_case), std::move(*graphs)};
     }
 }
 

@@ -19,7 +19,7 @@ public:
 
     /// A case that is small enough for the naive checker, with its graphs.
     struct Explored {
-        Case asked;
+        Case test_case;
         Graphs graphs;
     };
     Explored next();

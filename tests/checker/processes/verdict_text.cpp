@@ -6,9 +6,9 @@ namespace robochart::refine {
 std::string complete_text(const Verdict& verdict) {
     const Statistics& size = verdict.statistics;
     std::string text = std::to_string(static_cast<int>(verdict.outcome)) + verdict.reason;
-    for (const std::uint64_t each :
+    for (const std::uint64_t figure :
          {size.states, size.transitions, size.depth, size.chased, size.spec_nodes, size.replicas})
-        text += " " + std::to_string(each);
+        text += " " + std::to_string(figure);
     if (!verdict.counterexample) return text;
     text += " kind " + std::to_string(static_cast<int>(verdict.counterexample->kind));
     for (const auto* steps : {&verdict.counterexample->steps, &verdict.counterexample->loop}) {

@@ -67,8 +67,8 @@ protected:
     [[nodiscard]] bool checkpoint_exists() const { return fs::exists(checkpoint_folder() + "/questions"); }
     /// The folder of the current search.
     [[nodiscard]] std::string search() const {
-        for (const auto& each : fs::directory_iterator(checkpoint_folder()))
-            if (each.path().filename().string().starts_with("search-")) return each.path().string();
+        for (const auto& entry : fs::directory_iterator(checkpoint_folder()))
+            if (entry.path().filename().string().starts_with("search-")) return entry.path().string();
         return "";
     }
     [[nodiscard]] KeptSettings settings(bool disk) {
@@ -333,12 +333,12 @@ TEST_F(KeptRanks, HaveLetGoOfTheFolderWhereASearchHasEnded) {
             LateExchange exchange(real, late);
             if (real.rank() != 0) return serve_searches(exchange, program);
             ServedRanks served(real, program);
-            KeptSearch kept(settings(false), served);
+            KeptSearch kept_search(settings(false), served);
             refine::Limits limits;
-            limits.by_levels = &kept;
+            limits.by_levels = &kept_search;
             limits.max_states = most_states;
-            kept.begin_question("deadlock free");
-            kept.identify_question(diagnostics::Hasher().finish());
+            kept_search.begin_question("deadlock free");
+            kept_search.identify_question(diagnostics::Hasher().finish());
             const refine::Verdict verdict = refine::deadlock_free(*cells_, refine::Model::failures, limits);
             EXPECT_EQ(verdict.outcome, Outcome::inconclusive);
             const std::string run = search() + "/" + refine::run_name;
@@ -376,13 +376,13 @@ TEST_F(KeptRanks, AreNotKilledWhileTheyWaitAfterALimit) {
         ServedRanks served(real, program);
         KeptSettings own = settings(false);
         own.every = std::chrono::hours(1);
-        KeptSearch kept(own, served);
+        KeptSearch search(own, served);
         refine::Limits limits;
-        limits.by_levels = &kept;
+        limits.by_levels = &search;
         limits.undisturbed = undisturbed;
         limits.interrupted = [&] { return interrupted.load(); };
-        kept.begin_question("deadlock free");
-        kept.identify_question(diagnostics::Hasher().finish());
+        search.begin_question("deadlock free");
+        search.identify_question(diagnostics::Hasher().finish());
         const refine::Verdict verdict = refine::deadlock_free(*cells_, refine::Model::failures, limits);
         EXPECT_EQ(verdict.reason, "the run was interrupted");
     });

@@ -66,11 +66,11 @@ std::vector<std::string> all_answers(lts::TransitionSystem& specification, lts::
 }
 
 TEST(ServedRanks, AnswerAsOneRankDoes) {
-    const int wanted = refine::wanted_checks(1'000) / 50 + 1;
+    const int rounds = refine::wanted_checks(1'000) / 50 + 1;
     Scripted s;
     for (process::Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
     RandomRules rules(2028);
-    for (int round = 0; round < wanted; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         SupercombinatorSystem specification(rules.next(s.stop()), s.store);
         SupercombinatorSystem system(rules.next(s.stop()), s.store);
         for (const bool reduction : {false, true}) {

@@ -114,13 +114,13 @@ private:
 };
 
 /// Puts the second process in parallel with itself to create replicas. (The seed decides how they are linked.)
-void double_process(Case& asked, RandomWays& numbers) {
+void double_process(Case& test_case, RandomWays& numbers) {
     naive::Tree both;
     both.kind = naive::Kind::parallel;
-    both.operands = {asked.script.mains[1], asked.script.mains[1]};
+    both.operands = {test_case.script.mains[1], test_case.script.mains[1]};
     for (naive::Letter letter = 0; letter < naive::letters_used; ++letter)
         if (numbers.below(3) == 0) both.set.insert(letter);
-    asked.script.mains[1] = std::make_shared<const naive::Tree>(std::move(both));
+    test_case.script.mains[1] = std::make_shared<const naive::Tree>(std::move(both));
 }
 
 bool contains_kind(const naive::Process& process, naive::Kind kind) {
@@ -131,7 +131,7 @@ bool contains_kind(const naive::Process& process, naive::Kind kind) {
 
 bool contains_kind(const naive::Script& script, naive::Kind kind) {
     const auto somewhere = [kind](const std::vector<naive::Process>& list) {
-        return std::ranges::any_of(list, [kind](const auto& each) { return contains_kind(each, kind); });
+        return std::ranges::any_of(list, [kind](const auto& process) { return contains_kind(process, kind); });
     };
     return somewhere(script.definitions) || somewhere(script.mains);
 }
@@ -166,7 +166,8 @@ Verdict ask(const Question& question, lts::TransitionSystem& left, lts::Transiti
 /// A case with its systems in all forms, created when they are needed.
 class Systems {
 public:
-    explicit Systems(const Case& asked) : asked_(asked), plain_(asked.script), compressing_(asked.script, true) {}
+    explicit Systems(const Case& test_case)
+        : asked_(test_case), plain_(test_case.script), compressing_(test_case.script, true) {}
 
     Translation& translation(Way::Form form) { return form == Way::Form::compressing_terms ? compressing_ : plain_; }
     /// The system of the main process with this number. A process that is not compiled stays a term.
@@ -180,8 +181,8 @@ public:
     [[nodiscard]] bool is_compiled(int main) { return compiled(main) != nullptr; }
     naive::Letter letter_of(Way::Form form, process::Event event) {
         if (event == process::tau) return naive::tau;
-        for (naive::Letter each = 0; each < naive::letters_used; ++each)
-            if (translation(form).event(each) == event) return each;
+        for (naive::Letter letter = 0; letter < naive::letters_used; ++letter)
+            if (translation(form).event(letter) == event) return letter;
         return naive::tick;
     }
 
@@ -204,11 +205,11 @@ private:
 class Agreement : public testing::Test {
 protected:
     Limits limits_of(const Way& way);
-    Verdict ask_by(Systems& systems, const Question& question, const Case& asked, const Way& way);
+    Verdict ask_by(Systems& systems, const Question& question, const Case& test_case, const Way& way);
     /// Returns the difference between the answer in this way and the expected one, if there is any.
-    std::optional<std::string> fault(Systems& systems, const Question& question, const Case& asked,
+    std::optional<std::string> fault(Systems& systems, const Question& question, const Case& test_case,
                                      const Graphs& graphs, const Way& way);
-    bool check_agreement(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs,
+    bool check_agreement(Systems& systems, const Question& question, const Case& test_case, const Graphs& graphs,
                          const Way& way);
 
     ThreadPrograms in_memory_[most_ranks] = {{1, 1}, {1, 2}, {1, 3}, {2, 2}};
@@ -236,24 +237,25 @@ Limits Agreement::limits_of(const Way& way) {
     return limits;
 }
 
-Verdict Agreement::ask_by(Systems& systems, const Question& question, const Case& asked, const Way& way) {
+Verdict Agreement::ask_by(Systems& systems, const Question& question, const Case& test_case, const Way& way) {
     std::vector<process::Event> trace;
-    for (naive::Letter each : asked.trace) trace.push_back(systems.translation(way.form).event(each));
+    for (naive::Letter letter : test_case.trace) trace.push_back(systems.translation(way.form).event(letter));
     const auto left = systems.system(question.left, way);
     const auto right = systems.system(question.right, way);
     return ask(question, *left, *right, trace, limits_of(way));
 }
 
-std::optional<std::string> Agreement::fault(Systems& systems, const Question& question, const Case& asked,
+std::optional<std::string> Agreement::fault(Systems& systems, const Question& question, const Case& test_case,
                                             const Graphs& graphs, const Way& way) {
-    const bool holds = expected(question, graphs, asked.trace);
+    const bool holds = expected(question, graphs, test_case.trace);
     Verdict verdict;
     try {
-        verdict = ask_by(systems, question, asked, way);
+        verdict = ask_by(systems, question, test_case, way);
     } catch (const std::logic_error& internal) {
         return std::string("is an internal error: ") + internal.what();
     }
-    if (verdict.outcome != (holds ? Outcome::holds : Outcome::fails)) return holds ? "should hold" : "should fail";
+    const Outcome by_definition = holds ? Outcome::holds : Outcome::fails;
+    if (verdict.outcome != by_definition) return holds ? "should hold" : "should fail";
     if (verdict.counterexample.has_value() == holds) return "has a counterexample too many or too few";
     if (!holds) {
         const auto letter = [&](process::Event event) { return systems.letter_of(way.form, event); };
@@ -262,30 +264,30 @@ std::optional<std::string> Agreement::fault(Systems& systems, const Question& qu
     }
     Way whole;
     whole.form = way.form;
-    const Statistics all = ask_by(systems, question, asked, whole).statistics;
-    const Statistics& kept = verdict.statistics;
+    const Statistics all = ask_by(systems, question, test_case, whole).statistics;
+    const Statistics& actual = verdict.statistics;
     ++compared_;
     // Determinism needs several searches, and later ones depend on the result of the first.
-    if (kept.states > all.states && question.kind != Question::Kind::deterministic)
+    if (actual.states > all.states && question.kind != Question::Kind::deterministic)
         return "has more states than there are";
-    if (kept.states < all.states) ++smaller_;
-    if (kept.replicas > 0) ++by_symmetry_;
-    if (!way.leaves_out() && (kept.states != all.states || kept.transitions != all.transitions))
+    if (actual.states < all.states) ++smaller_;
+    if (actual.replicas > 0) ++by_symmetry_;
+    if (!way.leaves_out() && (actual.states != all.states || actual.transitions != all.transitions))
         return "has other figures than by one thread in memory";
     return std::nullopt;
 }
 
 /// If the engine is wrong, shrinks and prints the case.
-bool Agreement::check_agreement(Systems& systems, const Question& question, const Case& asked, const Graphs& graphs,
+bool Agreement::check_agreement(Systems& systems, const Question& question, const Case& test_case, const Graphs& graphs,
                                 const Way& way) {
-    if (!fault(systems, question, asked, graphs, way)) return true;
+    if (!fault(systems, question, test_case, graphs, way)) return true;
     const auto wrong = [&](const Case& other) -> std::optional<std::string> {
         const auto explored = explore(other, largest_graph);
         if (!explored) return std::nullopt;
         Systems its(other);
         return fault(its, question, other, *explored, way);
     };
-    const Case least = shrink(asked, [&](const Case& other) { return wrong(other).has_value(); });
+    const Case least = shrink(test_case, [&](const Case& other) { return wrong(other).has_value(); });
     ADD_FAILURE() << way_text(way) << ": " << assertion(question, least.trace) << " " << wrong(least).value_or("?")
                   << "\n"
                   << show(least.script);
@@ -293,30 +295,30 @@ bool Agreement::check_agreement(Systems& systems, const Question& question, cons
 }
 
 TEST_F(Agreement, OnRandomProcesses) {
-    const int wanted = wanted_checks(1'000);
+    const int required_checks = wanted_checks(1'000);
     RandomCases cases(1);
     RandomWays ways(1);
     bool agreed = true;
-    while (agreed && checks_ < wanted) {
-        RandomCases::Explored each = cases.next();
+    while (agreed && checks_ < required_checks) {
+        RandomCases::Explored explored = cases.next();
         if (ways.below(4) == 0) {
-            Case more = each.asked;
+            Case more = explored.test_case;
             double_process(more, ways);
-            if (auto graphs = explore(more, largest_graph)) each = {std::move(more), std::move(*graphs)};
+            if (auto graphs = explore(more, largest_graph)) explored = {std::move(more), std::move(*graphs)};
         }
-        Systems systems(each.asked);
+        Systems systems(explored.test_case);
         for (const int main : {0, 1}) ++(systems.is_compiled(main) ? compiled_ : left_as_terms_);
         for (const Question& question : questions()) {
-            const Way way = ways.next(compressible(each.asked.script));
-            agreed = agreed && check_agreement(systems, question, each.asked, each.graphs, way);
+            const Way way = ways.next(compressible(explored.test_case.script));
+            agreed = agreed && check_agreement(systems, question, explored.test_case, explored.graphs, way);
             ++checks_;
             ++ways_[way_text(way)];
-            seen_[assertion_kind(question)].count(expected(question, each.graphs, each.asked.trace));
+            seen_[assertion_kind(question)].count(expected(question, explored.graphs, explored.test_case.trace));
         }
     }
     ASSERT_TRUE(agreed);
     std::uint64_t rolled_back = 0;
-    for (const OnDisk& each : on_disk_) rolled_back += each.rolled_back();
+    for (const OnDisk& disk : on_disk_) rolled_back += disk.rolled_back();
     std::cout << checks_ << " random checks agree, in " << ways_.size() << " ways; of " << compared_ << " that hold "
               << smaller_ << " with fewer states, " << by_symmetry_ << " by symmetry; searches on disk went back "
               << rolled_back << " times\n";
@@ -342,20 +344,20 @@ TEST_F(Agreement, AFaultIsFoundAndShrunk) {
         if (tree.kind == naive::Kind::internal) tree.kind = naive::Kind::external;
         return std::make_shared<const naive::Tree>(std::move(tree));
     };
-    const auto wrong = [&](const Case& asked) {
-        Case other = asked;
+    const auto wrong = [&](const Case& test_case) {
+        Case other = test_case;
         for (naive::Process& main : other.script.mains) main = confused(main);
         for (naive::Process& definition : other.script.definitions) definition = confused(definition);
-        const auto graphs = explore(asked, largest_graph);
+        const auto graphs = explore(test_case, largest_graph);
         const auto others = explore(other, largest_graph);
         if (!graphs || !others) return false;
         return std::ranges::any_of(questions(), [&](const Question& question) {
-            return expected(question, *graphs, asked.trace) != expected(question, *others, asked.trace);
+            return expected(question, *graphs, test_case.trace) != expected(question, *others, test_case.trace);
         });
     };
     RandomCases cases(2);
-    Case found = cases.next().asked;
-    while (!wrong(found)) found = cases.next().asked;
+    Case found = cases.next().test_case;
+    while (!wrong(found)) found = cases.next().test_case;
     const Case least = shrink(found, wrong);
     // M0 = STOP, M1 = a choice of two different leaves, or a smaller process.
     EXPECT_TRUE(contains_kind(least.script, naive::Kind::internal)) << show(least.script);

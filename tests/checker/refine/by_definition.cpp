@@ -104,7 +104,7 @@ private:
         if (!counterexample_.event) return false;
         const Letter letter = letter_(*counterexample_.event);
         States states = process_.initially();
-        for (const Letter each : trace_) states = process_.after(states, each);
+        for (const Letter earlier : trace_) states = process_.after(states, earlier);
         return !process_.after(states, letter).empty() && process_.can_refuse(states, bit_of(letter));
     }
 
@@ -121,11 +121,11 @@ private:
         return false;
     }
 
-    std::optional<std::size_t> distance(const std::function<bool(int)>& wanted) const {
+    std::optional<std::size_t> distance(const std::function<bool(int)>& is_goal) const {
         States level{0};
         States seen = level;
         for (std::size_t steps = 0; !level.empty(); ++steps) {
-            if (std::ranges::any_of(level, wanted)) return steps;
+            if (std::ranges::any_of(level, is_goal)) return steps;
             States next;
             for (const int state : level)
                 for (const naive::Graph::Edge& edge : process_.graph().edges[static_cast<std::size_t>(state)])

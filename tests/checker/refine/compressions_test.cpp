@@ -48,10 +48,10 @@ TEST(Compressions, KeepTheModelsTheyClaim) {
     RandomCases cases(4);
     std::map<Compression, int> smaller;
     for (int round = 0; round < 60; ++round) {
-        const RandomCases::Explored each = cases.next();
-        Translation translation(each.asked.script);
-        const process::Machine explored = machine_of(translation, each.asked.script.mains[1]);
-        const Behaviour original(each.graphs.graphs[1], naive::letters_used);
+        const RandomCases::Explored random_case = cases.next();
+        Translation translation(random_case.test_case.script);
+        const process::Machine explored = machine_of(translation, random_case.test_case.script.mains[1]);
+        const Behaviour original(random_case.graphs.graphs[1], naive::letters_used);
         for (const Compression kind : kinds) {
             const process::Machine compressed =
                 process::BisimulationCompressor().compress(explored, kind, diagnostics::unlimited);
@@ -60,8 +60,8 @@ TEST(Compressions, KeepTheModelsTheyClaim) {
             const naive::Graph graph = graph_of(translation, compressed);
             const Behaviour result(graph, naive::letters_used);
             for (const Semantics semantics : {Semantics::T, Semantics::F, Semantics::FD}) {
-                EXPECT_TRUE(naive::refines(original, result, semantics)) << show(each.asked.script);
-                EXPECT_TRUE(naive::refines(result, original, semantics)) << show(each.asked.script);
+                EXPECT_TRUE(naive::refines(original, result, semantics)) << show(random_case.test_case.script);
+                EXPECT_TRUE(naive::refines(result, original, semantics)) << show(random_case.test_case.script);
             }
         }
     }

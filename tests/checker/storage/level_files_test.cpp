@@ -51,12 +51,12 @@ protected:
     static void expect_levels(LevelFiles& files, Word salt = 0, std::uint32_t salted_from = 0) {
         std::uint64_t sum = 0;
         for (std::uint32_t level = 0; level < files.levels(); ++level) {
-            const std::vector<Word> wanted = rows_of(level, level >= salted_from ? salt : 0);
-            ASSERT_EQ(all_rows(files, level), wanted) << level;
-            ASSERT_EQ(files.rows(level) * width, wanted.size());
+            const std::vector<Word> expected = rows_of(level, level >= salted_from ? salt : 0);
+            ASSERT_EQ(all_rows(files, level), expected) << level;
+            ASSERT_EQ(files.rows(level) * width, expected.size());
             std::vector<Word> pieces;
             for (std::uint64_t at = 0; files.read(level, at, 1000, pieces) > 0;) at = pieces.size() / width;
-            ASSERT_EQ(pieces, wanted) << level;
+            ASSERT_EQ(pieces, expected) << level;
             sum += files.rows(level);
         }
         ASSERT_EQ(files.rows(), sum);
@@ -124,7 +124,7 @@ TEST_F(Levels, AreReadBlockByBlock) {
     files.add_level(rows_of(0));
     files.add_level(rows);
     const Word last = 3 * RowFile::rows_of_block;
-    const std::pair<Word, std::vector<Word>> wanted[] = {
+    const std::pair<Word, std::vector<Word>> expected[] = {
         {0, {0}},                                                // the first row
         {2 * RowFile::rows_of_block, {RowFile::rows_of_block}},  // the first row of a block
         {2 * RowFile::rows_of_block - 1, {0}},                   // a gap between blocks
@@ -132,7 +132,7 @@ TEST_F(Levels, AreReadBlockByBlock) {
         {2 * count - 2, {last}},  // the last row
         {2 * count, {last}},      // after all rows
     };
-    for (const auto& [row, blocks] : wanted) {
+    for (const auto& [row, blocks] : expected) {
         std::vector<Word> given;
         const auto wants = [&row = row](std::span<const Word> first, std::span<const Word> next) {
             return first[0] <= row && (next.empty() || row < next[0]);
@@ -203,10 +203,10 @@ TEST_F(Levels, GoBackToTheCheckpointThatAllRanksHave) {
     const std::vector<Checkpoint> found = newest_checkpoints();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 1U);
-    for (const Checkpoint& each : found) {
-        LevelFiles files = open_checkpoint(each);
+    for (const Checkpoint& checkpoint : found) {
+        LevelFiles files = open_checkpoint(checkpoint);
         EXPECT_EQ(files.levels(), 5U);
-        expect_levels(files, each.place.rank * 50);
+        expect_levels(files, checkpoint.place.rank * 50);
     }
     second.checkpoint({});
     EXPECT_EQ(newest_checkpoints().at(1).number, 2U);
@@ -227,10 +227,10 @@ TEST_F(Levels, KeepTheCheckpointThatAllRanksHave) {
     const std::vector<Checkpoint> found = newest_checkpoints();
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number, 1U);
-    for (const Checkpoint& each : found) {
-        LevelFiles files = open_checkpoint(each);
+    for (const Checkpoint& checkpoint : found) {
+        LevelFiles files = open_checkpoint(checkpoint);
         EXPECT_EQ(files.levels(), 1U);
-        expect_levels(files, each.place.rank * 50);
+        expect_levels(files, checkpoint.place.rank * 50);
     }
     EXPECT_EQ(newest_in(folder_.path()).greatest, 5U);
 }
@@ -330,7 +330,7 @@ TEST_F(Levels, AreRefusedWhereACheckpointIsDamaged) {
     const auto refused = [&](const std::string& text) {
         std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
         try {
-            for (const Checkpoint& each : newest_checkpoints()) (void)open_checkpoint(each);
+            for (const Checkpoint& checkpoint : newest_checkpoints()) (void)open_checkpoint(checkpoint);
         } catch (const BadFile& error) {
             return std::string(error.what());
         }

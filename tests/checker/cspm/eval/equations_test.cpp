@@ -66,30 +66,32 @@ std::string with_four_arguments(const std::string& body) {
     std::set<std::string> below_tau;
     std::string pairs;
     const std::regex pair("\\(([^(),]+), ([^(),]+)\\)");
-    for (auto each = std::sregex_iterator(body.begin() + static_cast<std::ptrdiff_t>(order), body.end(), pair);
-         each != std::sregex_iterator(); ++each) {
-        const std::string high = (*each)[1];
-        events.insert((*each)[2]);
+    for (auto match = std::sregex_iterator(body.begin() + static_cast<std::ptrdiff_t>(order), body.end(), pair);
+         match != std::sregex_iterator(); ++match) {
+        const std::string high = (*match)[1];
+        events.insert((*match)[2]);
         if (high == "τ" || high == "✓") {
-            below_tau.insert((*each)[2]);
+            below_tau.insert((*match)[2]);
             continue;
         }
         events.insert(high);
-        pairs += (pairs.empty() ? "" : ", ") + each->str();
+        pairs += (pairs.empty() ? "" : ", ") + match->str();
     }
     const auto list = [](const std::set<std::string>& set, const std::set<std::string>& without) {
         std::string text;
-        for (const std::string& each : set)
-            if (!without.contains(each)) text += (text.empty() ? "" : ", ") + each;
+        for (const std::string& event : set)
+            if (!without.contains(event)) text += (text.empty() ? "" : ", ") + event;
         return "{" + text + "}";
     };
     return body.substr(0, order) + ", " + list(events, {}) + ", {" + pairs + "}, " + list(events, below_tau) + ")";
 }
 
 /// The equations as definitions of a script; the requested one is named `Equation_0`.
-std::string definitions(std::vector<Equation> equations, const std::string& asked) {
-    std::erase_if(equations, [](const Equation& each) { return each.name == each.body; });  // RUN({}) = RUN({})
-    std::stable_partition(equations.begin(), equations.end(), [&](const auto& each) { return each.name == asked; });
+std::string definitions(std::vector<Equation> equations, const std::string& requested) {
+    std::erase_if(equations,
+                  [](const Equation& equation) { return equation.name == equation.body; });  // RUN({}) = RUN({})
+    std::stable_partition(equations.begin(), equations.end(),
+                          [&](const auto& equation) { return equation.name == requested; });
     std::vector<std::pair<std::string, std::string>> names{{"STOP(tock)", "Timed_stop"},
                                                            {"chase_no_cache(STOP)", "chase_nocache(STOP)"}};
     for (std::size_t i = 0; i < equations.size(); ++i)
@@ -128,9 +130,9 @@ bool equal(Session& session, const ExprPtr& a, const ExprPtr& b) {
 }
 
 /// Describes how the process differs from the file; empty if it does not.
-std::string find_difference(const std::filesystem::path& script, const std::string& asked,
+std::string find_difference(const std::filesystem::path& script, const std::string& process,
                             const std::filesystem::path& expected) {
-    const std::string equations = definitions(equations_in(read_contents(expected)), asked);
+    const std::string equations = definitions(equations_in(read_contents(expected)), process);
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics found;
     const Script read_script =
@@ -138,7 +140,7 @@ std::string find_difference(const std::filesystem::path& script, const std::stri
     if (!found.ok()) return diagnostics::render_text(sources, found) + equations;
     try {
         Session session(read_script);
-        return equal(session, build::name(asked), build::name("Equation_0")) ? "" : "differs from" + equations;
+        return equal(session, build::name(process), build::name("Equation_0")) ? "" : "differs from" + equations;
     } catch (const EvaluationError& error) {
         return error.what() + equations;
     }
@@ -151,23 +153,23 @@ TEST(EquationsTest, PublishedProcessesAreWhatIsWrittenBeside) {
     // In the first test two different lambda functions have the same name; the second file is empty.
     const std::set<std::string> unusable{"function_processes.csp procTest1", "event_channels.csp procTest1"};
     int compared = 0;
-    for (const PublishedScript& each : published_scripts(suite)) {
-        if (each.phase != "evaluator" || each.expectation != "accept") continue;
-        const std::filesystem::path script = suite / each.file;
+    for (const PublishedScript& published : published_scripts(suite)) {
+        if (published.phase != "evaluator" || published.expectation != "accept") continue;
+        const std::filesystem::path script = suite / published.file;
         for (int k = 1; k < 20; ++k) {
-            const std::string asked = "procTest" + std::to_string(k);
-            const std::string stem = script.stem().string() + "-" + asked + "-expected";
+            const std::string process = "procTest" + std::to_string(k);
+            const std::string stem = script.stem().string() + "-" + process + "-expected";
             std::string differences;
             bool fits = false;
             for (const std::string suffix : {"", "1", "2"}) {
                 const auto file = script.parent_path() / (stem + suffix + ".txt");
                 if (!std::filesystem::exists(file)) continue;
-                const std::string found = find_difference(script, asked, file);
+                const std::string found = find_difference(script, process, file);
                 fits = fits || found.empty();
                 differences += found + "\n";
             }
-            if (differences.empty() || unusable.contains(script.filename().string() + " " + asked)) continue;
-            EXPECT_TRUE(fits) << each.file << " " << asked << ": " << differences;
+            if (differences.empty() || unusable.contains(script.filename().string() + " " + process)) continue;
+            EXPECT_TRUE(fits) << published.file << " " << process << ": " << differences;
             ++compared;
         }
     }

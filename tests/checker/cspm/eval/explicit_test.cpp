@@ -43,17 +43,17 @@ lts::Graph read_back(const lts::Graph& graph, process::EventTable& events) {
 TEST(Explicit, RandomProcessesReadBackEqual) {
     refine::RandomCases cases(4711);
     for (int i = 0; i < 150; ++i) {
-        const auto [asked, graphs] = cases.next();
-        refine::Translation translation(asked.script);
-        process::TermSystem system = translation.system(asked.script.mains.front());
+        const auto [test_case, graphs] = cases.next();
+        refine::Translation translation(test_case.script);
+        process::TermSystem system = translation.system(test_case.script.mains.front());
         const lts::Graph graph = explored(system);
         process::EventTable& events = translation.scripted().events;
         const lts::Graph again = read_back(graph, events);
         lts::GraphSystem left(graph, events);
         lts::GraphSystem right(again, events);
         const auto fd = refine::Model::failures_divergences;
-        EXPECT_EQ(refine::refines(left, right, fd, {}).outcome, refine::Outcome::holds) << show(asked.script);
-        EXPECT_EQ(refine::refines(right, left, fd, {}).outcome, refine::Outcome::holds) << show(asked.script);
+        EXPECT_EQ(refine::refines(left, right, fd, {}).outcome, refine::Outcome::holds) << show(test_case.script);
+        EXPECT_EQ(refine::refines(right, left, fd, {}).outcome, refine::Outcome::holds) << show(test_case.script);
     }
 }
 

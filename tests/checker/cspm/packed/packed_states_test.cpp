@@ -113,13 +113,13 @@ P(s) = #s < 60 & a!(#s % 2) -> P(s ^ <#s % 2>))"},
     return all;
 }
 
-std::string script_of(const Case& each) {
-    return each.text + "\nassert X :[deadlock free]\n";
+std::string script_of(const Case& test_case) {
+    return test_case.text + "\nassert X :[deadlock free]\n";
 }
 
 class Loaded {
 public:
-    explicit Loaded(const Case& each) : reading_(script_of(each)) {
+    explicit Loaded(const Case& test_case) : reading_(script_of(test_case)) {
         EXPECT_TRUE(reading_.ok()) << reading_.report();
         session.emplace(reading_.script);
         assertion = session->assertions().front();
@@ -160,9 +160,9 @@ PackedGraph packed_graph(Loaded& loaded, const PackedProcesses::Settings& settin
 }
 
 TEST(PackedStatesTest, HaveTheGraphOfTheTerms) {
-    for (const Case& each : cases()) {
-        SCOPED_TRACE(each.name);
-        Loaded loaded(each);
+    for (const Case& test_case : cases()) {
+        SCOPED_TRACE(test_case.name);
+        Loaded loaded(test_case);
         process::OperationalSemantics semantics(loaded.session->terms());
         process::TermSystem terms(semantics, loaded.session->process(loaded.assertion->assertion.specification));
         const lts::Graph expected = graph_of(terms);
@@ -180,9 +180,9 @@ TEST(PackedStatesTest, HaveTheGraphOfTheTerms) {
 
 // The script is loaded again for each state, so terms, values, events and sets get different numbers each time.
 TEST(PackedStatesTest, DoNotDependOnWhatIsKept) {
-    for (const Case& each : cases()) {
-        SCOPED_TRACE(each.name);
-        Loaded loaded(each);
+    for (const Case& test_case : cases()) {
+        SCOPED_TRACE(test_case.name);
+        Loaded loaded(test_case);
         PackedProcesses::Settings settings;
         const PackedGraph all_kept = packed_graph(loaded, settings);
         for (const bool terms_alone : {false, true}) {

@@ -30,7 +30,7 @@ FirstFinding first_finding(const std::string& text) {
     if (diagnostics.sorted_findings().empty()) return {};
     const diagnostics::Diagnostic finding = diagnostics.sorted_findings().front();
     std::string arguments;
-    for (const std::string& each : finding.arguments) arguments += each + ";";
+    for (const std::string& argument : finding.arguments) arguments += argument + ";";
     return {std::string(finding.rule->code), arguments, finding.notes.empty() ? "" : finding.notes.front().message};
 }
 
@@ -124,15 +124,15 @@ const Mistake mistakes[] = {
 };
 
 TEST(ScriptAdvice, SaysWhatIsProbablyMeant) {
-    for (const Mistake& each : mistakes) {
-        const FirstFinding found = first_finding(each.text);
-        EXPECT_THAT(found.note, HasSubstr(each.note)) << each.text << found.code << " " << found.message;
+    for (const Mistake& mistake : mistakes) {
+        const FirstFinding found = first_finding(mistake.text);
+        EXPECT_THAT(found.note, HasSubstr(mistake.note)) << mistake.text << found.code << " " << found.message;
     }
 }
 
 TEST(ScriptAdvice, EveryRowIsGivenForSomeMistake) {
     std::set<std::string> given;
-    for (const Mistake& each : mistakes) given.insert(first_finding(each.text).note);
+    for (const Mistake& mistake : mistakes) given.insert(first_finding(mistake.text).note);
     for (const diagnostics::Advice& row : all_advice()) {
         EXPECT_TRUE(given.contains(std::string(row.advice))) << row.expected << " " << row.words;
         EXPECT_FALSE(row.advice.ends_with('.')) << row.advice;

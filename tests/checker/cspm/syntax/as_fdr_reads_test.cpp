@@ -13,9 +13,10 @@ std::string codes(const std::string& text) {
     Reading reading(text);
     if (reading.ok()) (void)check_types(reading.script, reading.diagnostics);
     std::string result;
-    for (const diagnostics::Diagnostic& each : reading.diagnostics.sorted_findings()) {
-        const auto line = each.span.is_known() ? reading.sources.position(each.span.source, each.span.begin).line : 0;
-        result += (result.empty() ? "" : " ") + std::string(each.rule->code) + "@" + std::to_string(line);
+    for (const diagnostics::Diagnostic& finding : reading.diagnostics.sorted_findings()) {
+        const auto line =
+            finding.span.is_known() ? reading.sources.position(finding.span.source, finding.span.begin).line : 0;
+        result += (result.empty() ? "" : " ") + std::string(finding.rule->code) + "@" + std::to_string(line);
     }
     return result;
 }
@@ -61,8 +62,8 @@ TEST(AsFdrReads, NothingIsAskedInFilesThatModulesInclude) {
     };
     (void)read_file(sources, "outer.csp", found, load);
     std::string places;
-    for (const diagnostics::Diagnostic& each : found.sorted_findings())
-        places += std::string(each.rule->code) + " " + sources.path_and_line(each.span) + "\n";
+    for (const diagnostics::Diagnostic& finding : found.sorted_findings())
+        places += std::string(finding.rule->code) + " " + sources.path_and_line(finding.span) + "\n";
     EXPECT_EQ(places, "CSPM-P09 inner.csp:2\nCSPM-P09 inner.csp:4\n");
 }
 

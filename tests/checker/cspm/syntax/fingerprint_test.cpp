@@ -60,7 +60,7 @@ TEST(Fingerprints, TellTreesApart) {
         "instance N = K(1)",
     };
     std::set<std::uint64_t> hashes;
-    for (const std::string& each : different) EXPECT_TRUE(hashes.insert(hash_of(each)).second) << each;
+    for (const std::string& script : different) EXPECT_TRUE(hashes.insert(hash_of(script)).second) << script;
 }
 
 TEST(Fingerprints, GrowWithTheText) {

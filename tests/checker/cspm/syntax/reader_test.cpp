@@ -141,7 +141,7 @@ struct Broken {
 };
 
 TEST(ReaderTest, EveryRuleHasItsText) {
-    for (const Broken& each :
+    for (const Broken& script :
          {Broken{"x = \n", "CSPM-P01"}, Broken{"x = ` 1\n", "CSPM-P02"}, Broken{"{- a", "CSPM-P03"},
           Broken{"x = \"a\n", "CSPM-P04"}, Broken{"x = 99999999999999999999\n", "CSPM-P05"},
           Broken{"assert P :[happy]\n", "CSPM-P06"}, Broken{"x = a == b == c\n", "CSPM-P08"},
@@ -150,7 +150,7 @@ TEST(ReaderTest, EveryRuleHasItsText) {
           Broken{"f :: Int -> Int\nf(x) = 1\n", "CSPM-P12"},
           Broken{"assert P [T= Q :[tau priority]: {} :[tau priority]: {}\n", "CSPM-P13"},
           Broken{"include foo\n", "CSPM-P14"}}) {
-        EXPECT_EQ(Reading(each.text).code(), each.code) << each.text;
+        EXPECT_EQ(Reading(script.text).code(), script.code) << script.text;
     }
 }
 

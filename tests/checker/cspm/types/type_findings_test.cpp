@@ -21,10 +21,10 @@ struct Wrong {
 std::string findings(Reading& reading) {
     check_types(reading.script, reading.diagnostics);
     std::string result;
-    for (const diagnostics::Diagnostic& each : reading.diagnostics.sorted_findings()) {
+    for (const diagnostics::Diagnostic& finding : reading.diagnostics.sorted_findings()) {
         if (!result.empty()) result += ' ';
-        result += std::string(each.rule->code) + "@" +
-                  std::to_string(reading.sources.position(each.span.source, each.span.begin).line);
+        result += std::string(finding.rule->code) + "@" +
+                  std::to_string(reading.sources.position(finding.span.source, finding.span.begin).line);
     }
     return result;
 }

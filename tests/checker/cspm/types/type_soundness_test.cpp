@@ -99,7 +99,7 @@ private:
     }
 
     std::string build_term(Type type, int n) {
-        const auto some = [&](Type wanted) { return term_of(wanted, n); };
+        const auto some = [&](Type part) { return term_of(part, n); };
         const std::string number = some(Type::integer);
         switch (type) {
             case Type::integer:
@@ -145,7 +145,7 @@ private:
     }
 
     std::string process(int n) {
-        const auto some = [&](Type wanted) { return term_of(wanted, n); };
+        const auto some = [&](Type part) { return term_of(part, n); };
         return "(" +
                choose({some(Type::event) + " -> " + some(Type::process), "c?z?w -> " + some(Type::process),
                        "d?A.z.w -> " + some(Type::process), "d?W.V.z -> " + some(Type::process),

@@ -34,7 +34,7 @@ TEST_P(TypeOf, IsInferred) {
     ASSERT_TRUE(reading.ok()) << reading.report();
     const std::vector<NamedType> types = check_types(reading.script, reading.diagnostics);
     ASSERT_TRUE(reading.ok()) << GetParam().script << "\n" << reading.report();
-    const auto found = std::ranges::find_if(types, [](const NamedType& each) { return each.name == "v"; });
+    const auto found = std::ranges::find_if(types, [](const NamedType& named) { return named.name == "v"; });
     ASSERT_NE(found, types.end()) << GetParam().script;
     EXPECT_EQ(found->type, GetParam().type) << GetParam().script;
 }

@@ -45,8 +45,8 @@ void fill(RowStore& store, unsigned rows) {
 /// Returns the number of levels in the newest checkpoint, all of whose files must be readable; 0 if there is none.
 std::uint32_t levels_kept(const KeptWhere& where) {
     std::uint64_t newest = 0;
-    for (const auto& each : fs::directory_iterator(where.folder)) {
-        const std::string name = each.path().filename().string();
+    for (const auto& entry : fs::directory_iterator(where.folder)) {
+        const std::string name = entry.path().filename().string();
         if (name.starts_with("checkpoint-")) newest = std::max<std::uint64_t>(newest, std::stoull(name.substr(11)));
     }
     if (newest == 0) return 0;
@@ -81,37 +81,37 @@ protected:
 TEST_F(FullDisks, KeepLevelsOfAnySize) {
     for (const unsigned rows : {20U, 200U, 3000U})
         for (const unsigned kibibytes : {100U, 200U}) {
-            const int kept = tests::on_small_disk(folder_.path(), kibibytes, [&] {
+            const int percentage = tests::on_small_disk(folder_.path(), kibibytes, [&] {
                 const KeptWhere where = where_in(folder_.path());
                 DiskRowStore::Bounds bounds;
                 bounds.most_bytes = 1U << 24U;
                 DiskRowStore store(where, bounds);
                 return kept_of_hundred(where, store, rows);
             });
-            if (kept == 100) GTEST_SKIP() << "no disk can be mounted";
-            EXPECT_GE(kept, 40) << rows << " rows a level, " << kibibytes << " KiB";
-            EXPECT_LT(kept, 100) << rows << " rows a level, " << kibibytes << " KiB";
+            if (percentage == 100) GTEST_SKIP() << "no disk can be mounted";
+            EXPECT_GE(percentage, 40) << rows << " rows a level, " << kibibytes << " KiB";
+            EXPECT_LT(percentage, 100) << rows << " rows a level, " << kibibytes << " KiB";
         }
 }
 
 // Some closed levels in memory are not written; the written ones are saved.
 TEST_F(FullDisks, KeepWhatWasWrittenOfLevelsInMemory) {
     for (const unsigned kibibytes : {100U, 200U}) {
-        const int kept = tests::on_small_disk(folder_.path(), kibibytes, [&] {
+        const int percentage = tests::on_small_disk(folder_.path(), kibibytes, [&] {
             const KeptWhere where = where_in(folder_.path());
             SavedRowStore store(where);
             (void)kept_of_hundred(where, store, 20);
             return static_cast<int>(std::min(99U, levels_kept(where)));
         });
-        if (kept == 100) GTEST_SKIP() << "no disk can be mounted";
-        EXPECT_GE(kept, 50) << kibibytes << " KiB";
-        EXPECT_LT(kept, 100) << kibibytes << " KiB";
+        if (percentage == 100) GTEST_SKIP() << "no disk can be mounted";
+        EXPECT_GE(percentage, 50) << kibibytes << " KiB";
+        EXPECT_LT(percentage, 100) << kibibytes << " KiB";
     }
 }
 
 // Failed attempts remove the data that they wrote next to the levels, so that a checkpoint of fewer levels fits.
 TEST_F(FullDisks, AreNotFilledByAttemptsThatFail) {
-    const int kept = tests::on_small_disk(folder_.path(), 600, [&] {
+    const int percentage = tests::on_small_disk(folder_.path(), 600, [&] {
         std::mt19937 random(3);
         const KeptWhere where = where_in(folder_.path());
         KeptLevels levels(where);
@@ -137,9 +137,9 @@ TEST_F(FullDisks, AreNotFilledByAttemptsThatFail) {
         if (there != 4) return 0;  // rows, marks, unsure rows, and the checkpoint
         return static_cast<int>(std::min(99U, levels_kept(where) * 100 / written));
     });
-    if (kept == 100) GTEST_SKIP() << "no disk can be mounted";
-    EXPECT_GE(kept, 25);
-    EXPECT_LT(kept, 99) << "the disk was not full";
+    if (percentage == 100) GTEST_SKIP() << "no disk can be mounted";
+    EXPECT_GE(percentage, 25);
+    EXPECT_LT(percentage, 99) << "the disk was not full";
 }
 
 }  // namespace

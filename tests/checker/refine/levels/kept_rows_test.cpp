@@ -208,7 +208,7 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
         const Graph graph = random_graph(random, 100 + random() % 300, round % 3 == 0, round % 2 == 0 ? 15 : 30);
         const Answer expected = in_memory(graph);
         clear();
-        Level kept = 0;
+        Level saved = 0;
         for (int attempt = 0;; ++attempt) {
             ASSERT_LT(attempt, 1000);
             const auto ranks = static_cast<unsigned>(1 + random() % 3);
@@ -223,8 +223,8 @@ TEST_F(KeptRows, GoOnFromCheckpoints) {
             const int every = static_cast<int>(random() % 3);
             CommonLevels levels;
             const auto none_is_lost = [&] {
-                ASSERT_GE(levels.begun, kept) << round;
-                kept = levels.ended;
+                ASSERT_GE(levels.begun, saved) << round;
+                saved = levels.ended;
             };
             try {
                 const Answer found = answer(
@@ -287,10 +287,10 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
         CommonLevels before, after;
         BudgetOfPolls budget(last.number);
         const auto stopping = [&](const Exchange& exchange) {
-            KeptWhere kept = folder_for(exchange, 1);
-            if (!last.closing && last.number % 6 == 0) kept.every = std::chrono::milliseconds(0);
-            if (exchange.rank() == 0 && !last.closing) kept.budget = &budget;
-            return std::make_unique<DiskRowStore>(std::move(kept), bounds);
+            KeptWhere where = folder_for(exchange, 1);
+            if (!last.closing && last.number % 6 == 0) where.every = std::chrono::milliseconds(0);
+            if (exchange.rank() == 0 && !last.closing) where.budget = &budget;
+            return std::make_unique<DiskRowStore>(std::move(where), bounds);
         };
         try {
             Limits limits;
@@ -319,7 +319,11 @@ TEST_F(KeptRows, GoOnFromLevelsThatAllRanksHaveClosed) {
                 closing ? random_graph(random, 150, false, 15) : growing_graph(random, 1500, ranks == 2);
             const Answer expected = in_memory(graph);
             stopped = true;
-            for (int number = 1; stopped; number += closing ? 1 : number < 10 ? 3 : 5) {
+            const auto step_after = [&](int number) {
+                if (closing) return 1;
+                return number < 10 ? 3 : 5;
+            };
+            for (int number = 1; stopped; number += step_after(number)) {
                 if (number > 40) break;
                 SCOPED_TRACE(std::to_string(ranks) + " ranks, moment " + std::to_string(number));
                 stop_and_go_on(graph, expected, ranks, {closing, number});
@@ -340,7 +344,7 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
         const Answer expected = in_memory(graph);
         const unsigned ranks = round % 5 == 4 ? 2 : 1;
         clear();
-        Level kept = 0;
+        Level saved = 0;
         for (int attempt = 0; attempt < 4; ++attempt) {
             const bool disk = random() % 3 > 0;
             DiskRowStore::Bounds bounds;
@@ -367,13 +371,13 @@ TEST_F(KeptRows, GoOnAfterAFullDisk) {
                 ASSERT_LT(attempt, 3);
                 ++stops;
             }
-            ASSERT_GE(levels.begun, kept) << round;
+            ASSERT_GE(levels.begun, saved) << round;
             const std::vector<storage::Checkpoint> found = newest_checkpoints();
             ASSERT_FALSE(found.empty()) << "the first level needs less";
-            kept = std::ranges::min_element(found, [](const auto& a, const auto& b) {
-                       return a.levels < b.levels;
-                   })->levels;
-            if (every > 0 && kept > 1) ++kept_more;
+            saved = std::ranges::min_element(found, [](const auto& a, const auto& b) {
+                        return a.levels < b.levels;
+                    })->levels;
+            if (every > 0 && saved > 1) ++kept_more;
         }
     }
     EXPECT_GT(stops, 8);
@@ -584,7 +588,14 @@ TEST(Ranks, EndTogetherWhereAThreadOfAProgramCannotBeStarted) {
 
 TEST(RowFilters, ContainAllRowsAndHaveFewFalsePositives) {
     std::mt19937_64 random(7);
-    for (const unsigned bits : {1U, 4U, 16U, 24U, 32U}) {
+    // A lookup compares the entries of about two buckets: 7.6 each with 4 bits and with 1 bit (53 in seven parts), 0.8
+    // with 16 bits.
+    struct Expected {
+        unsigned bits;
+        int least, most;  ///< false positives
+    };
+    for (const auto& [bits, least, most] : {Expected{1, 45'000, 50'000}, Expected{4, 10'000, 35'000},
+                                            Expected{16, 0, 5}, Expected{24, 0, 1}, Expected{32, 0, 1}}) {
         RowFilter filter(bits, 1U << 20U);
         filter.reset(20'000);
         std::vector<std::uint64_t> hashes;
@@ -595,10 +606,6 @@ TEST(RowFilters, ContainAllRowsAndHaveFewFalsePositives) {
         for (const std::uint64_t hash : hashes) ASSERT_TRUE(filter.may_have(hash));
         int wrong = 0;
         for (int i = 0; i < 50'000; ++i) wrong += filter.may_have(random()) ? 1 : 0;
-        // A lookup compares the entries of about two buckets: 7.6 each with 4 bits and with 1 bit (53 in seven parts),
-        // 0.8 with 16 bits.
-        const int least = bits == 1 ? 45'000 : bits == 4 ? 10'000 : 0;
-        const int most = bits == 1 ? 50'000 : bits == 4 ? 35'000 : bits == 16 ? 5 : 1;
         EXPECT_GE(wrong, least);
         EXPECT_LE(wrong, most);
         EXPECT_GE(filter.capacity(), 40'000U) << "twice as many";

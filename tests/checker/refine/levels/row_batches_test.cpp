@@ -35,11 +35,11 @@ TEST(RowBatches, BringEveryRowWithWhetherATauLedToIt) {
         EXPECT_FALSE(batches.is_full(2 * count * 8 + 1));
         batches.exchange(exchange);
         EXPECT_FALSE(batches.is_full(1));
-        std::vector<std::array<lts::Word, 3>> wanted;
+        std::vector<std::array<lts::Word, 3>> expected;
         for (lts::Word from = 0; from < 3; ++from)
             for (lts::Word i = 0; i < count; ++i)
-                if (from != rank) wanted.push_back({10 * from + rank, i, i % 3 == 0 ? 1U : 0U});
-        EXPECT_EQ(received(), wanted);
+                if (from != rank) expected.push_back({10 * from + rank, i, i % 3 == 0 ? 1U : 0U});
+        EXPECT_EQ(received(), expected);
         if (rank == 1) batches.add(2, Words{7, 8}, true);
         batches.exchange(exchange);
         EXPECT_EQ(received().size(), rank == 2 ? 1U : 0U);

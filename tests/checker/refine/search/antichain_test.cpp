@@ -63,8 +63,8 @@ TEST(Antichains, GiveTheShortestViolationsOfAllPairs) {
     int saved = 0;
     for (int round = 0; round < 3000; ++round) {
         const Graph specification = random_graph(random, 2 + random() % 6, round % 4 == 0 ? 0 : 20);
-        const Graph implementation =
-            round % 3 == 0 ? specification : random_graph(random, 1 + random() % 5, round % 8 == 0 ? 25 : 0);
+        const unsigned taus = round % 8 == 0 ? 25 : 0;
+        const Graph implementation = round % 3 == 0 ? specification : random_graph(random, 1 + random() % 5, taus);
         for (const Model model : {Model::traces, Model::failures, Model::failures_divergences}) {
             const Answer all = answer(specification, implementation, model, Search::Pairs::all);
             const Answer some = answer(specification, implementation, model, Search::Pairs::antichain);

@@ -88,14 +88,14 @@ TEST(TauCycle, AgreesWithReachability) {
 /// A path that is too long for recursion. Only edges that lead to an entry of a possible cycle are followed.
 TEST(TauCycle, LooksOnlyWhereABackwardEdgeLeads) {
     constexpr StateIndex size = 1'000'000;
-    std::size_t asked = 0;
-    const GraphView graph{size, [&asked](StateIndex vertex, std::vector<StateIndex>& targets) {
-                              ++asked;
+    std::size_t calls = 0;
+    const GraphView graph{size, [&calls](StateIndex vertex, std::vector<StateIndex>& targets) {
+                              ++calls;
                               if (vertex + 1 < size) targets.push_back(vertex + 1);
                               if (vertex == size - 1) targets.push_back(size - 3);
                           }};
     EXPECT_EQ(least_on_cycle(graph, {size - 3}), size - 3);
-    EXPECT_LE(asked, 6U);
+    EXPECT_LE(calls, 6U);
     EXPECT_EQ(least_on_cycle(graph, {0, size - 3}), size - 3);
 }
 

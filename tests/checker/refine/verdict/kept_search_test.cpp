@@ -109,20 +109,20 @@ protected:
     /// Answers, figures and runs.
     std::string decide(LevelStrategy& strategy, std::uint64_t most_states = 1'000'000) {
         std::string all;
-        for (const Asked& each : asked_) {
+        for (const Asked& question : asked_) {
             Limits limits;
             limits.by_levels = &strategy;
             limits.max_states = most_states;
             const process::EventTable table;
-            lts::GraphSystem system(each.graph, table);
-            strategy.begin_question(each.text);
-            strategy.identify_question(digest(each.text));
+            lts::GraphSystem system(question.graph, table);
+            strategy.begin_question(question.text);
+            strategy.identify_question(digest(question.text));
             const Verdict verdict = deadlock_free(system, Model::failures_divergences, limits);
             strategy.end_question(verdict.outcome != Outcome::inconclusive);
             rolled_back_ += verdict.statistics.rolled_back;
-            all += each.text + " " + std::to_string(static_cast<int>(verdict.outcome)) + " " + verdict.reason + " " +
-                   std::to_string(verdict.statistics.states) + " " + std::to_string(verdict.statistics.transitions) +
-                   " " + std::to_string(verdict.statistics.depth);
+            all += question.text + " " + std::to_string(static_cast<int>(verdict.outcome)) + " " + verdict.reason +
+                   " " + std::to_string(verdict.statistics.states) + " " +
+                   std::to_string(verdict.statistics.transitions) + " " + std::to_string(verdict.statistics.depth);
             if (verdict.counterexample) {
                 for (const Step& step : verdict.counterexample->steps) all += " " + step.state;
                 for (const Step& step : verdict.counterexample->loop) all += " / " + step.state;
@@ -284,10 +284,10 @@ TEST_F(KeptSearches, LeaveTheFilesOfOthersAlone) {
     }
     const std::vector<std::string> others{"finished-work", "finished-search-", "finished-search-0123456789abcdeg",
                                           "finished-search-0123456789abcdef0"};
-    for (const std::string& each : others) fs::create_directory(checkpoint_folder() + "/" + each);
+    for (const std::string& name : others) fs::create_directory(checkpoint_folder() + "/" + name);
     fs::create_directory(checkpoint_folder() + "/finished-search-0123456789abcdef");
     KeptSearch search(settings(true, false), threads_);
-    for (const std::string& each : others) EXPECT_TRUE(fs::exists(checkpoint_folder() + "/" + each)) << each;
+    for (const std::string& name : others) EXPECT_TRUE(fs::exists(checkpoint_folder() + "/" + name)) << name;
     EXPECT_FALSE(fs::exists(checkpoint_folder() + "/finished-search-0123456789abcdef"));
 }
 
@@ -359,8 +359,8 @@ TEST_F(KeptSearches, IdentifyAQuestionAgainAfterARunThatNeverDid) {
 TEST_F(KeptSearches, KeepTheSearchOfAnAnswerThatIsNot) {
     const auto searches = [&] {
         std::size_t count = 0;
-        for (const auto& each : fs::directory_iterator(checkpoint_folder()))
-            if (each.path().filename().string().starts_with("search-")) ++count;
+        for (const auto& entry : fs::directory_iterator(checkpoint_folder()))
+            if (entry.path().filename().string().starts_with("search-")) ++count;
         return count;
     };
     for (const bool answered : {false, true}) {

@@ -42,7 +42,7 @@ protected:
 
 TEST_F(Recurrence, WhatIsDoneAgainAndAgain) {
     const TermId turns = s.cycle("Turns", {"a", "b", "c"});
-    for (const char* each : {"a", "b", "c"}) EXPECT_EQ(decided(turns, {each}).outcome, Outcome::holds) << each;
+    for (const char* event : {"a", "b", "c"}) EXPECT_EQ(decided(turns, {event}).outcome, Outcome::holds) << event;
     const Verdict never = decided(turns, {"d"});
     EXPECT_EQ(never.outcome, Outcome::fails);
     EXPECT_EQ(never.counterexample.value().kind, ViolationKind::no_return);
@@ -117,7 +117,7 @@ TEST_F(Recurrence, RandomProcessesAgreeWithAForwardSearch) {
             return found;
         };
         const auto offers = [&](std::size_t state) {
-            return std::ranges::any_of(steps[state], [](const auto& each) { return each.first == "a"; });
+            return std::ranges::any_of(steps[state], [](const auto& step) { return step.first == "a"; });
         };
         bool expected = true;
         for (const std::size_t state : reached(0)) {
