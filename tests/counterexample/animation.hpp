@@ -16,8 +16,8 @@ namespace robochart::runs::testing {
 struct Animation {
     Animation(std::unique_ptr<csp_emit::testing::Model> read, csp_emit::Time time, const std::string& path)
         : model(std::move(read)), emission(model->emit(time)), session(emission.script) {
-        for (const csp_emit::ComponentProcesses& each : emission.components)
-            if (each.path == path || path.empty()) process = each.process;
+        for (const csp_emit::ComponentProcesses& component : emission.components)
+            if (component.path == path || path.empty()) process = component.process;
         stepper.emplace(reader, session.process(process));
     }
 

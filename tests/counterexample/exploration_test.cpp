@@ -43,9 +43,9 @@ std::vector<std::string> listed(const Exploration& space) {
     std::vector<std::string> result;
     for (const Exploration::State& state : space.states) {
         std::string line = state.error.empty() ? "" : "error";
-        for (const Exploration::Transition& each : state.offers)
-            line += (line.empty() ? "" : " ") + space.labels.at(each.label).name + ">" +
-                    (each.target ? std::to_string(*each.target) : "?");
+        for (const Exploration::Transition& transition : state.offers)
+            line += (line.empty() ? "" : " ") + space.labels.at(transition.label).name + ">" +
+                    (transition.target ? std::to_string(*transition.target) : "?");
         result.push_back(line);
     }
     return result;
@@ -99,8 +99,8 @@ std::vector<std::string> absences_of(const std::string& text) {
     ScriptSpace space(text);
     const Exploration explored = space.explore({1, 100});
     std::vector<std::string> result;
-    for (const std::size_t each : explored.states.at(0).absences) {
-        const Absence& absence = explored.absences.at(each);
+    for (const std::size_t absence_index : explored.states.at(0).absences) {
+        const Absence& absence = explored.absences.at(absence_index);
         result.push_back(absence.component + ": " + absence.text + ": " + absence.reason);
     }
     return result;
@@ -138,8 +138,8 @@ transition t2 { from On to Off trigger f condition since(T) >= 2 } })"),
         const Machine& machine = space.machines.at(state.machines.at(0));
         if (machine.text != "in On") continue;
         std::string line = *machine.variables.at(0).value + ":";
-        for (const auto& each : state.offers) line += " " + space.labels.at(each.label).happening.event.text;
-        for (const std::size_t each : state.absences) line += " / " + space.absences.at(each).reason;
+        for (const auto& offer : state.offers) line += " " + space.labels.at(offer.label).happening.event.text;
+        for (const std::size_t index : state.absences) line += " / " + space.absences.at(index).reason;
         on.push_back(line);
         EXPECT_EQ(machine.active, std::vector<std::string>{"S::On"});
     }
@@ -152,7 +152,7 @@ transition t2 { from On to Off trigger f condition since(T) >= 2 } })"),
 /// The visible part of an offer.
 std::string seen(const Happening& happening, const std::string& name, bool hidden) {
     std::string text = happening.event.text + "|" + name + (hidden ? "|hidden" : "");
-    for (const Event& each : happening.with) text += "|" + each.text;
+    for (const Event& event : happening.with) text += "|" + event.text;
     return text;
 }
 
@@ -168,10 +168,10 @@ TEST(Exploration, OffersWhatTheStepperOffersOnWalksByChance) {
         std::uint64_t chance = 1;
         for (int i = 0; i < 2000; ++i) {
             std::vector<std::string> offered, embedded;
-            for (const Offer& each : stepper.current_offers())
-                offered.push_back(seen(each.happening, each.name, each.hidden));
-            for (const auto& each : space.states.at(here).offers) {
-                const Exploration::Label& label = space.labels.at(each.label);
+            for (const Offer& offer : stepper.current_offers())
+                offered.push_back(seen(offer.happening, offer.name, offer.hidden));
+            for (const auto& transition : space.states.at(here).offers) {
+                const Exploration::Label& label = space.labels.at(transition.label);
                 embedded.push_back(seen(label.happening, label.name, label.hidden));
             }
             ASSERT_EQ(embedded, offered) << "step " << i;

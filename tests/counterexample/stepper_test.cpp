@@ -86,8 +86,8 @@ struct Offered {
     Names names;
 
     Offered(const Stepper& stepper, process::TermId state) {
-        for (const Offer& each : stepper.offers_at(state)) {
-            list.emplace_back(each.hidden ? "τ" : each.name, each.step.target);
+        for (const Offer& offer : stepper.offers_at(state)) {
+            list.emplace_back(offer.hidden ? "τ" : offer.name, offer.step.target);
             names.insert(list.back().first);
         }
     }
@@ -135,8 +135,8 @@ TEST(Stepper, OffersWhatCompiledRandomModelsCanDo) {
         for (const Time time : {Time::untimed, Time::timed}) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             std::vector<std::pair<std::string, std::string>> texts;
-            for (const auto& each : random_models::well_formed(seed, random_models::Shape::timed_core()))
-                texts.emplace_back(each.path, each.text);
+            for (const auto& file : random_models::well_formed(seed, random_models::Shape::timed_core()))
+                texts.emplace_back(file.path, file.text);
             Animation animation(csp_emit::testing::model_of(texts), time, "");
             (void)walk(animation, 10'000, seed);
         }
@@ -224,7 +224,7 @@ controller C { sref a = A sref b = B })"),
     Stepper& stepper = *animation.stepper;
     for (int i = 0; i < 3; ++i) {
         std::vector<std::string> components;
-        for (const Machine& each : stepper.current_machines()) components.push_back(each.component);
+        for (const Machine& machine : stepper.current_machines()) components.push_back(machine.component);
         EXPECT_EQ(components, (std::vector<std::string>{"C::a", "C::b"})) << "step " << i;
         stepper.take_offer(0);
     }

@@ -17,9 +17,10 @@ namespace robochart::conformance::test {
 inline Result expect_conforming(Model& model, const ir::ComponentRef& component, const Options& options = {}) {
     diagnostics::Diagnostics found;
     Result result = conform(model.system, model.instantiation, component, options, model.sources, found);
-    std::string said = result.reason.substr(0, 2000);
-    for (const auto& each : found.sorted_findings()) said += fmt::format("\n{} {}", each.rule->code, each.message());
-    EXPECT_EQ(result.outcome, Outcome::conforms) << said;
+    std::string report = result.reason.substr(0, 2000);
+    for (const auto& finding : found.sorted_findings())
+        report += fmt::format("\n{} {}", finding.rule->code, finding.message());
+    EXPECT_EQ(result.outcome, Outcome::conforms) << report;
     return result;
 }
 

@@ -62,10 +62,10 @@ TEST(MissedEvents, OfAnActionOfATransition) {
     ASSERT_EQ(missed.size(), 2U);
     EXPECT_EQ(missed[0].event, "e");
     EXPECT_EQ(missed[1].event, "f");
-    for (const MissedEvent& each : missed) {
-        EXPECT_EQ(each.reasons.at(0).why, MissedWhile::busy);
-        EXPECT_EQ(each.cycles, 2U);
-        EXPECT_THAT(each.reasons.at(0).places, ElementsAre(HasSubstr("takes M::t1 (")));
+    for (const MissedEvent& event : missed) {
+        EXPECT_EQ(event.reasons.at(0).why, MissedWhile::busy);
+        EXPECT_EQ(event.cycles, 2U);
+        EXPECT_THAT(event.reasons.at(0).places, ElementsAre(HasSubstr("takes M::t1 (")));
     }
 }
 

@@ -42,7 +42,7 @@ std::vector<std::string> event_texts(const runs::Run& run) {
 
 std::vector<std::string> offered_events(const runs::Run& run) {
     std::vector<std::string> result;
-    for (const runs::Event& each : run.end.offered) result.push_back(each.text);
+    for (const runs::Event& event : run.end.offered) result.push_back(event.text);
     return result;
 }
 
@@ -112,7 +112,7 @@ state B { entry (answer?x) <{1} } transition t0 { from i to Idle } transition t1
     ASSERT_TRUE(result.deadlines && result.deadlines->run) << result.reason;
     const runs::Run& run = *result.deadlines->run;
     EXPECT_THAT(event_texts(run), ElementsAre("t0: i -> Idle", "input go", "1 time unit passes"));
-    for (const std::string& each : offered_events(run)) EXPECT_THAT(each, ::testing::StartsWith("input answer"));
+    for (const std::string& event : offered_events(run)) EXPECT_THAT(event, ::testing::StartsWith("input answer"));
     EXPECT_FALSE(run.end.offered.empty());
 }
 

@@ -66,12 +66,12 @@ struct Called {
     const char* text;
 };
 
-std::ostream& operator<<(std::ostream& out, const Position& each) {
-    return out << each.name;
+std::ostream& operator<<(std::ostream& out, const Position& position) {
+    return out << position.name;
 }
 
-std::ostream& operator<<(std::ostream& out, const Called& each) {
-    return out << each.text;
+std::ostream& operator<<(std::ostream& out, const Called& called) {
+    return out << called.text;
 }
 
 /// Functions of the number x that return x if x > 0. Otherwise x is outside their precondition.

@@ -48,10 +48,10 @@ public:
     /// Runs one cycle with the given value of an input ("": no input); returns the names of its outputs.
     std::vector<std::string> cycle(const std::string& input = "", const std::string& value = "") {
         for (std::uint32_t index = 0; index < code_.inputs; ++index) {
-            const rc_input& each = code_.input[index];
-            registers_[index] = {each.name == input ? 1U : 0U, 0};
-            for (std::uint32_t place = 0; place < each.values; ++place)
-                if (each.text[place] == value) registers_[index].value = place;
+            const rc_input& declared = code_.input[index];
+            registers_[index] = {declared.name == input ? 1U : 0U, 0};
+            for (std::uint32_t place = 0; place < declared.values; ++place)
+                if (declared.text[place] == value) registers_[index].value = place;
         }
         std::vector<rc_record> records(20);
         rc_log log{};
@@ -179,17 +179,17 @@ const HeldUp held_up[] = {
 };
 
 TEST(WritesHeldUp, WritesWaitForThem) {
-    for (const HeldUp& each : held_up) {
-        const std::string_view controller = each.controller;
+    for (const HeldUp& row : held_up) {
+        const std::string_view controller = row.controller;
         const std::string operation = controller.find("requires O") != std::string_view::npos
                                           ? "operation op() { requires O initial i final f transition t { from i to f "
                                             "action wait(1); move() } }\n"
                                           : "operation op() { event e : nat var w : nat initial i final f\n"
                                             "transition t { from i to f action e?w <{3} } }\n";
-        const test::ModelFolder folder(with_platform(each.controller) + operation);
+        const test::ModelFolder folder(with_platform(row.controller) + operation);
         test::Model model(folder.path());
-        ASSERT_FALSE(model.system.modules.empty()) << each.what;
-        SCOPED_TRACE(each.what);
+        ASSERT_FALSE(model.system.modules.empty()) << row.what;
+        SCOPED_TRACE(row.what);
         EXPECT_GT(test::expect_conforming(model, model.first_module()).code_cycles, 1U);
     }
 }

@@ -87,16 +87,16 @@ protected:
         ir::InstantiationOptions values;
         if (name == "robotool-csp-2026") values.constants["av"] = "1";  // a constant without a value, used as a divisor
         const ir::Instantiation instantiation = ir::instantiate_system(system, values, diagnostics);
-        const auto each = [&](const auto& items, ir::ComponentKind kind, const auto& wanted) {
+        const auto survey_all = [&](const auto& items, ir::ComponentKind kind, const auto& included) {
             for (std::uint32_t i = 0; i < items.size(); ++i)
-                if (wanted(items[i]))
+                if (included(items[i]))
                     survey_component(system, instantiation, {kind, items[i].name, items[i].package, i}, name, sources);
         };
         const auto all = [](const auto&) { return true; };
-        each(system.modules, ir::ComponentKind::module, all);
+        survey_all(system.modules, ir::ComponentKind::module, all);
         // components nested in others are checked as part of these
-        each(system.controllers, ir::ComponentKind::controller, [](const auto& c) { return c.path == c.name; });
-        each(system.machines, ir::ComponentKind::machine, [](const ir::Machine& machine) {
+        survey_all(system.controllers, ir::ComponentKind::controller, [](const auto& c) { return c.path == c.name; });
+        survey_all(system.machines, ir::ComponentKind::machine, [](const ir::Machine& machine) {
             return machine.kind == ir::MachineKind::state_machine && machine.path == machine.name;
         });
     }
@@ -113,10 +113,10 @@ protected:
         options.limits.max_states = 30'000'000;
         options.limits.deadline = std::chrono::steady_clock::now() + seconds();
         const Result result = conform(system, instantiation, ref, options, sources, found);
-        std::string said = result.reason;
+        std::string report = result.reason;
         for (const auto& finding : found.sorted_findings())
-            said += fmt::format(" {} {}", finding.rule->code, finding.message());
-        judge_result(model + "/" + ref.path, result, said);
+            report += fmt::format(" {} {}", finding.rule->code, finding.message());
+        judge_result(model + "/" + ref.path, result, report);
     }
 
     /// The industrial controller and the larger case study are too expensive for every run: their code is only
@@ -133,16 +133,16 @@ protected:
         seen_.insert(name);
     }
 
-    void judge_result(const std::string& name, const Result& result, const std::string& said) {
+    void judge_result(const std::string& name, const Result& result, const std::string& report) {
         ++components_;
         const auto row = std::find_if(std::begin(exceptions), std::end(exceptions),
                                       [&](const Exception& exception) { return exception.component == name; });
         const bool excepted = row != std::end(exceptions);
         if (excepted) seen_.insert(name);
         const Outcome expected = excepted ? row->outcome : Outcome::conforms;
-        EXPECT_EQ(result.outcome, expected) << name << ": " << said.substr(0, 2000);
-        const bool reported = !excepted || said.find(row->why) != std::string::npos;
-        EXPECT_TRUE(reported) << name << ": " << said.substr(0, 2000);
+        EXPECT_EQ(result.outcome, expected) << name << ": " << report.substr(0, 2000);
+        const bool reported = !excepted || report.find(row->why) != std::string::npos;
+        EXPECT_TRUE(reported) << name << ": " << report.substr(0, 2000);
         if (result.outcome != Outcome::conforms) return;
         ++conforming_;
         in_registers_ += result.register_cycles && result.register_cycles->holds ? 1U : 0U;

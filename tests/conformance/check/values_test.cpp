@@ -157,10 +157,10 @@ TEST(Values, LeastAndGreatestOfTheRealsReceived) {
             transition t3 { from B to A condition not hasMax(s) action none }
         })");
     test::Model read(folder.path());
-    std::string said;
-    for (const auto& each : read.diagnostics.sorted_findings())
-        said += std::string(each.rule->code) + " " + each.message() + "\n";
-    ASSERT_TRUE(read.diagnostics.ok()) << said;
+    std::string report;
+    for (const auto& finding : read.diagnostics.sorted_findings())
+        report += std::string(finding.rule->code) + " " + finding.message() + "\n";
+    ASSERT_TRUE(read.diagnostics.ok()) << report;
     test::Bench bench(read, read.machine_named("Values"));
     const Result result = bench.check_code();
     EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason;

@@ -42,7 +42,7 @@ std::string state_after(const rc_interface& code, int cycles) {
     code.initial(state.data());
     for (int cycle = 0; cycle < cycles; ++cycle) {
         std::vector<rc_register> registers(code.inputs);
-        for (rc_register& each : registers) each.present = 1;
+        for (rc_register& input : registers) input.present = 1;
         CycleLog log;
         EXPECT_EQ(code.step(state.data(), registers.data(), &log), RC_QUIESCENT);
     }

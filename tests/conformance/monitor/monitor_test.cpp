@@ -36,8 +36,14 @@ enum Input : std::uint32_t { see_wall, see_robot };
 enum Output : std::uint32_t { linear, angular };
 
 void cycle(Monitor& monitor, bool wall, bool robot, const std::vector<std::pair<Output, double>>& writes) {
-    wall ? monitor.read(see_wall) : monitor.absent(see_wall);
-    robot ? monitor.read(see_robot) : monitor.absent(see_robot);
+    if (wall)
+        monitor.read(see_wall);
+    else
+        monitor.absent(see_wall);
+    if (robot)
+        monitor.read(see_robot);
+    else
+        monitor.absent(see_robot);
     for (const auto& [output, value] : writes) monitor.wrote(output, value);
     monitor.end_of_cycle();
 }

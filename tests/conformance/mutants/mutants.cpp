@@ -52,8 +52,8 @@ std::string means_of_detection(const Result& result) {
         {"ends its cycle", "refinement: something is missing"},
         {"writes", "refinement: something else is written"},
     };
-    for (const auto& [said, word] : words)
-        if (result.reason.find(said) != std::string::npos) return word;
+    for (const auto& [phrase, word] : words)
+        if (result.reason.find(phrase) != std::string::npos) return word;
     return "refinement: " + result.reason;
 }
 
@@ -101,11 +101,11 @@ std::vector<Study::Seeded> Study::seed_faults(std::size_t sites, bool event_api_
     for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
         if (event_api_only && !cpp_emit::in_event_api(kind.fault)) continue;
         const std::uint32_t there = emit(kind.fault, 0).fault_sites;
-        const auto wanted = static_cast<std::uint32_t>(std::min<std::size_t>(there, sites));
-        for (std::uint32_t n = 0; n < wanted; ++n) {
-            const std::uint32_t site = n * there / wanted;
-            Seeded each{{kind, site, Fate::undecided, "", 0, ""}, emit(kind.fault, site)};
-            if (!is_same_code(each.code, code_)) all.push_back(std::move(each));
+        const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(there, sites));
+        for (std::uint32_t n = 0; n < count; ++n) {
+            const std::uint32_t site = n * there / count;
+            Seeded seeded{{kind, site, Fate::undecided, "", 0, ""}, emit(kind.fault, site)};
+            if (!is_same_code(seeded.code, code_)) all.push_back(std::move(seeded));
         }
     }
     return all;
@@ -120,14 +120,14 @@ std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only) {
         judge_together(std::move(together));
     }
     std::vector<Mutant> mutants;
-    for (Seeded& each : all) mutants.push_back(std::move(each.mutant));
+    for (Seeded& seeded : all) mutants.push_back(std::move(seeded.mutant));
     return mutants;
 }
 
 /// A mutant that does not compile counts as killed.
 void Study::drop_uncompilable(std::vector<Seeded*>& together) {
     std::vector<const cpp_emit::Emission*> codes;
-    for (const Seeded* each : together) codes.push_back(&each->code);
+    for (const Seeded* seeded : together) codes.push_back(&seeded->code);
     std::string error;
     (void)CodeBatch::build(codes, build_options(" -fsyntax-only -fmax-errors=0"), error);
     const std::vector<std::string> errors = errors_by_candidate(error, together.size());
@@ -145,14 +145,14 @@ void Study::drop_uncompilable(std::vector<Seeded*>& together) {
 }
 
 void Study::judge_together(std::vector<Seeded*> together) {
-    const auto uncompilable = [](const Seeded* each) {
-        return each->mutant.kind.fault == cpp_emit::Fault::undeclared_member ||
-               each->mutant.kind.fault == cpp_emit::Fault::name_collision;
+    const auto uncompilable = [](const Seeded* seeded) {
+        return seeded->mutant.kind.fault == cpp_emit::Fault::undeclared_member ||
+               seeded->mutant.kind.fault == cpp_emit::Fault::name_collision;
     };
     if (std::ranges::any_of(together, uncompilable)) drop_uncompilable(together);
     if (together.empty()) return;
     std::vector<const cpp_emit::Emission*> codes;
-    for (const Seeded* each : together) codes.push_back(&each->code);
+    for (const Seeded* seeded : together) codes.push_back(&seeded->code);
     std::string error;
     const auto batch = CodeBatch::build(codes, build_options(), error);
     ASSERT_TRUE(batch) << error.substr(0, 4000);

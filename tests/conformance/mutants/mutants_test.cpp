@@ -71,8 +71,8 @@ struct Count {
 class Mutants : public ::testing::Test {
 protected:
     static bool all() {
-        const char* const wanted = std::getenv("ROBOCHART_MUTANTS");
-        return wanted != nullptr && std::string(wanted) == "all";
+        const char* const setting = std::getenv("ROBOCHART_MUTANTS");
+        return setting != nullptr && std::string(setting) == "all";
     }
 
     void try_module(const std::string& folder, std::size_t sites) {

@@ -110,9 +110,13 @@ private:
                 return "product";
             case ir::TypeKind::vector:
                 return "vector";
-            default:
-                return "another kind";
+            case ir::TypeKind::function:
+            case ir::TypeKind::relation:
+            case ir::TypeKind::matrix:
+            case ir::TypeKind::unit:
+                break;
         }
+        return "another kind";
     }
 
     void look_at(const ir::Machine& machine, const ir::Node& node) {
@@ -169,9 +173,10 @@ private:
         }
         if (stmt.kind != StmtKind::communicate) return;
         const bool input = stmt.communication.kind == ir::CommKind::input;
-        note_construct(true, input                      ? "input in an action"
-                             : stmt.communication.value ? "output with a value"
-                                                        : "output");
+        const bool value = stmt.communication.value != nullptr;
+        note_construct(input, "input in an action");
+        note_construct(!input && value, "output with a value");
+        note_construct(!input && !value, "output");
     }
 
     void look_at(const ir::Controller& controller) {

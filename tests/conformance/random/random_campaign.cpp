@@ -26,8 +26,8 @@ constexpr std::chrono::seconds patience{4};
 
 std::string error_codes(const diagnostics::Diagnostics& findings) {
     std::set<std::string> codes;
-    for (const auto& each : findings.sorted_findings())
-        if (each.rule->severity == diagnostics::Severity::error) codes.emplace(each.rule->code);
+    for (const auto& finding : findings.sorted_findings())
+        if (finding.rule->severity == diagnostics::Severity::error) codes.emplace(finding.rule->code);
     return fmt::format("refused: {}", fmt::join(codes, " "));
 }
 
@@ -39,9 +39,12 @@ std::string kind_of(const Result& result) {
             return "DIFFERS";
         case Outcome::not_schedulable:
             return "not schedulable";
-        default:
-            return "inconclusive: " + result.reason.substr(0, 60);
+        case Outcome::not_generated:
+        case Outcome::error:
+        case Outcome::inconclusive:
+            break;
     }
+    return "inconclusive: " + result.reason.substr(0, 60);
 }
 
 /// Describes the difference; "" if there is none.
@@ -64,7 +67,8 @@ std::string without_blank_lines(const std::string& text) {
 
 /// The kind of a disagreement: the code does not compile, or it differs.
 std::string kind_of(const std::string& disagreement) {
-    return disagreement.starts_with("error: ") ? "error" : disagreement.empty() ? "" : "differs";
+    if (disagreement.empty()) return "";
+    return disagreement.starts_with("error: ") ? "error" : "differs";
 }
 
 }  // namespace

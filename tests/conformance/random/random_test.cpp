@@ -97,7 +97,7 @@ TEST(RandomModels, Conform) {
 TEST(RandomModels, Campaign) {
     const char* named = std::getenv("ROBOCHART_MODELS");
     if (named == nullptr) GTEST_SKIP() << "ROBOCHART_MODELS is not set";
-    const auto shape = std::ranges::find_if(shapes, [&](const auto& each) { return each.name == named; });
+    const auto shape = std::ranges::find_if(shapes, [&](const auto& candidate) { return candidate.name == named; });
     ASSERT_NE(shape, shapes.end()) << named;
     print(run(shape->of, false, tests::rounds(1000)).tally());
 }

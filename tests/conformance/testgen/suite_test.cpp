@@ -84,8 +84,8 @@ public:
                 CycleLog log;
                 const rc_result result = code.step(image.data(), registers.data(), &log);
                 const CycleStep& step = machine.steps[state][symbol];
-                const rc_result wanted = step.target == CycleAutomaton::over ? RC_TERMINATED : RC_QUIESCENT;
-                if (result != wanted || log.overflow != 0 || logged_writes(log) != step.writes) return false;
+                const rc_result expected = step.target == CycleAutomaton::over ? RC_TERMINATED : RC_QUIESCENT;
+                if (result != expected || log.overflow != 0 || logged_writes(log) != step.writes) return false;
                 state = step.target;
             }
         }

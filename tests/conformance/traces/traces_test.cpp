@@ -356,7 +356,7 @@ TEST(Traces, LogsThatCannotBeReadAreReportedWithTheirPlace) {
 /// RC-L03 describes the type and points to the part that does not belong to it.
 TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
     Replay replay(test::ModelFolder(carrier).path(), "M");
-    for (const auto& [word, wanted, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
+    for (const auto& [word, expected, column] : std::vector<std::tuple<const char*, const char*, unsigned>>{
              {"pose?(1,yes)", "true or false", 8},
              {"pose?(x,true)", "a number", 6},
              {"pose?(inf,true)", "a number", 6},
@@ -372,7 +372,7 @@ TEST(Traces, PartsThatAreNoneOfTheirTypeAreReportedWithTheirPlace) {
              {"kinds?{true,Red}", "pairs `{(...,...),...}`", 6}}) {
         const LogReport report = replay.check_runs(std::string("run a\ntock\n") + word + "\n");
         ASSERT_EQ(code_of(report), "RC-L03") << word;
-        EXPECT_EQ(report.fault->fault.arguments.at(1), wanted) << word;
+        EXPECT_EQ(report.fault->fault.arguments.at(1), expected) << word;
         EXPECT_EQ(report.fault->fault.column, column) << word;
     }
 }
@@ -384,15 +384,19 @@ TEST(Traces, LogsAreReadToTheirEnd) {
     EXPECT_EQ(code_of(report), "RC-L02");
 }
 
+/// The first module; the first controller or machine if there is none.
+ir::ComponentRef largest_component(const test::Model& project) {
+    if (!project.system.modules.empty()) return project.first_module();
+    if (!project.system.controllers.empty()) return project.first_controller();
+    return project.machine_named(project.system.machines.front().name);
+}
+
 /// The interface derived from the model is the one that the generated code declares.
 TEST(Traces, TheInterfaceOfTheModelIsThatOfTheCode) {
     for (const char* folder : {"corpus/aggregation", "corpus/swarm_taxis", "tests/conformance/models/nested",
                                "tests/conformance/models/team", "tests/conformance/models/parcels"}) {
         test::Model project(folder);
-        const ir::ComponentRef ref = !project.system.modules.empty() ? project.first_module()
-                                     : !project.system.controllers.empty()
-                                         ? project.first_controller()
-                                         : project.machine_named(project.system.machines.front().name);
+        const ir::ComponentRef ref = largest_component(project);
         test::Bench bench(project, ref);
         const Interface code = bench.interface();
         const auto model =
