@@ -118,32 +118,31 @@ constexpr Case cases[] = {
 class Dispatch : public ::testing::TestWithParam<std::tuple<Case, Strategy>> {};
 
 TEST_P(Dispatch, DoesWhatACycleDoes) {
-    const auto& [wanted, strategy] = GetParam();
+    const auto& [row, strategy] = GetParam();
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
-    const auto model =
-        frontend::load_project(sources, tests::source_folder().string() + "/" + wanted.model, diagnostics);
+    const auto model = frontend::load_project(sources, tests::source_folder().string() + "/" + row.model, diagnostics);
     const ir::System system = ir::lower(*model, sources, diagnostics);
     ASSERT_TRUE(diagnostics.ok());
     Options options;
     options.strategy = strategy;
-    const Emission code = testing::emit_ok(system, testing::component_named(system, wanted.component), options);
+    const Emission code = testing::emit_ok(system, testing::component_named(system, row.component), options);
     std::string core;
     for (const OutputFile& file : code.files)
-        if (file.path == std::string(wanted.component) + "_core.hpp") core = file.text;
+        if (file.path == std::string(row.component) + "_core.hpp") core = file.text;
     const bool table = core.find("static constexpr std::uint8_t cases[") != std::string::npos;
-    EXPECT_EQ(table, wanted.direct && strategy == Strategy::table);
-    EXPECT_EQ(core.find("const Inputs<Types> values = inputs_;") == std::string::npos, wanted.direct);
+    EXPECT_EQ(table, row.direct && strategy == Strategy::table);
+    EXPECT_EQ(core.find("const Inputs<Types> values = inputs_;") == std::string::npos, row.direct);
     const testing::Folder folder;
     folder.write(code);
-    std::ofstream(folder.path() + "/driver.cpp") << "#include \"" << code.shim << "\"\n#define DIRECT " << wanted.direct
+    std::ofstream(folder.path() + "/driver.cpp") << "#include \"" << code.shim << "\"\n#define DIRECT " << row.direct
                                                  << "\nconstexpr std::size_t EVENTS = sizeof inputs / sizeof *inputs;\n"
                                                  << driver;
-    const std::string said = folder.run(
+    const std::string output = folder.run(
         "${CXX:-c++} -std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror -fno-exceptions -fno-rtti -I. -o "
         "driver driver.cpp && ./driver");
-    EXPECT_NE(said.find("compared"), std::string::npos) << said;
-    EXPECT_EQ(said.find("writes"), std::string::npos) << said;
+    EXPECT_NE(output.find("compared"), std::string::npos) << output;
+    EXPECT_EQ(output.find("writes"), std::string::npos) << output;
 }
 
 INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,

@@ -22,8 +22,8 @@ struct Case {
     std::vector<Registers> script;  ///< inputs that show the difference
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& each) {
-    return out << each.name;
+std::ostream& operator<<(std::ostream& out, const Case& test_case) {
+    return out << test_case.name;
 }
 
 const char* const guarded = R"(

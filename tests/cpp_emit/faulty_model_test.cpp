@@ -99,19 +99,19 @@ TEST_F(FaultyModels, HaveTheFaultInTheirText) {
         {Fault::wait_late, 0, "wait 1"},
     };
     const std::string right = ir::dump_text(system_);
-    for (const Expected& each : all) {
-        EXPECT_EQ(right.find(each.text), std::string::npos) << each.text;
-        EXPECT_NE(faulty_text(each.fault, each.site).find(each.text), std::string::npos)
-            << each.text << " in\n"
-            << faulty_text(each.fault, each.site);
+    for (const Expected& expected : all) {
+        EXPECT_EQ(right.find(expected.text), std::string::npos) << expected.text;
+        EXPECT_NE(faulty_text(expected.fault, expected.site).find(expected.text), std::string::npos)
+            << expected.text << " in\n"
+            << faulty_text(expected.fault, expected.site);
     }
     const Expected gone[] = {
         {Fault::guard_dropped, 0, "(received > 9)"}, {Fault::entry_dropped, 0, "v = (w + 3)"},
         {Fault::exit_dropped, 0, "call op"},         {Fault::action_dropped, 0, "call tell(10)"},
         {Fault::wait_dropped, 0, "wait 4"},          {Fault::assignment_dropped, 0, "v = (w + 3)"}};
-    for (const Expected& each : gone) {
-        EXPECT_NE(right.find(each.text), std::string::npos) << each.text << " in\n" << right;
-        EXPECT_EQ(faulty_text(each.fault, each.site).find(each.text), std::string::npos) << each.text;
+    for (const Expected& expected : gone) {
+        EXPECT_NE(right.find(expected.text), std::string::npos) << expected.text << " in\n" << right;
+        EXPECT_EQ(faulty_text(expected.fault, expected.site).find(expected.text), std::string::npos) << expected.text;
     }
 }
 

@@ -51,9 +51,9 @@ Emission emit_ok(const ir::System& system, const ir::ComponentRef& ref, const Op
     diagnostics::Diagnostics diagnostics;
     const ir::Instantiation inst = ir::instantiate_system(system, instantiation, diagnostics);
     Emission emission = emit(system, inst, ref, options, diagnostics);
-    for (const auto& each : diagnostics.sorted_findings())
-        if (each.rule->severity != diagnostics::Severity::note)
-            ADD_FAILURE() << each.rule->code << ": " << each.message();
+    for (const auto& finding : diagnostics.sorted_findings())
+        if (finding.rule->severity != diagnostics::Severity::note)
+            ADD_FAILURE() << finding.rule->code << ": " << finding.message();
     return emission;
 }
 

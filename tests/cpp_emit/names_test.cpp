@@ -45,14 +45,14 @@ TEST(Names, NoMacroOfTheHeadersIsAName) {
         const std::string command = std::string(compiler) + " -std=gnu++17 -dM -E -x c++ all.hpp";
         if (folder.status(command, macros) != 0) continue;  // the compiler is not installed
         std::istringstream lines(macros);
-        std::size_t asked = 0;
+        std::size_t checked = 0;
         for (std::string define, name; lines >> define >> name; std::getline(lines, define)) {
             name.erase(std::min(name.find('('), name.size()));
             if (!std::isalpha(static_cast<unsigned char>(name.front()))) continue;
-            ++asked;
+            ++checked;
             EXPECT_TRUE(reserved_in_cpp(name)) << name << " of " << compiler << " (see scripts/reserved_names.sh)";
         }
-        EXPECT_GT(asked, 1000U) << compiler;
+        EXPECT_GT(checked, 1000U) << compiler;
     }
 }
 

@@ -191,8 +191,8 @@ stm M { requires I uses E var s : Seq(nat) initial i
         EXPECT_EQ(emission.files.empty(), target == Target::ros2);
     }
     std::string codes;
-    for (const auto& each : diagnostics.sorted_findings())
-        codes += std::string(each.rule->code) + " " + each.message() + "\n";
+    for (const auto& finding : diagnostics.sorted_findings())
+        codes += std::string(finding.rule->code) + " " + finding.message() + "\n";
     EXPECT_NE(codes.find("RC-G14 no ros2 project is generated for 'M': std_msgs has no message for the event 'found'"),
               std::string::npos)
         << codes;

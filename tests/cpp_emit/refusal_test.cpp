@@ -24,7 +24,7 @@ std::vector<std::string> reported_codes(const ir::System& system, const ir::Comp
     const Emission emission = emit(system, inst, ref, {}, diagnostics);
     EXPECT_TRUE(emission.files.empty());
     std::vector<std::string> result;
-    for (const auto& each : diagnostics.sorted_findings()) result.emplace_back(each.rule->code);
+    for (const auto& finding : diagnostics.sorted_findings()) result.emplace_back(finding.rule->code);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }

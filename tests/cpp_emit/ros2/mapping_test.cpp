@@ -36,15 +36,15 @@ controller C { requires I uses E sref m = M opref turn_ref = turn
 std::string findings_of(const std::string& item) {
     static const ir::System system = testing::load_model(model_text);
     const Planned planned = emit_package(system, "C", "ros2 for C {\n" + item + "\n}");
-    std::string kept;
+    std::string result;
     std::size_t from = 0;
     for (std::size_t end = planned.findings.find('\n'); end != std::string::npos;
          from = end + 1, end = planned.findings.find('\n', from)) {
         const std::string line = planned.findings.substr(from, end - from);
         const bool other = line.starts_with("RC-G14") || line.starts_with("RC-R10");
-        if (!other) kept += line + "\n";
+        if (!other) result += line + "\n";
     }
-    return kept;
+    return result;
 }
 
 struct Row {
@@ -232,8 +232,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(HostileMapping, DoesNotReachTheCode) {
     for (const char* const name : {"t\\\"); abort(); (\\\"", "$(touch x)", "a;b", "<evil/>", "a b", "a\\nb", "../x",
                                    "a'b", "@CLASS@", "%s", "é"}) {
-        const std::string said = findings_of(fmt::format("publish operation stop as std_msgs/Empty on \"{}\"", name));
-        EXPECT_TRUE(said.starts_with("RC-R04 2:45")) << name << "\n" << said;
+        const std::string findings =
+            findings_of(fmt::format("publish operation stop as std_msgs/Empty on \"{}\"", name));
+        EXPECT_TRUE(findings.starts_with("RC-R04 2:45")) << name << "\n" << findings;
     }
     const ir::System system = testing::load_model(
         "interface I { stop() } stm M { requires I initial i state A { entry stop() } transition t { from i to A } }");

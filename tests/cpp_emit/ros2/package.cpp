@@ -12,7 +12,7 @@
 namespace robochart::cpp_emit::ros2 {
 
 Planned emit_package(const ir::System& system, const std::string& component, const std::string& text,
-                     const ir::InstantiationOptions& wanted) {
+                     const ir::InstantiationOptions& values) {
     diagnostics::SourceManager sources;
     const diagnostics::SourceId source = sources.add("robot.ros2", text);
     diagnostics::Diagnostics diagnostics;
@@ -23,22 +23,22 @@ Planned emit_package(const ir::System& system, const std::string& component, con
     options.mapping = text.empty() ? nullptr : &mapping;
     Planned planned;
     if (diagnostics.ok()) {
-        const ir::Instantiation inst = ir::instantiate_system(system, wanted, diagnostics);
+        const ir::Instantiation inst = ir::instantiate_system(system, values, diagnostics);
         planned.emission =
             cpp_emit::emit(system, inst, testing::component_named(system, component), options, diagnostics);
     }
-    for (const auto& each : diagnostics.sorted_findings()) {
-        const bool here = each.span.is_known() && !text.empty() && each.rule->code != "RC-R10";
-        const diagnostics::Position at = here ? sources.position(source, each.span.begin) : diagnostics::Position{};
-        planned.findings += fmt::format("{} {}{}\n", each.rule->code,
-                                        here ? fmt::format("{}:{} ", at.line, at.column) : "", each.message());
+    for (const auto& finding : diagnostics.sorted_findings()) {
+        const bool here = finding.span.is_known() && !text.empty() && finding.rule->code != "RC-R10";
+        const diagnostics::Position at = here ? sources.position(source, finding.span.begin) : diagnostics::Position{};
+        planned.findings += fmt::format("{} {}{}\n", finding.rule->code,
+                                        here ? fmt::format("{}:{} ", at.line, at.column) : "", finding.message());
     }
     return planned;
 }
 
 void Package::emit(const ir::System& system, const std::string& component, const std::string& mapping,
-                   const ir::InstantiationOptions& wanted) {
-    const Planned planned = emit_package(system, component, mapping, wanted);
+                   const ir::InstantiationOptions& values) {
+    const Planned planned = emit_package(system, component, mapping, values);
     ASSERT_FALSE(planned.emission.files.empty()) << planned.findings;
     folder_.write(planned.emission);
 }
