@@ -50,10 +50,10 @@ TEST(AlikeBranches, UseTheNameThatASetHasAlready) {
 }
 
 TEST(AlikeBranches, AreThoseWithoutGuardOutputOrUseOfTheirValue) {
-    for (const std::string kept :
+    for (const std::string body :
          {"a?x -> P(x) [] b?x -> P(x)", "v > 0 & a?x -> P(v) [] b?x -> P(v)", "c!v -> P(v) [] c!0 -> P(v)",
           "a?x:{0} -> P(v) [] b?x -> P(v)", "a?x -> P(v) [] b?x -> P(v + 1)"})
-        EXPECT_EQ(gather_branches(kept).body, kept);
+        EXPECT_EQ(gather_branches(body).body, body);
 }
 
 TEST(AlikeBranches, AreFoundAfterGuardsAndPrefixes) {

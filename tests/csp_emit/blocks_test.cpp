@@ -29,10 +29,10 @@ public:
     /// "CODE@line" of each finding.
     [[nodiscard]] std::string codes() const {
         std::string result;
-        for (const diagnostics::Diagnostic& each : findings_.sorted_findings()) {
-            EXPECT_EQ(each.span.source, claims_);
-            result += (result.empty() ? "" : " ") + std::string(each.rule->code) + "@" +
-                      std::to_string(sources_.position(each.span.source, each.span.begin).line);
+        for (const diagnostics::Diagnostic& finding : findings_.sorted_findings()) {
+            EXPECT_EQ(finding.span.source, claims_);
+            result += (result.empty() ? "" : " ") + std::string(finding.rule->code) + "@" +
+                      std::to_string(sources_.position(finding.span.source, finding.span.begin).line);
         }
         return result;
     }
@@ -86,8 +86,8 @@ TEST(Blocks, CanWriteTheNamesOfTheScript) {
     ASSERT_TRUE(emission);
     const ScriptNames names(emission->definitions);
     const auto has = [&](const std::string& qualifier, const std::string& name) {
-        for (const ScriptName* each : names.names_after(qualifier))
-            if (each->name == name) return true;
+        for (const ScriptName* candidate : names.names_after(qualifier))
+            if (candidate->name == name) return true;
         return false;
     };
     EXPECT_TRUE(has("", "lamp"));

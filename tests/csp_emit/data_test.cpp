@@ -74,8 +74,10 @@ std::vector<std::string> evaluate_outputs(const testing::Model& m) {
         if (stmt.kind != ir::StmtKind::communicate) return;
         const ir::Expr& expr = *stmt.communication.value;
         const auto value = ir::evaluate_expression(m.system, m.instantiation, &machine, environment, expr).number;
-        const bool truth = m.system.type(expr.type).kind == ir::TypeKind::boolean;
-        result.push_back(truth ? (value != 0 ? "true" : "false") : std::to_string(value));
+        if (m.system.type(expr.type).kind == ir::TypeKind::boolean)
+            result.emplace_back(value != 0 ? "true" : "false");
+        else
+            result.push_back(std::to_string(value));
     });
     return result;
 }

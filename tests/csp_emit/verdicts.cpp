@@ -28,9 +28,22 @@ std::string verdict_word(const cspm::AssertionResult& result, cspm::Session& ses
             return "holds";
         case refine::Outcome::fails:
             return "fails: " + trace_text(result.verdict, session);
-        default:
-            return "inconclusive: " + result.verdict.reason;
+        case refine::Outcome::inconclusive:
+            break;
     }
+    return "inconclusive: " + result.verdict.reason;
+}
+
+const char* outcome_word(refine::Outcome outcome) {
+    switch (outcome) {
+        case refine::Outcome::holds:
+            return "holds";
+        case refine::Outcome::fails:
+            return "fails";
+        case refine::Outcome::inconclusive:
+            break;
+    }
+    return "?";
 }
 
 }  // namespace
@@ -65,8 +78,7 @@ std::vector<std::string> decide_obligations(Model& model, Time time) {
     for (const Obligation& obligation : emission.obligations) {
         std::string answer = obligation.assertions.empty() ? "no check: " + obligation.reason : "holds";
         for (const auto& assertion : obligation.assertions) {
-            const auto outcome = session.check(*assertion, {}).verdict.outcome;
-            answer = outcome == refine::Outcome::holds ? "holds" : outcome == refine::Outcome::fails ? "fails" : "?";
+            answer = outcome_word(session.check(*assertion, {}).verdict.outcome);
             if ((answer == "holds") == obligation.one_suffices) break;
         }
         result.push_back(answer);

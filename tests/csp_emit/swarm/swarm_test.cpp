@@ -45,7 +45,15 @@ refine::Limits with_reduction() {
 }
 
 const char* outcome_word(refine::Outcome outcome) {
-    return outcome == refine::Outcome::holds ? "holds" : outcome == refine::Outcome::fails ? "fails" : "open";
+    switch (outcome) {
+        case refine::Outcome::holds:
+            return "holds";
+        case refine::Outcome::fails:
+            return "fails";
+        case refine::Outcome::inconclusive:
+            break;
+    }
+    return "open";
 }
 
 refine::Verdict decide(cspm::Session& session, const std::vector<cspm::DeclPtr>& assertions,
@@ -84,9 +92,9 @@ Decided decide_swarm(const std::string& path, const std::string& text, Time time
     const Swarm swarm = read_swarm(sources, sources.add("test.swarm", text), found, size);
     if (!found.ok()) return finish();
     ir::InstantiationOptions options;
-    for (const SwarmConstant& each : swarm.constants)
-        if (!each.value.empty()) options.constants[each.name.text] = each.value;
-    for (const SwarmRange& each : swarm.ranges) options.ranges[each.type.text] = {each.low, each.high};
+    for (const SwarmConstant& constant : swarm.constants)
+        if (!constant.value.empty()) options.constants[constant.name.text] = constant.value;
+    for (const SwarmRange& range : swarm.ranges) options.ranges[range.type.text] = {range.low, range.high};
     const ir::Instantiation instantiation = ir::instantiate_system(system, options, found);
     Emission emission = emit(system, instantiation, time, {}, sources, found);
     make_swarm(emission, swarm, time, system, instantiation, sources, found);
@@ -568,9 +576,9 @@ TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
     const fs::path model = tests::shared_folder() / "suite/robotool/accept/AlphaAlgorithm";
     if (!fs::exists(model)) GTEST_SKIP() << "the published model is not there";
     const tests::TemporaryFolder folder;
-    for (const auto& each : fs::directory_iterator(model))
-        if (each.path().extension() == ".rct")
-            folder.write(each.path().filename().string(), tests::read_contents(each.path()));
+    for (const auto& entry : fs::directory_iterator(model))
+        if (entry.path().extension() == ".rct")
+            folder.write(entry.path().filename().string(), tests::read_contents(entry.path()));
     for (const std::uint32_t robots : {1U, 2U, 3U, 4U, 5U}) {
         const std::string swarm = "swarm Alpha for AggregationSoftware { range nat = 0 to 5 range given = 0 to " +
                                   std::to_string(robots - 1) +
