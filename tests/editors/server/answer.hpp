@@ -24,7 +24,7 @@ public:
     [[nodiscard]] bool truth(bool otherwise = false) const { return View(json_).truth_or(otherwise); }
     [[nodiscard]] std::vector<Answer> items() const {
         std::vector<Answer> result;
-        for (const View each : View(json_).items()) result.emplace_back(each.json());
+        for (const View item : View(json_).items()) result.emplace_back(item.json());
         return result;
     }
     [[nodiscard]] bool has(std::string_view key) const { return View(json_).has_key(key); }

@@ -120,7 +120,7 @@ public:
     [[nodiscard]] std::string marks(const Answer& locations) const {
         std::string out;
         const Answer list = locations.is_array() ? locations : Json::array({locations.json()});
-        for (const Answer& each : list.items()) out += (out.empty() ? "" : " ") + mark_at(each);
+        for (const Answer& location : list.items()) out += (out.empty() ? "" : " ") + mark_at(location);
         return out;
     }
     [[nodiscard]] std::string mark_at(const Answer& location) const {
@@ -143,9 +143,9 @@ public:
     }
     [[nodiscard]] std::string applied(const Answer& edits, const std::string& uri = "file:///p/a.rct") const {
         std::map<std::size_t, std::pair<std::size_t, std::string>> pieces;
-        for (const Answer& each : edits.items())
-            pieces[text_before(uri, each["range"]["start"]).size()] = {text_before(uri, each["range"]["end"]).size(),
-                                                                       each["newText"].text()};
+        for (const Answer& edit : edits.items())
+            pieces[text_before(uri, edit["range"]["start"]).size()] = {text_before(uri, edit["range"]["end"]).size(),
+                                                                       edit["newText"].text()};
         std::string text = texts_.at(uri);
         for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
             text.replace(piece->first, piece->second.first - piece->first, piece->second.second);
@@ -173,10 +173,10 @@ public:
     [[nodiscard]] std::string codes_up_to(std::int64_t severity, const std::string& uri) const {
         std::string out;
         const Answer list = diagnostics(uri);
-        for (const Answer& each : list.items()) {
-            if (each["severity"].number() > severity) continue;
-            out += (out.empty() ? "" : " ") + each["code"].text() + "@" +
-                   std::to_string(each["range"]["start"]["line"].number() + 1);
+        for (const Answer& finding : list.items()) {
+            if (finding["severity"].number() > severity) continue;
+            out += (out.empty() ? "" : " ") + finding["code"].text() + "@" +
+                   std::to_string(finding["range"]["start"]["line"].number() + 1);
         }
         return out;
     }

@@ -251,9 +251,9 @@ TEST(Scripts, DefinitionsLieInIncludedFilesToo) {
 
 std::string outlined(const Answer& symbols) {
     std::string out;
-    for (const Answer& each : symbols.items()) {
-        out += (out.empty() ? "" : " ") + each["name"].text() + ":" + std::to_string(each["kind"].number());
-        if (each.has("children")) out += "(" + outlined(each["children"]) + ")";
+    for (const Answer& symbol : symbols.items()) {
+        out += (out.empty() ? "" : " ") + symbol["name"].text() + ":" + std::to_string(symbol["kind"].number());
+        if (symbol.has("children")) out += "(" + outlined(symbol["children"]) + ")";
     }
     return out;
 }

@@ -30,9 +30,9 @@ protected:
         const Answer list = client.request("callHierarchy/" + direction, Json::object({{"item", item.json()}}));
         const std::string key = direction == "incomingCalls" ? "from" : "to";
         std::string out;
-        for (const Answer& each : list.items())
-            out += (out.empty() ? "" : " ") + each[key]["name"].text() + "/" +
-                   std::to_string(each["fromRanges"].items().size());
+        for (const Answer& call : list.items())
+            out += (out.empty() ? "" : " ") + call[key]["name"].text() + "/" +
+                   std::to_string(call["fromRanges"].items().size());
         return out;
     }
 

@@ -51,11 +51,11 @@ std::vector<std::string> lenses_of(const std::string& text, Json commands) {
     client.open("file:///p/a.rct", text);
     const Json params = Json::object({{"textDocument", Json::object({{"uri", "file:///p/a.rct"}})}});
     std::vector<std::string> result;
-    for (const Answer& each : client.request("textDocument/codeLens", params).items()) {
-        const Json place = Json::object({{"uri", "file:///p/a.rct"}, {"range", each["range"].json()}});
-        EXPECT_EQ(each["command"]["arguments"][0].text(), "file:///p/a.rct");
-        result.push_back(each["command"]["title"].text() + " " + each["command"]["command"].text() + " " +
-                         each["command"]["arguments"][1].text() + " at " + client.marks(Json::array({place})));
+    for (const Answer& lens : client.request("textDocument/codeLens", params).items()) {
+        const Json place = Json::object({{"uri", "file:///p/a.rct"}, {"range", lens["range"].json()}});
+        EXPECT_EQ(lens["command"]["arguments"][0].text(), "file:///p/a.rct");
+        result.push_back(lens["command"]["title"].text() + " " + lens["command"]["command"].text() + " " +
+                         lens["command"]["arguments"][1].text() + " at " + client.marks(Json::array({place})));
     }
     return result;
 }

@@ -42,7 +42,7 @@ protected:
             Json::object({{"textDocument", Json::object({{"uri", uri}})}, {"position", client.position_of(mark, uri)}});
         items = client.request("textDocument/completion", params)["items"];
         std::set<std::string> result;
-        for (const Answer& each : items.items()) result.insert(each["label"].text());
+        for (const Answer& item : items.items()) result.insert(item["label"].text());
         return result;
     }
     /// The labels offered in a machine with variables, events, clocks and operations.
@@ -53,13 +53,13 @@ protected:
             members + "\n}\nstm Next { }\n");
     }
     static bool has(const std::set<std::string>& labels, std::initializer_list<const char*> all) {
-        for (const char* each : all)
-            if (!labels.contains(each)) return false;
+        for (const char* label : all)
+            if (!labels.contains(label)) return false;
         return true;
     }
     static bool none(const std::set<std::string>& labels, std::initializer_list<const char*> all) {
-        for (const char* each : all)
-            if (labels.contains(each)) return false;
+        for (const char* label : all)
+            if (labels.contains(label)) return false;
         return true;
     }
 
@@ -226,7 +226,7 @@ TEST_F(Completion, SnippetsOnlyForEditorsThatKnowThem) {
                       Json::object({{"textDocument", Json::object({{"uri", "file:///p/a.rct"}})},
                                     {"position", Json::object({{"line", 0}, {"character", 0}})}}))["items"];
     EXPECT_FALSE(found.items().empty());
-    for (const Answer& each : found.items()) EXPECT_FALSE(each.has("insertTextFormat"));
+    for (const Answer& item : found.items()) EXPECT_FALSE(item.has("insertTextFormat"));
 }
 
 /// For every prefix of the text, completion answers and offers names and keywords.
@@ -243,7 +243,7 @@ TEST_F(Completion, AnywhereInAnyPrefix) {
         const Json params = Json::object({{"textDocument", Json::object({{"uri", "file:///p/a.rct"}})},
                                           {"position", client.position_of(length, "file:///p/a.rct")}});
         const Answer found = client.request("textDocument/completion", params);
-        for (const Answer& each : found["items"].items()) EXPECT_NE(each["label"].text(), "");
+        for (const Answer& item : found["items"].items()) EXPECT_NE(item["label"].text(), "");
         client.request("textDocument/signatureHelp", params);
         client.request("textDocument/hover", params);
         client.request("textDocument/prepareCallHierarchy", params);

@@ -46,8 +46,8 @@ TEST(Published, WithATagForWhatCouldBeLeftOut) {
                 "  transition u { from A to A }\n}\n");
     bool tagged = false;
     const Answer found = client.diagnostics();
-    for (const Answer& each : found.items())
-        if (each["code"].text() == "RC-W03") tagged = each["tags"] == Json::array({1});
+    for (const Answer& finding : found.items())
+        if (finding["code"].text() == "RC-W03") tagged = finding["tags"] == Json::array({1});
     EXPECT_TRUE(tagged) << found.write();
 }
 

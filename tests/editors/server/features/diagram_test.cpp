@@ -44,7 +44,7 @@ controller C {
 }
 )";
 
-Json asked(const char* key = "component", Json value = nullptr) {
+Json diagram_request(const char* key = "component", Json value = nullptr) {
     return Json::object({{"textDocument", Json::object({{"uri", diagram_uri}})}, {key, std::move(value)}});
 }
 
@@ -63,9 +63,9 @@ std::string drawn_apart(const std::string& name, diagrams::Theme theme) {
     Workspace workspace;
     Project& project = *workspace.open_document(diagram_uri, diagram_text).project;
     const diagrams::Elements elements(project.current_model());
-    for (const diagrams::Subject& each : diagrams::find_subjects(project.current_model(), project.sources()))
-        if (each.name == name)
-            return diagrams::render_svg(diagrams::draw_subject(each, {elements}), elements, {theme, ""});
+    for (const diagrams::Subject& subject : diagrams::find_subjects(project.current_model(), project.sources()))
+        if (subject.name == name)
+            return diagrams::render_svg(diagrams::draw_subject(subject, {elements}), elements, {theme, ""});
     return "";
 }
 
@@ -78,8 +78,8 @@ std::int64_t notifications_of(const Client& client, std::size_t from = 0) {
 
 /// The element of this kind and name; null if there is none.
 Answer element_of(const Answer& diagram, const std::string& kind, const std::string& name) {
-    for (const Answer& each : diagram["elements"].items())
-        if (each["kind"].text() == kind && each["name"].text() == name) return each;
+    for (const Answer& element : diagram["elements"].items())
+        if (element["kind"].text() == kind && element["name"].text() == name) return element;
     return {};
 }
 
@@ -101,14 +101,14 @@ TEST(Diagram, IsAnnounced) {
 TEST(Diagram, IsThatOfDraw) {
     Client client;
     client.open(diagram_uri, diagram_text);
-    const Answer machine = client.request("robochart/diagram", asked("component", "p::C::S"));
+    const Answer machine = client.request("robochart/diagram", diagram_request("component", "p::C::S"));
     EXPECT_EQ(machine["component"].text(), "p::C::S");
     EXPECT_EQ(machine["version"].number(), 1);
     EXPECT_FALSE(machine["stale"].truth(true));
     const std::string expected = drawn_apart("p::C::S", diagrams::Theme::automatic);
     ASSERT_THAT(expected, HasSubstr("Idle"));
     EXPECT_EQ(machine["svg"].text(), expected);
-    Json dark = asked("component", "p::C");
+    Json dark = diagram_request("component", "p::C");
     dark["theme"] = "dark";
     EXPECT_EQ(client.request("robochart/diagram", dark)["svg"].text(), drawn_apart("p::C", diagrams::Theme::dark));
 }
@@ -118,10 +118,10 @@ TEST(Diagram, ElementsAreInThePictureAndAtTheirText) {
     client.open(diagram_uri, diagram_text);
     const Answer machine = drawn_at(client, "state");
     std::set<std::string> listed;
-    for (const Answer& each : machine["elements"].items()) {
-        EXPECT_THAT(machine["svg"].text(), HasSubstr("data-element=\"" + each["id"].text() + "\""));
-        EXPECT_EQ(each["uri"].text(), diagram_uri);
-        listed.insert(each["id"].text());
+    for (const Answer& element : machine["elements"].items()) {
+        EXPECT_THAT(machine["svg"].text(), HasSubstr("data-element=\"" + element["id"].text() + "\""));
+        EXPECT_EQ(element["uri"].text(), diagram_uri);
+        listed.insert(element["id"].text());
     }
     const std::string svg = machine["svg"].text();
     const std::string key = "data-element=\"";
@@ -155,16 +155,16 @@ TEST(Diagram, TheInnermostComponentAtAPlace) {
 TEST(Diagram, OfANameOrOfTheFile) {
     Client client;
     client.open(diagram_uri, diagram_text);
-    EXPECT_EQ(client.request("robochart/diagram", asked())["component"].text(), "p::C");
-    EXPECT_EQ(client.request("robochart/diagram", asked("component", "op"))["component"].text(), "p::C::op");
-    EXPECT_TRUE(client.request("robochart/diagram", asked("component", "nobody")).is_null());
-    EXPECT_TRUE(client.request("robochart/diagram", asked("component", "::S")).is_null());
+    EXPECT_EQ(client.request("robochart/diagram", diagram_request())["component"].text(), "p::C");
+    EXPECT_EQ(client.request("robochart/diagram", diagram_request("component", "op"))["component"].text(), "p::C::op");
+    EXPECT_TRUE(client.request("robochart/diagram", diagram_request("component", "nobody")).is_null());
+    EXPECT_TRUE(client.request("robochart/diagram", diagram_request("component", "::S")).is_null());
 }
 
 TEST(Diagram, NothingToDrawIsNull) {
     Client client;
     client.open(diagram_uri, "package p\n");
-    EXPECT_TRUE(client.request("robochart/diagram", asked()).is_null());
+    EXPECT_TRUE(client.request("robochart/diagram", diagram_request()).is_null());
     client.open("file:///q/a.assertions", "assertion A1 : S is deadlock-free\n");
     client.open("file:///q/a.csp", "P = STOP\n");
     for (const char* uri : {"file:///q/a.assertions", "file:///q/a.csp"}) {
@@ -229,12 +229,12 @@ std::string ring(const std::string& order, const std::string& extra = "") {
 TEST(Diagram, EditsKeepTheLayout) {
     Client client;
     client.open(diagram_uri, ring("ABCDE"));
-    const Answer before = client.request("robochart/diagram", asked());
+    const Answer before = client.request("robochart/diagram", diagram_request());
     client.change(diagram_uri, ring("ADCBE"));
-    const Answer after = client.request("robochart/diagram", asked());
+    const Answer after = client.request("robochart/diagram", diagram_request());
     Client other;
     other.open(diagram_uri, ring("ADCBE"));
-    const Answer fresh = other.request("robochart/diagram", asked());
+    const Answer fresh = other.request("robochart/diagram", diagram_request());
     bool moves = false;
     for (const char* name : {"A", "B", "C", "D", "E"}) {
         EXPECT_EQ(box_of(before, element_of(before, "state", name)), box_of(after, element_of(after, "state", name)));
@@ -249,7 +249,7 @@ TEST(Diagram, ChangesAreAnnouncedAfterDiagnosticsToThoseWhoAsked) {
     client.open(diagram_uri, diagram_text);
     client.change(diagram_uri, text_with(diagram_text, "Busy", "Active"));
     EXPECT_EQ(notifications_of(client), 0) << "nobody asked";
-    (void)client.request("robochart/diagram", asked());
+    (void)client.request("robochart/diagram", diagram_request());
     const std::size_t before = client.messages.size();
     client.change(diagram_uri, text_with(diagram_text, "state Busy", "state state"));
     EXPECT_EQ(notifications_of(client, before), 1);
@@ -258,7 +258,7 @@ TEST(Diagram, ChangesAreAnnouncedAfterDiagnosticsToThoseWhoAsked) {
     EXPECT_EQ(last["params"]["uri"].text(), diagram_uri);
     EXPECT_EQ(last["params"]["version"].number(), 3);
     const std::size_t asked_again = client.messages.size();
-    (void)client.request("robochart/diagram", asked());
+    (void)client.request("robochart/diagram", diagram_request());
     EXPECT_EQ(notifications_of(client, asked_again), 0) << "asking changes nothing";
     client.close(diagram_uri);
     client.open("file:///q/b.rct", diagram_text);
@@ -276,14 +276,14 @@ TEST(Diagram, WrongParametersAreRefused) {
     EXPECT_TRUE(refused(Json::array({1, 2})));
     EXPECT_TRUE(refused(Json::object({{"textDocument", Json::object({{"uri", "file:///p/none.rct"}})}})));
     for (const Json& component : {Json(7), Json::array({"S"}), Json::object({}), Json(true)})
-        EXPECT_TRUE(refused(asked("component", component)));
+        EXPECT_TRUE(refused(diagram_request("component", component)));
     for (const Json& position : {Json("here"), Json(7), Json::object({}), Json::object({{"line", "x"}})})
-        EXPECT_TRUE(refused(asked("position", position)));
+        EXPECT_TRUE(refused(diagram_request("position", position)));
     for (const Json& theme : {Json("red"), Json(7), Json(""), Json::array()})
-        EXPECT_TRUE(refused(asked("theme", theme)));
+        EXPECT_TRUE(refused(diagram_request("theme", theme)));
     const Json far = Json::object({{"line", 1LL << 40}, {"character", -(1LL << 40)}});
-    EXPECT_TRUE(client.request("robochart/diagram", asked("position", far)).is_object());
-    EXPECT_TRUE(client.request("robochart/diagram", asked("component", std::string(100000, ':'))).is_null());
+    EXPECT_TRUE(client.request("robochart/diagram", diagram_request("position", far)).is_object());
+    EXPECT_TRUE(client.request("robochart/diagram", diagram_request("component", std::string(100000, ':'))).is_null());
 }
 
 TEST(Diagram, TooLargeOnesAreRefusedAndTheServerGoesOn) {
@@ -296,8 +296,8 @@ TEST(Diagram, TooLargeOnesAreRefusedAndTheServerGoesOn) {
             text += fmt::format("transition t{}_{} {{ from S{} to S{} trigger e }} ", i, to, i, to);
     client.open(diagram_uri, text + "}\nstm Q { initial i0 state A { } transition t { from i0 to A } }\n");
     constexpr std::int64_t failed = -32803;
-    EXPECT_EQ(client.ask("robochart/diagram", asked("component", "R"))["error"]["code"].number(), failed);
-    EXPECT_EQ(client.request("robochart/diagram", asked("component", "Q"))["component"].text(), "Q");
+    EXPECT_EQ(client.ask("robochart/diagram", diagram_request("component", "R"))["error"]["code"].number(), failed);
+    EXPECT_EQ(client.request("robochart/diagram", diagram_request("component", "Q"))["component"].text(), "Q");
 }
 
 TEST(Diagram, TextOfTheModelIsEscaped) {
@@ -305,7 +305,7 @@ TEST(Diagram, TextOfTheModelIsEscaped) {
     client.open(diagram_uri,
                 "stm S { var s : string initial i0 state A { entry s = \"</svg><script>&\" } "
                 "transition t { from i0 to A } }\n");
-    const std::string svg = client.request("robochart/diagram", asked())["svg"].text();
+    const std::string svg = client.request("robochart/diagram", diagram_request())["svg"].text();
     EXPECT_THAT(svg, HasSubstr("&lt;script&gt;"));
     EXPECT_THAT(svg, Not(HasSubstr("<script")));
 }

@@ -21,8 +21,8 @@ std::string hinted(const std::string& text, int from = 0, int to = 1000) {
                                       {"range", Json::object({{"start", at(from)}, {"end", at(to)}})}});
     std::map<std::size_t, std::string> labels;
     const Answer hints = client.request("textDocument/inlayHint", params);
-    for (const Answer& each : hints.items())
-        labels[client.text_before(hinted_uri, each["position"]).size()] = each["label"].text();
+    for (const Answer& hint : hints.items())
+        labels[client.text_before(hinted_uri, hint["position"]).size()] = hint["label"].text();
     std::string out = text;
     for (auto label = labels.rbegin(); label != labels.rend(); ++label)
         out.insert(label->first, "[" + label->second + "]");

@@ -100,7 +100,7 @@ TEST_F(Navigation, References) {
 TEST_F(Navigation, HighlightsTellReadsFromWrites) {
     const Answer found = client.request("textDocument/documentHighlight", client.at("x"));
     std::string kinds;
-    for (const Answer& each : found.items()) kinds += std::to_string(each["kind"].number());
+    for (const Answer& highlight : found.items()) kinds += std::to_string(highlight["kind"].number());
     EXPECT_EQ(kinds, "1323");
 }
 

@@ -16,9 +16,9 @@ const Json document = Json::object({{"textDocument", Json::object({{"uri", outli
 /// "name(child child(…))" of symbols.
 std::string shape(const Answer& symbols) {
     std::string out;
-    for (const Answer& each : symbols.items()) {
-        const std::string inner = shape(each["children"]);
-        out += (out.empty() ? "" : " ") + each["name"].text() + (inner.empty() ? "" : "(" + inner + ")");
+    for (const Answer& symbol : symbols.items()) {
+        const std::string inner = shape(symbol["children"]);
+        out += (out.empty() ? "" : " ") + symbol["name"].text() + (inner.empty() ? "" : "(" + inner + ")");
     }
     return out;
 }
@@ -29,11 +29,11 @@ bool holds(const Answer& outer, const Answer& inner) {
 }
 
 void expect_nested(const Answer& symbols) {
-    for (const Answer& each : symbols.items()) {
-        EXPECT_TRUE(holds(each["range"], each["selectionRange"])) << each["name"].text();
-        for (const Answer& child : each["children"].items())
-            EXPECT_TRUE(holds(each["range"], child["range"])) << child["name"].text();
-        expect_nested(each["children"]);
+    for (const Answer& symbol : symbols.items()) {
+        EXPECT_TRUE(holds(symbol["range"], symbol["selectionRange"])) << symbol["name"].text();
+        for (const Answer& child : symbol["children"].items())
+            EXPECT_TRUE(holds(symbol["range"], child["range"])) << child["name"].text();
+        expect_nested(symbol["children"]);
     }
 }
 
@@ -97,7 +97,7 @@ TEST(Outline, OfAnyPrefixIsWellNested) {
         client.change(outlined_uri, text.substr(0, length));
         const Answer symbols = client.request("textDocument/documentSymbol", document);
         expect_nested(symbols);
-        for (const Answer& each : symbols.items()) EXPECT_NE(each["name"].text(), "");
+        for (const Answer& symbol : symbols.items()) EXPECT_NE(symbol["name"].text(), "");
     }
 }
 
@@ -148,9 +148,9 @@ TEST(Folds, AreBodiesCommentsAndImports) {
                 "interface I {\n");           // 11
     std::string found;
     const Answer folds = client.request("textDocument/foldingRange", document);
-    for (const Answer& each : folds.items())
-        found += std::to_string(each["startLine"].number()) + "-" + std::to_string(each["endLine"].number()) +
-                 each["kind"].text() + " ";
+    for (const Answer& fold : folds.items())
+        found += std::to_string(fold["startLine"].number()) + "-" + std::to_string(fold["endLine"].number()) +
+                 fold["kind"].text() + " ";
     EXPECT_EQ(found, "4-7 2-3comment 9-10comment 0-1imports ");
 }
 

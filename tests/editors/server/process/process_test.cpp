@@ -31,7 +31,7 @@ public:
         if (pid_ == 0) {
             dup2(to[0], STDIN_FILENO);
             dup2(from[1], STDOUT_FILENO);
-            for (const int each : {to[0], to[1], from[0], from[1]}) close(each);
+            for (const int descriptor : {to[0], to[1], from[0], from[1]}) close(descriptor);
             execl(ROBOCHART_VERIFY, ROBOCHART_VERIFY, "lsp", argument, nullptr);
             _exit(127);
         }

@@ -43,7 +43,7 @@ std::string offered(const std::string& text, const std::string& at = uri) {
     const Answer answer = client.request("textDocument/completion", params);
     std::string labels;
     const Answer items = answer["items"];
-    for (const Answer& each : items.items()) labels += (labels.empty() ? "" : " ") + each["label"].text();
+    for (const Answer& item : items.items()) labels += (labels.empty() ? "" : " ") + item["label"].text();
     return labels;
 }
 
@@ -92,7 +92,7 @@ TEST(RuleTexts, HaveAnOutline) {
     const Answer symbols =
         client.request("textDocument/documentSymbol", Json::object({{"textDocument", Json::object({{"uri", uri}})}}));
     std::string names;
-    for (const Answer& each : symbols.items()) names += each["name"].text() + " ";
+    for (const Answer& symbol : symbols.items()) names += symbol["name"].text() + " ";
     EXPECT_EQ(names, "Go Stop load MAX R1 R2 ");
     EXPECT_EQ(symbols[4]["range"]["start"]["line"].number(), 7);
 }
@@ -154,7 +154,7 @@ TEST(RuleTexts, RulesAreOfferedBehindConformsTo) {
                                                        {"position", client.position_of(text.size(), claims)}}));
     std::string labels;
     const Answer items = answer["items"];
-    for (const Answer& each : items.items()) labels += each["label"].text() + " ";
+    for (const Answer& item : items.items()) labels += item["label"].text() + " ";
     EXPECT_EQ(labels, "OnDisk New ");
 }
 

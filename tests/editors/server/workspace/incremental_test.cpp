@@ -32,10 +32,11 @@ public:
         for (std::size_t i = 0; i < texts_.size(); ++i) client.open(uri(i), texts_[i]);
     }
 
-    [[nodiscard]] std::string uri(std::size_t i) const {
-        const char* const suffix = language_ == Language::cspm ? ".csp" : i == 0 ? ".assertions" : ".rct";
-        return "file:///p/" + std::to_string(i) + suffix;
+    [[nodiscard]] const char* extension(std::size_t i) const {
+        if (language_ == Language::cspm) return ".csp";
+        return i == 0 ? ".assertions" : ".rct";
     }
+    [[nodiscard]] std::string uri(std::size_t i) const { return "file:///p/" + std::to_string(i) + extension(i); }
 
     /// Makes a random change, sent as ranges.
     void edit() {

@@ -72,8 +72,8 @@ public:
         working.join();
     }
     [[nodiscard]] std::int64_t code_of(std::int64_t id) const {
-        for (const Answer& each : messages)
-            if (each["id"] == Json(id)) return each["error"]["code"].number();
+        for (const Answer& message : messages)
+            if (message["id"] == Json(id)) return message["error"]["code"].number();
         return 0;
     }
 };
