@@ -142,8 +142,8 @@ std::string tree(const Stmt& s) {
     std::string out = "(" + std::string(words.at(static_cast<std::size_t>(s.kind)));
     if (s.communication) return (s.send_keyword ? "(send " : "(") + tree(*s.communication) + ")";
     if (!s.name.empty()) out += " " + s.name.text();
-    for (const auto* each : {&s.condition, &s.target, &s.value, &s.upper})
-        if (*each) out += " " + tree(**each);
+    for (const auto* part : {&s.condition, &s.target, &s.value, &s.upper})
+        if (*part) out += " " + tree(**part);
     return out + parts(s.args) + parts(s.body) + ")";
 }
 

@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 using testing::formatted;
 
-void expect_format(const std::string& text, const std::string& wanted, bool is_assertions = false) {
-    EXPECT_EQ(formatted(text, is_assertions), wanted);
-    EXPECT_EQ(formatted(wanted, is_assertions), wanted) << "not stable";
+void expect_format(const std::string& text, const std::string& expected, bool is_assertions = false) {
+    EXPECT_EQ(formatted(text, is_assertions), expected);
+    EXPECT_EQ(formatted(expected, is_assertions), expected) << "not stable";
 }
 
 TEST(Format, TheExampleOfTheDocumentationIsInTheStyle) {

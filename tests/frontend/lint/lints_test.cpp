@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <stdexcept>
 
 #include "frontend/lint/lint_logic.hpp"
 #include "frontend/syntax/parse.hpp"
@@ -62,7 +63,8 @@ struct Values {
             case 'c':
                 return c;
             default:
-                return name == "red" ? 0 : name == "green" ? 1 : 2;
+                if (name == "red") return 0;
+                return name == "green" ? 1 : 2;
         }
     }
 
@@ -112,9 +114,13 @@ private:
                 return a - b;
             case BinaryOp::times:
                 return a * b;
-            default:
-                throw std::logic_error("not in these tests");
+            case BinaryOp::in:
+            case BinaryOp::divide:
+            case BinaryOp::modulus:
+            case BinaryOp::concat:
+                break;
         }
+        throw std::logic_error("not in these tests");
     }
 };
 
@@ -255,15 +261,15 @@ TEST(Lints, SayForWhichValuesAJunctionIsStuck) {
 }
 
 TEST(Lints, SayTheDefaultOfWhatIsNotSet) {
-    const auto said = [](const std::string& type, const std::string& value) {
+    const auto expect_value = [](const std::string& type, const std::string& value) {
         const auto reading = resolved("enumeration E { first second } stm S { var v:" + type + " event out:" + type +
                                       " initial i state A { entry out!v } transition t { from i to A } }");
         EXPECT_NE(reading->report().find("its value is " + value + " then"), std::string::npos) << reading->report();
     };
-    said("boolean", "true");
-    said("nat", "0");
-    said("E", "first");
-    said("Seq(nat)", "the empty sequence");
+    expect_value("boolean", "true");
+    expect_value("nat", "0");
+    expect_value("E", "first");
+    expect_value("Seq(nat)", "the empty sequence");
 }
 
 TEST(Lints, PointAtTheUseOfALooseEvent) {

@@ -21,7 +21,7 @@ using random_models::Project;
 using random_models::Random;
 
 /// The dump with targets and types, and every finding with its fixes.
-std::string said(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
+std::string texts_of(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
     return dump_model(model, sources, true) + diagnostics::render_text(sources, findings);
 }
 
@@ -34,7 +34,7 @@ std::string anew(const Project& project) {
         model.files.push_back(parse(sources, sources.add(path, text), path.ends_with(".assertions"), ignored));
     update_toolkits(sources, model, findings);
     resolve(model, findings);
-    return said(model, sources, findings);
+    return texts_of(model, sources, findings);
 }
 
 /// A project whose files change one by one.
@@ -56,7 +56,7 @@ public:
         Diagnostics findings;
         update_toolkits(sources_, model_, findings);
         resolution_.resolve(model_, findings);
-        return said(model_, sources_, findings);
+        return texts_of(model_, sources_, findings);
     }
     /// True if the last resolution skipped some files.
     [[nodiscard]] bool left_others() const { return resolution_.files_resolved() < model_.files.size(); }
@@ -88,20 +88,20 @@ std::string edited(const std::string& text, bool is_assertions, Random& random) 
 
 /// Changes random words, reverts half of the changes, and compares after each change.
 std::size_t expect_the_same(Project project, std::size_t edits, Random& random) {
-    Kept kept(std::move(project));
+    Kept incremental(std::move(project));
     std::size_t left_others = 0;
-    EXPECT_EQ(kept.resolve(), anew(kept.project()));
+    EXPECT_EQ(incremental.resolve(), anew(incremental.project()));
     for (std::size_t i = 0; i < edits; ++i) {
-        const std::size_t file = random.below(kept.project().size());
-        const std::string before = kept.project()[file].text;
-        for (const std::string& text : {edited(before, kept.project()[file].is_assertions(), random), before}) {
+        const std::size_t file = random.below(incremental.project().size());
+        const std::string before = incremental.project()[file].text;
+        for (const std::string& text : {edited(before, incremental.project()[file].is_assertions(), random), before}) {
             if (text == before && random.below(4) == 0) continue;  // keeps some mistakes in the text
-            kept.change(file, text);
-            const std::string now = kept.resolve();
-            const std::string expected = anew(kept.project());
+            incremental.change(file, text);
+            const std::string now = incremental.resolve();
+            const std::string expected = anew(incremental.project());
             EXPECT_EQ(now, expected);
             if (now != expected) return left_others;
-            if (kept.left_others()) ++left_others;
+            if (incremental.left_others()) ++left_others;
         }
     }
     return left_others;
@@ -138,11 +138,11 @@ const Project three = {
 };
 
 std::size_t looked_at(std::size_t file, const std::string& text) {
-    Kept kept(three);
-    kept.resolve();
-    kept.change(file, text);
-    EXPECT_EQ(kept.resolve(), anew(kept.project()));
-    return kept.resolved();
+    Kept incremental(three);
+    incremental.resolve();
+    incremental.change(file, text);
+    EXPECT_EQ(incremental.resolve(), anew(incremental.project()));
+    return incremental.resolved();
 }
 
 TEST(Incremental, ABodyConcernsItsFileAlone) {
@@ -166,31 +166,31 @@ TEST(Incremental, ADeclarationConcernsEveryFile) {
 
 /// If a note points into a changed text, its place moves with the text.
 TEST(Incremental, NotesIntoTheChangedFileMove) {
-    Kept kept(
+    Kept incremental(
         {{"a.rct", "stm M { initial i state A { } transition t { from i to A } }\ninterface I { var speed : nat }\n"},
          {"b.rct",
           "stm S { requires I var speed : real initial i state A { entry speed = 1.0 } "
           "transition t { from i to A } }\n"}});
-    const std::string before = kept.resolve();
+    const std::string before = incremental.resolve();
     EXPECT_NE(before.find("this declaration is hidden"), std::string::npos) << before;
-    kept.change(
+    incremental.change(
         0, "stm M {\n\n\n initial i state A { } transition t { from i to A } }\ninterface I { var speed : nat }\n");
-    const std::string after = kept.resolve();
-    EXPECT_EQ(after, anew(kept.project()));
+    const std::string after = incremental.resolve();
+    EXPECT_EQ(after, anew(incremental.project()));
     EXPECT_NE(after.find("a.rct:5:"), std::string::npos) << after;
 }
 
 /// A syntax error that hides a part of one file suppresses errors for unknown names in another file, until it is
 /// corrected.
 TEST(Incremental, WhatWasLostMattersElsewhere) {
-    Kept kept({{"a.rct", "stm M { initial i state A { } transition t { from i to A } }\n"},
-               {"b.rct", "stm S { requires Lost initial i state A { } transition t { from i to A } }\n"}});
+    Kept incremental({{"a.rct", "stm M { initial i state A { } transition t { from i to A } }\n"},
+                      {"b.rct", "stm S { requires Lost initial i state A { } transition t { from i to A } }\n"}});
     for (const char* text : {"stm M { initial i state A { } transition t { from i to A } }\ninterface Lost { var ( }\n",
                              "stm M { initial i state A { } transition t { from i to A } }\ninterface { }\n",
                              "stm M { initial i state A { } transition t { from i to A action } }\n",
                              "stm M { initial i state A { } transition t { from i to A } }\n"}) {
-        kept.change(0, text);
-        EXPECT_EQ(kept.resolve(), anew(kept.project())) << text;
+        incremental.change(0, text);
+        EXPECT_EQ(incremental.resolve(), anew(incremental.project())) << text;
     }
 }
 

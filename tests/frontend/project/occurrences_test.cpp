@@ -40,13 +40,16 @@ protected:
         plain.erase(bar, 1);
         const std::size_t where = text_.find(plain);
         EXPECT_NE(where, std::string::npos) << marked;
-        for (const Occurrence& each : list_)
-            if (each.span.begin == where + bar) {
+        for (const Occurrence& occurrence : list_)
+            if (occurrence.span.begin == where + bar) {
                 const std::uint32_t line =
-                    each.target != nullptr
-                        ? reading_->sources.position(each.target->name_span.source, each.target->name_span.begin).line
+                    occurrence.target != nullptr
+                        ? reading_->sources
+                              .position(occurrence.target->name_span.source, occurrence.target->name_span.begin)
+                              .line
                         : 0;
-                return {each.kind, each.target, each.text, each.declares, each.access, line};
+                return {occurrence.kind,     occurrence.target, occurrence.text,
+                        occurrence.declares, occurrence.access, line};
             }
         ADD_FAILURE() << "nothing at " << marked;
         return {NameKind::unknown, nullptr, "", false, Access::none, 0};
@@ -172,7 +175,8 @@ std::string uncovered(const std::string& path) {
     diagnostics::Diagnostics findings;
     const auto model = load_project(sources, path, findings);
     std::set<std::pair<diagnostics::SourceId, std::uint32_t>> covered;
-    for (const Occurrence& each : find_occurrences(*model)) covered.insert({each.span.source, each.span.begin});
+    for (const Occurrence& occurrence : find_occurrences(*model))
+        covered.insert({occurrence.span.source, occurrence.span.begin});
     std::string missing;
     for (const auto& file : model->files) {
         if (file->is_library || file->has_syntax_errors) continue;

@@ -33,10 +33,11 @@ diagnostics::Repaired repaired(const Texts& texts) {
 
 /// 0: syntax, 1: other errors, 2: warnings.
 int level_of(const diagnostics::Rule& rule) {
-    return syntax::is_syntax(rule) ? 0 : rule.severity == diagnostics::Severity::error ? 1 : 2;
+    if (syntax::is_syntax(rule)) return 0;
+    return rule.severity == diagnostics::Severity::error ? 1 : 2;
 }
 
-std::multiset<std::string> said(const diagnostics::TextReading& reading, int level) {
+std::multiset<std::string> texts_of(const diagnostics::TextReading& reading, int level) {
     std::multiset<std::string> result;
     for (const diagnostics::Diagnostic& finding : reading.findings.sorted_findings())
         if (level_of(*finding.rule) == level) result.insert(std::string(finding.rule->code) + " " + finding.message());
@@ -59,8 +60,8 @@ Texts with_fix(const diagnostics::TextReading& reading, const Texts& texts, cons
 void expect_better(const diagnostics::TextReading& before, const diagnostics::TextReading& after,
                    const std::string& what) {
     for (int level = 0; level < 3; ++level) {
-        const auto old = said(before, level);
-        const auto now = said(after, level);
+        const auto old = texts_of(before, level);
+        const auto now = texts_of(after, level);
         EXPECT_TRUE(includes(old, now)) << what << diagnostics::render_text(after.sources, after.findings);
         if (now.size() < old.size()) return;
     }
@@ -123,8 +124,10 @@ std::vector<Example> examples_of(const std::string& page) {
         const bool model = language.starts_with("robochart ");
         if (!model && !language.starts_with("assertions ")) continue;
         const std::size_t named = language.find("file=");
-        file = named == std::string::npos ? std::to_string(number++) + (model ? ".rct" : ".assertions")
-                                          : language.substr(named + 5, language.find(' ', named) - named - 5);
+        if (named == std::string::npos)
+            file = std::to_string(number++) + (model ? ".rct" : ".assertions");
+        else
+            file = language.substr(named + 5, language.find(' ', named) - named - 5);
     }
     return result;
 }

@@ -13,7 +13,7 @@ using diagnostics::Diagnostics;
 using diagnostics::SourceManager;
 
 /// The resolved model as text: the dump with targets and types, and every finding.
-std::string said(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
+std::string texts_of(const Model& model, const SourceManager& sources, const Diagnostics& findings) {
     return dump_model(model, sources, true) + diagnostics::render_text(sources, findings);
 }
 
@@ -21,7 +21,7 @@ std::string resolve_again(Model& model, SourceManager& sources) {
     Diagnostics findings;
     update_toolkits(sources, model, findings);
     resolve(model, findings);
-    return said(model, sources, findings);
+    return texts_of(model, sources, findings);
 }
 
 void expect_repeatable(const std::string& path) {

@@ -23,9 +23,9 @@ std::vector<std::vector<std::string>> units_of(const std::vector<Text>& texts) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     Model model;
-    for (const Text& each : texts)
+    for (const Text& text : texts)
         model.files.push_back(
-            parse(sources, sources.add(each.path, each.text), each.path.ends_with(".assertions"), diagnostics));
+            parse(sources, sources.add(text.path, text.text), text.path.ends_with(".assertions"), diagnostics));
     add_toolkits(sources, model, diagnostics);
     resolve(model, diagnostics);
     EXPECT_TRUE(diagnostics.ok());
@@ -109,8 +109,8 @@ TEST(Units, AFileWithMistakesBelongsToThoseBesideIt) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     Model model;
-    for (const Text& each : {Text{"/p/a/m.rct", "stm S { initial"}, Text{"/p/a/n.rct", t}, Text{"/p/b/m.rct", t}})
-        model.files.push_back(parse(sources, sources.add(each.path, each.text), false, diagnostics));
+    for (const Text& text : {Text{"/p/a/m.rct", "stm S { initial"}, Text{"/p/a/n.rct", t}, Text{"/p/b/m.rct", t}})
+        model.files.push_back(parse(sources, sources.add(text.path, text.text), false, diagnostics));
     resolve(model, diagnostics);
     EXPECT_THAT(group_files(model), ElementsAre(ElementsAre(0U, 1U), ElementsAre(2U)));
 }

@@ -136,8 +136,8 @@ TEST_P(Assertions, GiveTheTree) {
     }
     const auto add = [&](const std::string& text) { out += (out.empty() ? "" : " / ") + text; };
     const auto add_line = [&](const std::string& text) { add(text.substr(0, text.size() - 1)); };
-    for (const auto& each : reading->file().probabilistic_definitions) add_line(to_text(each));
-    for (const auto& each : reading->file().probabilistic_assertions) add_line(to_text(each));
+    for (const auto& definition : reading->file().probabilistic_definitions) add_line(to_text(definition));
+    for (const auto& assertion : reading->file().probabilistic_assertions) add_line(to_text(assertion));
     for (const KeptPart& part : reading->file().kept) add(part.text);
     EXPECT_EQ(out, GetParam().expected);
 }

@@ -28,20 +28,27 @@ const std::string after = "\n transition t0 { from i to A }\n}\n";
 std::string rest_of(const ForeignWord& row) {
     switch (row.place) {
         case ForeignPlace::clause:
-            return row.instead == "trigger"     ? " e"
-                   : row.instead == "condition" ? " b"
-                   : row.instead == "action"    ? " skip"
-                   : row.instead == "#"         ? " C"
-                                                : "";
+            if (row.instead == "trigger") return " e";
+            if (row.instead == "condition") return " b";
+            if (row.instead == "action") return " skip";
+            return row.instead == "#" ? " C" : "";
         case ForeignPlace::state_part:
             return row.instead.empty() ? "" : " skip";
         case ForeignPlace::statement:
-            return row.instead == "send" ? " f" : row.instead == "#" ? " C" : " x";
+            if (row.instead == "send") return " f";
+            return row.instead == "#" ? " C" : " x";
         case ForeignPlace::infix:
-            return " " + std::string(row.word == "mod" ? "2 > 0" : "b");
-        default:
-            return "";
+            return row.word == "mod" ? " 2 > 0" : " b";
+        case ForeignPlace::declaration:
+        case ForeignPlace::member:
+        case ForeignPlace::if_end:
+        case ForeignPlace::type:
+        case ForeignPlace::value:
+        case ForeignPlace::operation:
+        case ForeignPlace::event:
+            break;
     }
+    return "";
 }
 
 std::string member_rest(const ForeignWord& row) {
@@ -52,21 +59,25 @@ std::string member_rest(const ForeignWord& row) {
     return " g";
 }
 
+/// Text after the word that begins a declaration.
+std::string declaration_rest(const ForeignWord& row) {
+    if (row.instead == "stm") return " S { initial i state A { } }";
+    if (row.instead == "enumeration" || row.instead == "datatype") return " T { }";
+    if (row.instead == "function") return " g() : int { }";
+    return row.instead == "operation" ? " g() { }" : " T";
+}
+
 /// A text with the row's word in its position; "" for positions that the parser does not check.
 std::string text_with(const ForeignWord& row) {
     const std::string word(row.word);
     switch (row.place) {
         case ForeignPlace::declaration:
-            return row.instead == "stm"                                        ? word + " S { initial i state A { } }"
-                   : row.instead == "enumeration" || row.instead == "datatype" ? word + " T { }"
-                   : row.instead == "function"                                 ? word + " g() : int { }"
-                   : row.instead == "operation"                                ? word + " g() { }"
-                                                                               : word + " T";
+            return word + declaration_rest(row);
         case ForeignPlace::member:
             if (row.word == "operation") return "interface I { operation f() }";
-            return row.instead == "stm"          ? "controller D { " + word + " S { initial i state A { } } }"
-                   : row.instead == "transition" ? before + word + " t1 { from A to A trigger e }" + after
-                                                 : before + word + member_rest(row) + after;
+            if (row.instead == "stm") return "controller D { " + word + " S { initial i state A { } } }";
+            if (row.instead == "transition") return before + word + " t1 { from A to A trigger e }" + after;
+            return before + word + member_rest(row) + after;
         case ForeignPlace::state_part:
             return before + "state B { " + word + rest_of(row) + " }" + after;
         case ForeignPlace::clause:
@@ -80,9 +91,13 @@ std::string text_with(const ForeignWord& row) {
         case ForeignPlace::infix:
             return before + "transition t1 { from A to A condition " + (row.word == "mod" ? "x " : "b ") + word +
                    rest_of(row) + " }" + after;
-        default:
-            return "";
+        case ForeignPlace::type:
+        case ForeignPlace::value:
+        case ForeignPlace::operation:
+        case ForeignPlace::event:
+            break;
     }
+    return "";
 }
 
 TEST(ForeignWords, EachRowIsReportedOnceAndFixedWhereAWordReplacesIt) {
@@ -172,9 +187,9 @@ TEST(ForeignForms, AreReportedOnceWithTheirFix) {
 std::string fixed(const std::string& text, const std::string& code) {
     const auto reading = read(text, text.starts_with("assertion"));
     std::vector<diagnostics::FixIt> fixes;
-    for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings()) {
-        EXPECT_EQ(each.rule->code, code) << text;
-        fixes.insert(fixes.end(), each.fixes.begin(), each.fixes.end());
+    for (const diagnostics::Diagnostic& finding : reading->findings.sorted_findings()) {
+        EXPECT_EQ(finding.rule->code, code) << text;
+        fixes.insert(fixes.end(), finding.fixes.begin(), finding.fixes.end());
     }
     const std::string result = diagnostics::apply_fixes(text, fixes);
     const auto again = read(result, text.starts_with("assertion"));
@@ -353,8 +368,8 @@ TEST(ForeignForms, OfSeveralWordsAreExplained) {
         const auto reading = read(form.text, !of_a_model(form.text));
         const std::string report = reading->report();
         EXPECT_THAT(report, HasSubstr(form.note)) << form.text;
-        for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings())
-            for (const diagnostics::Note& note : each.notes) given.insert(note.message);
+        for (const diagnostics::Diagnostic& finding : reading->findings.sorted_findings())
+            for (const diagnostics::Note& note : finding.notes) given.insert(note.message);
     }
     for (const diagnostics::Advice& row : foreign_forms()) {
         EXPECT_TRUE(given.contains(std::string(row.advice))) << row.words;
@@ -366,7 +381,8 @@ TEST(ForeignForms, OfSeveralWordsAreExplained) {
 TEST(ForeignForms, AnExponentIsNotLeftOut) {
     const auto reading = read("stm S { initial i state A { entry f(1e5) } transition t { from i to A } }");
     ASSERT_FALSE(reading->findings.ok());
-    for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings()) EXPECT_TRUE(each.fixes.empty());
+    for (const diagnostics::Diagnostic& finding : reading->findings.sorted_findings())
+        EXPECT_TRUE(finding.fixes.empty());
 }
 
 TEST(ForeignForms, StateMachineIsStm) {
@@ -403,8 +419,8 @@ TEST(ForeignNames, AreUnknownNamesWithANoteAndAFix) {
     for (const Written& form : forms) {
         const auto reading = resolved(before + form.text + after);
         std::vector<diagnostics::Diagnostic> errors;
-        for (const diagnostics::Diagnostic& each : reading->findings.sorted_findings())
-            if (each.rule->severity == diagnostics::Severity::error) errors.push_back(each);
+        for (const diagnostics::Diagnostic& finding : reading->findings.sorted_findings())
+            if (finding.rule->severity == diagnostics::Severity::error) errors.push_back(finding);
         ASSERT_EQ(errors.size(), 1U) << form.text << reading->report();
         EXPECT_EQ(errors[0].rule->code, "RC-N01") << form.text;
         EXPECT_THAT(reading->report(), HasSubstr(form.reason));

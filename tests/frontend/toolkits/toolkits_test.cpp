@@ -127,7 +127,7 @@ TEST(Order, FilesAndDeclarationsHaveNoOrder) {
     std::mt19937 random(7);  // a fixed seed: the same shuffles in every run
     for (int round = 0; round < 200; ++round) {
         std::shuffle(files.begin(), files.end(), random);
-        for (auto& each : order) std::shuffle(each.begin(), each.end(), random);
+        for (auto& list : order) std::shuffle(list.begin(), list.end(), random);
         EXPECT_EQ(findings_of(files, order), expected);
     }
 }

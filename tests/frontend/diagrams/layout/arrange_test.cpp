@@ -62,13 +62,13 @@ Level remembering(Level level, const Placement& before) {
 }
 
 /// The flips over many random levels after a change, with or without the previous placement.
-Flips flips_after(void (*change)(Level&, std::uint64_t), bool kept) {
+Flips flips_after(void (*change)(Level&, std::uint64_t), bool remembers) {
     Flips all;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         Level level = random_machine(seed, 12);
         const Placement before = arrange_level(level);
         const Scene drawn = scene_of(level, before);
-        if (kept) level = remembering(level, before);
+        if (remembers) level = remembering(level, before);
         change(level, seed);
         const Flips flips = flips_between(drawn, scene_of(level, arrange_level(level)));
         all.pairs += flips.pairs;
@@ -218,8 +218,8 @@ TEST(Arrange, WhatIsTooLargeIsRefused) {
 
 /// Random levels, including larger ones; ROBOCHART_LEVELS is their number. To be run by hand.
 TEST(Arrange, ManyRandomLevelsMeetTheCriteria) {
-    const char* wanted = std::getenv("ROBOCHART_LEVELS");
-    const std::uint64_t count = wanted == nullptr ? 50 : std::strtoull(wanted, nullptr, 10);
+    const char* setting = std::getenv("ROBOCHART_LEVELS");
+    const std::uint64_t count = setting == nullptr ? 50 : std::strtoull(setting, nullptr, 10);
     std::size_t crossings = 0;
     for (std::uint64_t seed = 1'000'000; seed < 1'000'000 + count; ++seed) {
         const Level machine = random_machine(seed, 30);

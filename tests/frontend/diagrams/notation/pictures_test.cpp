@@ -20,15 +20,26 @@ namespace {
 
 using ::testing::IsEmpty;
 
+/// The distance from the left end of a text to its anchor.
+double anchor_offset(const Text& text, double width) {
+    switch (text.anchor) {
+        case Anchor::start:
+            return 0;
+        case Anchor::middle:
+            return width / 2;
+        case Anchor::end:
+            break;
+    }
+    return width;
+}
+
 /// Texts that exceed their boxes. Texts of events are next to their squares and do not count.
 std::vector<std::string> texts_outside(const Picture& picture) {
     std::vector<std::string> outside;
     for (const PictureBox& box : picture.boxes)
         for (const Text& text : box.texts) {
             const double width = layout::text_width(text.text, text.size, text.bold);
-            const double left = text.at.x - (text.anchor == Anchor::start    ? 0
-                                             : text.anchor == Anchor::middle ? width / 2
-                                                                             : width);
+            const double left = text.at.x - anchor_offset(text, width);
             const PictureBox& around = box.event_of == none ? box : picture.boxes[box.event_of];
             const bool beside = box.event_of != none && around.look == Look::frame;
             const bool within = left >= around.place.x - 0.01 && left + width <= around.place.right() + 0.01 &&

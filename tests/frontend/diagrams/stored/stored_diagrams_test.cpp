@@ -63,12 +63,12 @@ public:
         return {};
     }
     /// The codes and messages of the findings about a component.
-    [[nodiscard]] std::vector<std::string> said(const std::string& name) const {
+    [[nodiscard]] std::vector<std::string> findings_about(const std::string& name) const {
         diagnostics::Diagnostics out;
         diagrams_.explain_mismatch(component(name), out);
         std::vector<std::string> result;
-        for (const diagnostics::Diagnostic& each : out.sorted_findings())
-            result.push_back(std::string(each.rule->code) + " " + each.message());
+        for (const diagnostics::Diagnostic& finding : out.sorted_findings())
+            result.push_back(std::string(finding.rule->code) + " " + finding.message());
         return result;
     }
     /// The box of an element, by its name in the model.
@@ -178,7 +178,7 @@ TEST(StoredDiagrams, AreResolved) {
     EXPECT_EQ(diagram->elements, 10U) << "a square, five nodes, four transitions";
     EXPECT_EQ(diagram->found, 10U);
     EXPECT_TRUE(diagram->fits_model());
-    EXPECT_THAT(model.said("Patrol"), IsEmpty());
+    EXPECT_THAT(model.findings_about("Patrol"), IsEmpty());
 }
 
 TEST(StoredDiagrams, GiveNodesTheirPlaces) {
@@ -307,13 +307,14 @@ TEST(StoredDiagrams, AreUsedFromNinetyFivePercentOn) {
     const Stored enough(row_of_states(20), row_aird(20, 1));
     EXPECT_EQ(enough.diagram("S")->found, 19U);
     EXPECT_TRUE(enough.diagram("S")->fits_model()) << "19 of 20 are 95 %";
-    EXPECT_THAT(enough.said("S"),
+    EXPECT_THAT(enough.findings_about("S"),
                 ElementsAre("RC-D03 state machine S is drawn as in p/representations.aird, which does "
                             "not have initial junction A0, transition t"));
     const Stored little(row_of_states(19), row_aird(19, 1));
     EXPECT_FALSE(little.diagram("S")->fits_model()) << "18 of 19 are less";
-    EXPECT_THAT(little.said("S"), ElementsAre("RC-D02 the diagram of state machine S in p/representations.aird is not "
-                                              "used: only 18 of its 19 elements are in the model"));
+    EXPECT_THAT(little.findings_about("S"),
+                ElementsAre("RC-D02 the diagram of state machine S in p/representations.aird is not "
+                            "used: only 18 of its 19 elements are in the model"));
     const Stored none_at_all(row_of_states(19), aird_text(""));
     const Picture own = none_at_all.draw("S");
     const Picture drawn = little.draw("S");
@@ -360,7 +361,7 @@ TEST(StoredDiagrams, ThatNobodyDrewAreNotUsed) {
     const Stored model(row_of_states(20), aird);
     EXPECT_FALSE(model.diagram("S")->is_drawn());
     EXPECT_FALSE(model.diagram("S")->fits_model());
-    EXPECT_THAT(model.said("S"), IsEmpty());
+    EXPECT_THAT(model.findings_about("S"), IsEmpty());
 }
 
 /// A declaration inserted before others changes the numbers in all references.
@@ -369,7 +370,7 @@ TEST(StoredDiagrams, FindDeclarationsThatHaveMoved) {
                                       " transition t0", " transition t4 { from New to Going }\n transition t0");
     const Stored model("stm Other { initial i }\n" + moved, patrol_aird());
     EXPECT_EQ(model.diagram("Patrol")->found, 10U);
-    EXPECT_THAT(model.said("Patrol"),
+    EXPECT_THAT(model.findings_about("Patrol"),
                 ElementsAre("RC-D03 state machine Patrol is drawn as in p/representations.aird, which does not have "
                             "state New, transition t4"));
     const Picture picture = model.draw("Patrol");
@@ -384,7 +385,7 @@ TEST(StoredDiagrams, DoNotCountWhatIsHidden) {
     const Stored model(row_of_states(20), without(row_aird(20, 0), "type=\"3008\" element=\"s7\"",
                                                   "type=\"3008\" visible=\"false\" element=\"s7\""));
     EXPECT_EQ(model.diagram("S")->elements, 19U);
-    EXPECT_THAT(model.said("S"), ElementsAre(HasSubstr("which does not have state A7, transition t")));
+    EXPECT_THAT(model.findings_about("S"), ElementsAre(HasSubstr("which does not have state A7, transition t")));
 }
 
 TEST(StoredDiagrams, NameAFileOnlyByItsLastPart) {
@@ -461,7 +462,7 @@ TEST(StoredDiagrams, PlacePartsAndTheirSquares) {
     const Stored model(controller, controller_aird());
     EXPECT_EQ(model.diagram("C")->elements, 10U);
     EXPECT_EQ(model.diagram("C")->found, 10U);
-    EXPECT_THAT(model.said("C"), IsEmpty());
+    EXPECT_THAT(model.findings_about("C"), IsEmpty());
     const Picture picture = model.draw("C");
     const PictureBox& frame = picture.boxes.front();
     const PictureBox& reference = model.box(picture, "s");
@@ -563,9 +564,9 @@ protected:
         diagrams_.read(loaded_->model, loaded_->sources, out);
         diagrams_.read(loaded_->model, loaded_->sources, out);  // no finding is repeated
         std::vector<std::string> result;
-        for (const diagnostics::Diagnostic& each : out.sorted_findings())
-            result.push_back(
-                fmt::format("{} {} {}", each.rule->code, loaded_->sources.path_and_line(each.span), each.message()));
+        for (const diagnostics::Diagnostic& finding : out.sorted_findings())
+            result.push_back(fmt::format("{} {} {}", finding.rule->code, loaded_->sources.path_and_line(finding.span),
+                                         finding.message()));
         return result;
     }
     [[nodiscard]] std::size_t found() const {
