@@ -24,8 +24,8 @@ using testing::robotool_rows;
 /// The minimum and the maximum of rows with one value each; nullopt if a value is unknown.
 std::optional<std::pair<Rational, Rational>> bounds(const std::vector<Row>& rows) {
     if (rows.size() != 1 || !rows.front().error.empty()) return std::nullopt;
-    for (const prism::Result& each : rows.front().results)
-        if (each.kind != prism::Result::Kind::number || !each.low.is_exact()) return std::nullopt;
+    for (const prism::Result& result : rows.front().results)
+        if (result.kind != prism::Result::Kind::number || !result.low.is_exact()) return std::nullopt;
     return std::pair(rows.front().results.front().low.value(), rows.front().results.back().low.value());
 }
 
@@ -43,8 +43,8 @@ random_models::Shape small_models() {
 
 std::map<std::string, std::string> texts(std::uint64_t seed, const random_models::Shape& shape) {
     std::map<std::string, std::string> files;
-    for (const random_models::Text& each : random_models::well_formed(seed, shape))
-        if (!each.is_assertions()) files[each.path] = each.text;
+    for (const random_models::Text& text : random_models::well_formed(seed, shape))
+        if (!text.is_assertions()) files[text.path] = text.text;
     return files;
 }
 
@@ -78,16 +78,16 @@ TEST(Agreement, OfRandomModels) {
             files["p.assertions"] +=
                 "rewards r = [" + event + "] true : 1; endrewards\nprob property R : Reward {r} =? of [Cumul 1]\n";
         const auto loaded = testing::load(files);
-        const auto asked = [&](const std::string& name, Scheduler scheduler) {
+        const auto decide = [&](const std::string& name, Scheduler scheduler) {
             return bounds(testing::process_rows(*loaded, name, scheduler, nullptr, most_states));
         };
         for (const std::string name : {"P", "R"}) {
             if (name == "R" && event.empty()) continue;
-            const auto any = asked(name, Scheduler::any);
+            const auto any = decide(name, Scheduler::any);
             if (!any) continue;
             ++(name == "P" ? answered : rewarded);
-            const auto urgent = asked(name, Scheduler::urgent);
-            const auto uniform = asked(name, Scheduler::uniform);
+            const auto urgent = decide(name, Scheduler::urgent);
+            const auto uniform = decide(name, Scheduler::uniform);
             if (name == "P") {
                 ASSERT_TRUE(urgent && uniform) << seed;
             }

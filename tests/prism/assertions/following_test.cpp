@@ -45,7 +45,7 @@ TEST(Following, OneTimeUnit) {
     EXPECT_EQ(one.first, (std::vector<bool>{true, false, false, false}));
     EXPECT_TRUE(may(one, none, a));
     EXPECT_FALSE(may(one, none, b));
-    for (const std::uint32_t each : {a, b, c}) EXPECT_TRUE(may(one, a, each)) << each;
+    for (const std::uint32_t action : {a, b, c}) EXPECT_TRUE(may(one, a, action)) << action;
     EXPECT_TRUE(may(one, b, b));
     EXPECT_TRUE(may(one, b, c));
     EXPECT_TRUE(may(one, c, c));

@@ -32,8 +32,8 @@ std::unique_ptr<Loaded> load(const std::map<std::string, std::string>& files) {
 
 Claim find_claim(const Loaded& loaded, const std::string& name) {
     for (const auto& file : loaded.model.files)
-        for (const frontend::ProbabilisticAssertion& each : file->probabilistic_assertions)
-            if (each.name == name) return {file.get(), &each};
+        for (const frontend::ProbabilisticAssertion& assertion : file->probabilistic_assertions)
+            if (assertion.name == name) return {file.get(), &assertion};
     throw std::runtime_error("no assertion " + name);
 }
 
@@ -47,12 +47,12 @@ std::vector<Row> robotool_rows(const Loaded& loaded, const std::string& assertio
                                const Deciding& how) {
     std::vector<Row> rows;
     const Assertions all(loaded.model);
-    const Claim asked = find_claim(loaded, assertion);
+    const Claim claim = find_claim(loaded, assertion);
     diagnostics::Budget budget;
     try {
         RoboToolEncoding encoding(loaded.system, loaded.system.modules.front(), options,
-                                  functions_of(all, *asked.file, *asked.assertion));
-        const Question question = translate_assertion(all, *asked.file, *asked.assertion, encoding.elements());
+                                  functions_of(all, *claim.file, *claim.assertion));
+        const Question question = translate_assertion(all, *claim.file, *claim.assertion, encoding.elements());
         decide_question(encoding, question, how, budget, [&](Row row) { rows.push_back(std::move(row)); });
     } catch (const std::runtime_error& why) {
         rows.emplace_back().error = why.what();
@@ -84,7 +84,7 @@ std::vector<Row> process_rows(Loaded& loaded, const std::string& assertion, Sche
                               std::uint64_t* compared, std::uint64_t most_states, bool exact) {
     std::vector<Row> rows;
     const Assertions all(loaded.model);
-    const Claim asked = find_claim(loaded, assertion);
+    const Claim claim = find_claim(loaded, assertion);
     diagnostics::Budget budget;
     ProcessOptions options;
     options.scheduler = scheduler;
@@ -94,7 +94,7 @@ std::vector<Row> process_rows(Loaded& loaded, const std::string& assertion, Sche
     const ir::ComponentRef subject = whole_component(loaded.system);
     try {
         ProcessEncoding encoding(loaded.system, subject, loaded.sources, options);
-        const Question question = translate_assertion(all, *asked.file, *asked.assertion, encoding.elements());
+        const Question question = translate_assertion(all, *claim.file, *claim.assertion, encoding.elements());
         decide_question(encoding, question, {1e-6, exact}, budget, [&](Row row) { rows.push_back(std::move(row)); });
         if (compared != nullptr) *compared = encoding.compared_state_count();
     } catch (const std::runtime_error& why) {
@@ -103,6 +103,16 @@ std::vector<Row> process_rows(Loaded& loaded, const std::string& assertion, Sche
     return rows;
 }
 
+namespace {
+
+std::string result_text(const prism::Result& result) {
+    if (result.kind == prism::Result::Kind::truth) return result.truth ? "true" : "false";
+    if (result.kind == prism::Result::Kind::unknown) return "not decided: " + result.reason;
+    return result.low.text();
+}
+
+}  // namespace
+
 std::string rows_text(const Row& row) {
     std::string result;
     for (const auto& [name, value] : row.constants)
@@ -110,18 +120,13 @@ std::string rows_text(const Row& row) {
     if (!result.empty()) result += ": ";
     if (!row.error.empty()) return result + row.error;
     std::string values;
-    for (const prism::Result& each : row.results) {
-        const std::string value = each.kind == prism::Result::Kind::truth     ? (each.truth ? "true" : "false")
-                                  : each.kind == prism::Result::Kind::unknown ? "not decided: " + each.reason
-                                                                              : each.low.text();
-        values += (values.empty() ? "" : " to ") + value;
-    }
+    for (const prism::Result& part : row.results) values += (values.empty() ? "" : " to ") + result_text(part);
     return result + values;
 }
 
 std::string rows_text(const std::vector<Row>& rows) {
     std::string result;
-    for (const Row& each : rows) result += (result.empty() ? "" : "\n") + rows_text(each);
+    for (const Row& row : rows) result += (result.empty() ? "" : "\n") + rows_text(row);
     return result;
 }
 

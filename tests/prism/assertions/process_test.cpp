@@ -39,8 +39,8 @@ const char* const coin_ways =
 
 TEST(Process, ACoinThatIsThrownAtOnce) {
     const std::string coin = thrower("", coin_ways);
-    for (const Scheduler each : {Scheduler::any, Scheduler::urgent})
-        EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A]"), each), "0.25 to 0.25");
+    for (const Scheduler scheduler : {Scheduler::any, Scheduler::urgent})
+        EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A]"), scheduler), "0.25 to 0.25");
     EXPECT_EQ(decided(coin, property("Prob=? of [Finally S is in S::A]"), Scheduler::uniform), "0.25");
     EXPECT_EQ(decided(coin, property("Prob max=? of [Finally S is in S::B]")), "0.75");
     EXPECT_EQ(decided(coin, property("Prob>=0.25 of [Finally S is in S::A]")), "true");
@@ -53,10 +53,10 @@ TEST(Process, ACoinThatIsThrownAtOnce) {
 /// presses eventually.
 TEST(Process, AnInputNeedNotCome) {
     const std::string coin = thrower("trigger go", coin_ways);
-    const std::string asked = property("Prob=? of [Finally S is in S::A]");
-    EXPECT_EQ(decided(coin, asked), "0 to 0.25");
-    EXPECT_EQ(decided(coin, asked, Scheduler::urgent), "0 to 0.25") << "time and inputs wait for nothing here";
-    EXPECT_EQ(decided(coin, asked, Scheduler::uniform), "0.25");
+    const std::string reaches_a = property("Prob=? of [Finally S is in S::A]");
+    EXPECT_EQ(decided(coin, reaches_a), "0 to 0.25");
+    EXPECT_EQ(decided(coin, reaches_a, Scheduler::urgent), "0 to 0.25") << "time and inputs wait for nothing here";
+    EXPECT_EQ(decided(coin, reaches_a, Scheduler::uniform), "0.25");
 }
 
 /// The junction leads to A with probability p, to B with probability q, and otherwise back. So A is reached with
@@ -115,12 +115,12 @@ TEST(Process, LongTimesNeedNotBeCounted) {
     };
     const auto rows = decide("Prob=? of [Finally <=1000000000 S is in S::A]");
     ASSERT_EQ(rows.size(), 1u);
-    for (const prism::Result& each : rows.front().results) {
-        ASSERT_EQ(each.kind, prism::Result::Kind::number);
-        EXPECT_LE(each.low.bounds().low, 0.5);
-        EXPECT_GE(each.high.bounds().high, 0.5);
-        EXPECT_LT(each.high.bounds().high - each.low.bounds().low, 1e-6);
-        EXPECT_EQ(each.reason, "");
+    for (const prism::Result& result : rows.front().results) {
+        ASSERT_EQ(result.kind, prism::Result::Kind::number);
+        EXPECT_LE(result.low.bounds().low, 0.5);
+        EXPECT_GE(result.high.bounds().high, 0.5);
+        EXPECT_LT(result.high.bounds().high - result.low.bounds().low, 1e-6);
+        EXPECT_EQ(result.reason, "");
     }
     EXPECT_EQ(rows_text(decide("Prob>=0.4 of [Finally <=1000000000 S is in S::A]")), "true");
     EXPECT_EQ(rows_text(decide("Prob>=0.6 of [Finally <=1000000000 S is in S::A]")), "false");
@@ -136,9 +136,9 @@ TEST(Process, ARaceIsOpen) {
         "transition t0 { from i to Ready } transition t1 { from Ready to p } "
         "transition a { from p to A probability 0.5 } transition b { from p to B probability 0.5 } } "
         "controller C { sref one = S sref two = S }";
-    const std::string asked = property("Prob=? of [Finally C::one is in S::A /\\ not C::two is in S::A]");
-    EXPECT_EQ(decided(race, asked), "0.25 to 0.5");
-    EXPECT_EQ(decided(race, asked, Scheduler::uniform), "0.375");
+    const std::string only_one = property("Prob=? of [Finally C::one is in S::A /\\ not C::two is in S::A]");
+    EXPECT_EQ(decided(race, only_one), "0.25 to 0.5");
+    EXPECT_EQ(decided(race, only_one, Scheduler::uniform), "0.375");
     EXPECT_EQ(decided(race, property("Prob=? of [Finally C::one is in S::A /\\ C::two is in S::A]")), "0.25 to 0.25");
 }
 
@@ -232,14 +232,14 @@ const char* const module_text = R"(
 )";
 
 TEST(Process, OfAModule) {
-    const auto asked = [](const std::string& of, Scheduler scheduler = Scheduler::any) {
+    const auto decide = [](const std::string& of, Scheduler scheduler = Scheduler::any) {
         return decided(module_text, property(of), scheduler);
     };
-    EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker is in Walker::Left]"), "0 to 0.3");
-    EXPECT_EQ(asked("Prob max=? of [Finally <=0 World::mind::walker is in Walker::Right /\\ "
-                    "World::mind::walker::steps == 1]"),
+    EXPECT_EQ(decide("Prob=? of [Finally World::mind::walker is in Walker::Left]"), "0 to 0.3");
+    EXPECT_EQ(decide("Prob max=? of [Finally <=0 World::mind::walker is in Walker::Right /\\ "
+                     "World::mind::walker::steps == 1]"),
               "0.7");
-    EXPECT_EQ(asked("Prob=? of [Finally World::mind::walker::steps > 1]"), "0 to 0");
+    EXPECT_EQ(decide("Prob=? of [Finally World::mind::walker::steps > 1]"), "0 to 0");
 }
 
 /// The first throw is immediate, and one throw follows in each time unit. Each throw is announced. The machine needs 1

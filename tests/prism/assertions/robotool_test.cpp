@@ -50,8 +50,8 @@ const char* const coin = R"(package coin
 	module Game { rref table = Table cref hand = Hand connection table on throw to hand on throw ( _async ) }
 )";
 
-std::vector<Row> asked(const std::string& assertions, const std::string& name = "P",
-                       const RoboToolOptions& options = testing::small_ranges(), bool exact = true) {
+std::vector<Row> rows_of(const std::string& assertions, const std::string& name = "P",
+                         const RoboToolOptions& options = testing::small_ranges(), bool exact = true) {
     const auto loaded = load({{"coin.rct", coin}, {"coin.assertions", "import coin::*\n" + assertions}});
     return robotool_rows(*loaded, name, options, {1e-6, exact});
 }
@@ -60,21 +60,21 @@ const std::string half = " with constants Game::hand::thrower::p set to 0.5";
 
 TEST(RoboToolChain, IsAskedForValuesAndTruths) {
     const std::string heads = "Game::hand::thrower is in Game::hand::thrower::Heads";
-    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob=? of [Finally " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: 1");
-    EXPECT_EQ(rows_text(asked("prob property P: Prob>=0.9 of [Finally " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob>=0.9 of [Finally " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: true");
     // The chain has four steps: to Ready, to the junction, to Heads_entering, to Heads.
-    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally <=3 " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob=? of [Finally <=3 " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: 0");
-    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally <=4 " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob=? of [Finally <=4 " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: 0.5");
-    EXPECT_EQ(rows_text(asked("prob property P: Prob<0.5 of [Finally <5 " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob<0.5 of [Finally <5 " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: false");
-    EXPECT_EQ(rows_text(asked("prob property P: Forall [Finally " + heads + "]" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Forall [Finally " + heads + "]" + half)),
               "Game::hand::thrower::p=0.5: false")
         << "it may come up tails for ever";
-    EXPECT_EQ(rows_text(asked("prob property P: not Exists [Finally deadlock]" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: not Exists [Finally deadlock]" + half)),
               "Game::hand::thrower::p=0.5: true");
 }
 
@@ -85,7 +85,7 @@ TEST(RoboToolChain, IsTriedForEveryValueOfASet) {
         "label heads = Game::table::side == Side::Head /\\ Game::hand::thrower is in Heads\n"
         "prob property P: Prob=? of [Finally <=k #heads] with constants Few";
     // After 4 steps there was one throw, after 6 steps two.
-    EXPECT_EQ(rows_text(asked(few)),
+    EXPECT_EQ(rows_text(rows_of(few)),
               "Game::hand::thrower::p=0.5, k=4: 0.5\n"
               "Game::hand::thrower::p=0.5, k=6: 0.75\n"
               "Game::hand::thrower::p=0.5, k=8: 0.875\n"
@@ -96,24 +96,24 @@ TEST(RoboToolChain, IsTriedForEveryValueOfASet) {
 
 TEST(RoboToolChain, EarnsRewards) {
     // A fair coin needs 1 / 0.5 throws until heads.
-    EXPECT_EQ(rows_text(asked("rewards throws = [Game::hand::thrower::throw.in] true : 1; endrewards\n"
-                              "prob property P: Reward {throws} =? of [Reachable Game::hand::thrower is in Heads]" +
-                              half)),
+    EXPECT_EQ(rows_text(rows_of("rewards throws = [Game::hand::thrower::throw.in] true : 1; endrewards\n"
+                                "prob property P: Reward {throws} =? of [Reachable Game::hand::thrower is in Heads]" +
+                                half)),
               "Game::hand::thrower::p=0.5: 2");
-    EXPECT_EQ(rows_text(asked("rewards throws = [Game::table::throw.out] true : 1; endrewards\n"
-                              "prob property P: Reward {throws} =? of [Cumul 5]" +
-                              half)),
+    EXPECT_EQ(rows_text(rows_of("rewards throws = [Game::table::throw.out] true : 1; endrewards\n"
+                                "prob property P: Reward {throws} =? of [Cumul 5]" +
+                                half)),
               "Game::hand::thrower::p=0.5: 2")
         << "the second step throws; after tails the fourth does, after heads the fifth, which leaves Heads";
-    EXPECT_EQ(rows_text(asked("const c : core::nat rewards waits = Game::hand::thrower is in Ready : c; endrewards\n"
-                              "prob property P: Reward {waits} =? of [Reachable Game::hand::thrower is in Heads]"
-                              " with constants c set to 3, Game::hand::thrower::p set to 0.5")),
+    EXPECT_EQ(rows_text(rows_of("const c : core::nat rewards waits = Game::hand::thrower is in Ready : c; endrewards\n"
+                                "prob property P: Reward {waits} =? of [Reachable Game::hand::thrower is in Heads]"
+                                " with constants c set to 3, Game::hand::thrower::p set to 0.5")),
               "c=3, Game::hand::thrower::p=0.5: 6");
 }
 
 TEST(RoboToolChain, KnowsFormulasFunctionsAndModules) {
     EXPECT_EQ(
-        rows_text(asked(
+        rows_text(rows_of(
             "formula ready = Game::hand::thrower is in Ready\n"
             "defs D: pfunction twice(x) = { return $$x + $$x } pfunction quad(x) = { return &twice(&twice($$x)) }\n"
             "prob property P: Prob=? of [Finally <=4 (not $ready) /\\ "
@@ -122,35 +122,35 @@ TEST(RoboToolChain, KnowsFormulasFunctionsAndModules) {
         "Game::hand::thrower::p=0.5: 0.5");
     // The observer counts to 2 throws and refuses a third, so the coin shows heads at the first or second throw.
     EXPECT_EQ(
-        rows_text(asked("pmodules M: pmodule Count { n : [0 to 2] init 0; "
-                        "[Game::table::throw.out] @n < 2 -> (@n = @n + 1); [] @n == 2 -> skip; }\n"
-                        "prob property P: Prob=? of [Finally Game::hand::thrower is in Heads /\\ @M::Count::n <= 2]" +
-                        half + " with modules M")),
+        rows_text(rows_of("pmodules M: pmodule Count { n : [0 to 2] init 0; "
+                          "[Game::table::throw.out] @n < 2 -> (@n = @n + 1); [] @n == 2 -> skip; }\n"
+                          "prob property P: Prob=? of [Finally Game::hand::thrower is in Heads /\\ @M::Count::n <= 2]" +
+                          half + " with modules M")),
         "Game::hand::thrower::p=0.5: 0.75");
-    EXPECT_EQ(rows_text(asked("pmodules M: pmodule Flip { up : bool init false; "
-                              "[Game::table::throw.out] not @up -> (0.25 : @up = true) & (0.75 : @up = false); }\n"
-                              "prob property P: Prob=? of [Finally <=2 @M::Flip::up] with modules M" +
-                                  std::string(),
-                              "P",
-                              [] {
-                                  RoboToolOptions options = testing::small_ranges();
-                                  options.constants["thrower::p"] = "0.5";
-                                  return options;
-                              }())),
+    EXPECT_EQ(rows_text(rows_of("pmodules M: pmodule Flip { up : bool init false; "
+                                "[Game::table::throw.out] not @up -> (0.25 : @up = true) & (0.75 : @up = false); }\n"
+                                "prob property P: Prob=? of [Finally <=2 @M::Flip::up] with modules M" +
+                                    std::string(),
+                                "P",
+                                [] {
+                                    RoboToolOptions options = testing::small_ranges();
+                                    options.constants["thrower::p"] = "0.5";
+                                    return options;
+                                }())),
               "0.25");
 }
 
 TEST(RoboToolChain, InnerStatesAreAskedFor) {
-    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally Game::hand::thrower is in "
-                              "Game::hand::thrower::Again::Inner]" +
-                              half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob=? of [Finally Game::hand::thrower is in "
+                                "Game::hand::thrower::Again::Inner]" +
+                                half)),
               "Game::hand::thrower::p=0.5: 1");
 }
 
 /// 1000 throws of a fair coin; all intervals are computed from the number of hits, which the seed determines.
 TEST(RoboToolChain, IsSampled) {
     const std::string sampled = "Prob=? of [Finally <=4 Game::hand::thrower is in Heads] using sim with ";
-    const auto rows = asked("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
+    const auto rows = rows_of("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
     ASSERT_EQ(rows.front().error, "");
     const prism::Result& result = rows.front().results.front();
     ASSERT_TRUE(result.estimate && result.estimate->binomial);
@@ -160,47 +160,48 @@ TEST(RoboToolChain, IsSampled) {
     EXPECT_LT(result.estimate->binomial->low, 0.5);
     EXPECT_GT(result.estimate->binomial->high, 0.5);
     EXPECT_EQ(rows.front().states, 0u) << "nothing is explored";
-    const auto same = asked("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
+    const auto same = rows_of("prob property P: " + sampled + "CI at pathlen=100, n=1000, and alpha=0.001" + half);
     EXPECT_EQ(same.front().results.front().estimate->hits, result.estimate->hits);
-    const auto apmc = asked("prob property P: " + sampled + "APMC at epsilon=0.1, delta=0.01, and pathlen=100" + half);
+    const auto apmc =
+        rows_of("prob property P: " + sampled + "APMC at epsilon=0.1, delta=0.01, and pathlen=100" + half);
     EXPECT_EQ(apmc.front().results.front().estimate->samples, 265u) << "ln(200) / 0.02";
     EXPECT_EQ(
-        rows_text(asked("prob property P: Prob>=0.9 of [Finally <=4 Game::hand::thrower is in Heads] using sim with "
-                        "SPRT at delta=0.05, alpha=0.001, and pathlen=100" +
-                        half)),
+        rows_text(rows_of("prob property P: Prob>=0.9 of [Finally <=4 Game::hand::thrower is in Heads] using sim with "
+                          "SPRT at delta=0.05, alpha=0.001, and pathlen=100" +
+                          half)),
         "Game::hand::thrower::p=0.5: false");
-    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "CI at n=10, alpha=0.01, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: " + sampled + "CI at n=10, alpha=0.01, and pathlen=3" + half)),
               "Game::hand::thrower::p=0.5: not decided: path 1 is open after 3 steps (path=3)");
-    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "CI at n=10, alpha=2, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: " + sampled + "CI at n=10, alpha=2, and pathlen=3" + half)),
               "Game::hand::thrower::p=0.5: `using sim with`: confidence=2: expected a number between 0 and 1");
-    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "SPRT at n=10, alpha=0.1, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: " + sampled + "SPRT at n=10, alpha=0.1, and pathlen=3" + half)),
               "`sim with SPRT` has no parameter `n`: alpha, delta, pathlen");
-    EXPECT_EQ(rows_text(asked("prob property P: not " + sampled + "CI at n=10, alpha=0.1, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: not " + sampled + "CI at n=10, alpha=0.1, and pathlen=3" + half)),
               "`using sim` inside another expression: random paths answer one probability or reward");
 }
 
 TEST(RoboToolChain, IsSampledWithExpressions) {
     const std::string sampled = "Prob=? of [Finally <=4 Game::hand::thrower is in Heads] using sim with ";
     const auto rows =
-        asked("const k : core::nat\n prob property P: " + sampled +
-              "CI at pathlen=(if k > 1 then 100 else 3 end), n=10*k + 5, and alpha=Game::hand::thrower::p/50" + half +
-              ", k from set {1, 2}");
+        rows_of("const k : core::nat\n prob property P: " + sampled +
+                "CI at pathlen=(if k > 1 then 100 else 3 end), n=10*k + 5, and alpha=Game::hand::thrower::p/50" + half +
+                ", k from set {1, 2}");
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows_text({rows.front()}),
               "Game::hand::thrower::p=0.5, k=1: not decided: path 1 is open after 3 steps (path=3)");
     ASSERT_TRUE(rows.back().results.front().estimate);
     EXPECT_EQ(rows.back().results.front().estimate->samples, 25u);
     EXPECT_EQ(rows.back().results.front().estimate->alpha, 0.01);
-    EXPECT_EQ(rows_text(asked("prob property P: " + sampled + "CI at n=5/2, alpha=0.1, and pathlen=3" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob property P: " + sampled + "CI at n=5/2, alpha=0.1, and pathlen=3" + half)),
               "Game::hand::thrower::p=0.5: `using sim with`: samples=2.5: expected a number from 1 on");
-    const auto fault = [](const std::string& of) { return asked(of).front().error; };
+    const auto fault = [](const std::string& of) { return rows_of(of).front().error; };
     EXPECT_NE(fault("prob property P: " + sampled + "CI at n=Game::table::throws, alpha=0.1, and pathlen=3" + half), "")
         << "a variable is no number";
     EXPECT_NE(fault("const k : core::nat\n prob property P: " + sampled + "CI at n=k, alpha=0.1, and pathlen=3" + half),
               "")
         << "k has no value";
-    const auto paths = asked("const k : core::nat\n prob generate path P: using simulation for 2*k steps" + half +
-                             ", k from set {1 to 2}");
+    const auto paths = rows_of("const k : core::nat\n prob generate path P: using simulation for 2*k steps" + half +
+                               ", k from set {1 to 2}");
     ASSERT_EQ(paths.size(), 2u);
     EXPECT_EQ(paths.front().path->steps.size(), 2u);
     EXPECT_EQ(paths.back().path->steps.size(), 4u);
@@ -209,7 +210,7 @@ TEST(RoboToolChain, IsSampledWithExpressions) {
 
 /// The steps of the chain are known; the results of the throws depend on the seed.
 TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
-    const auto rows = asked("prob generate path P: using simulation for 4 steps" + half);
+    const auto rows = rows_of("prob generate path P: using simulation for 4 steps" + half);
     ASSERT_EQ(rows.front().error, "");
     ASSERT_TRUE(rows.front().path);
     const Path& path = *rows.front().path;
@@ -226,9 +227,9 @@ TEST(RoboToolChain, GivesAPathInTheWordsOfTheModel) {
     EXPECT_EQ(path.steps[3].changes, heads ? "Game::hand::thrower at Heads" : "Game::hand::thrower at toss");
     EXPECT_FALSE(path.deadlock);
     EXPECT_EQ(
-        rows_text(asked("prob generate path P: using simulation for deadlock with 2 repeats up to 20 steps" + half)),
+        rows_text(rows_of("prob generate path P: using simulation for deadlock with 2 repeats up to 20 steps" + half)),
         "Game::hand::thrower::p=0.5: not decided: none of 3 paths of 20 steps reaches a deadlock");
-    EXPECT_EQ(rows_text(asked("prob generate path P: using simulation for 1000000 steps" + half)),
+    EXPECT_EQ(rows_text(rows_of("prob generate path P: using simulation for 1000000 steps" + half)),
               "Game::hand::thrower::p=0.5: a path has at most 100000 steps");
 }
 
@@ -238,11 +239,11 @@ TEST(RoboToolChain, AsAnMdpHasALeastAndAGreatestValue) {
     options.constants["p"] = "0.5";
     // This model has no nondeterminism, so all schedulers agree.
     EXPECT_EQ(
-        rows_text(asked("prob property P: Prob=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
+        rows_text(rows_of("prob property P: Prob=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
         "0.5 to 0.5");
-    EXPECT_EQ(
-        rows_text(asked("prob property P: Prob max=? of [Finally <=4 Game::hand::thrower is in Heads]", "P", options)),
-        "0.5");
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob max=? of [Finally <=4 Game::hand::thrower is in Heads]", "P",
+                                options)),
+              "0.5");
 }
 
 /// The machine counts to a limit without a value in the model, and to one beyond the limit.
@@ -271,9 +272,9 @@ TEST(RoboToolChain, RangesHoldTheConstantsThatAClaimSets) {
     const auto rows = robotool_rows(*loaded, "P", testing::small_ranges(), {1e-6, true});
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows_text(rows), "All::c::s::limit=7: 1\nAll::c::s::limit=20: 1");
-    RoboToolOptions asked = testing::small_ranges();
-    asked.preferences.integer.asked = true;
-    EXPECT_NE(robotool_rows(*loaded, "P", asked, {1e-6, true}).front().error.find("outside its range"),
+    RoboToolOptions options = testing::small_ranges();
+    options.preferences.integer.asked = true;
+    EXPECT_NE(robotool_rows(*loaded, "P", options, {1e-6, true}).front().error.find("outside its range"),
               std::string::npos)
         << "the user's own range stays";
 }
@@ -351,24 +352,24 @@ TEST(RoboToolChain, LiesBetweenTheSchedulersOfItsText) {
 }
 
 TEST(RoboToolChain, WhatHasNoCounterpartIsRefusedByName) {
-    const auto refusal = [](const std::string& property) { return rows_text(asked("prob property P: " + property)); };
+    const auto refusal = [](const std::string& property) { return rows_text(rows_of("prob property P: " + property)); };
     EXPECT_EQ(refusal("Prob=? of [Finally deadlock]"),
               "the constant Game::hand::thrower::p has no value: give it one `with constants` or by --const");
     EXPECT_EQ(refusal("Prob=? of [Finally Thrower is in Thrower::Heads]"),
               "RoboTool's encoding has no state `Thrower::Heads`");
     EXPECT_EQ(refusal("Prob=? of [Finally Game::hand::thrower::throw.in.val == 0]"),
               "RoboTool's encoding has no value `Game::hand::thrower::throw.in`");
-    EXPECT_EQ(rows_text(asked("formula f = $g formula g = $f prob property P: Prob=? of [Finally $f]")),
+    EXPECT_EQ(rows_text(rows_of("formula f = $g formula g = $f prob property P: Prob=? of [Finally $f]")),
               "a definition that uses itself");
-    EXPECT_EQ(rows_text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
-                              "Game::hand::thrower::p from set {0.5 to 0.1}")),
+    EXPECT_EQ(rows_text(rows_of("prob property P: Prob=? of [Finally deadlock] with constants "
+                                "Game::hand::thrower::p from set {0.5 to 0.1}")),
               "Game::hand::thrower::p: c=0.5:1:0.1: the range is empty");
 }
 
 TEST(RoboToolChain, MistakesOfAProbabilityHaveTheState) {
     const std::string found =
-        rows_text(asked("prob property P: Prob=? of [Finally deadlock] with constants "
-                        "Game::hand::thrower::p set to 2"));
+        rows_text(rows_of("prob property P: Prob=? of [Finally deadlock] with constants "
+                          "Game::hand::thrower::p set to 2"));
     EXPECT_NE(found.find("2 is not a probability"), std::string::npos) << found;
     EXPECT_NE(found.find("in the state"), std::string::npos) << found;
 }
@@ -442,13 +443,13 @@ prism::ModelFile read(const fs::path& path) {
 /// The lines of a module, without the numbers in names, blanks and parentheses.
 std::multiset<std::string> lines_of(const prism::ModelFile& model, const std::string& module) {
     prism::ModelFile alone;
-    for (const prism::Module& each : model.modules)
-        if (each.name.text == module) alone.modules.push_back(each);
+    for (const prism::Module& candidate : model.modules)
+        if (candidate.name.text == module) alone.modules.push_back(candidate);
     std::string text = std::regex_replace(prism::print(alone), std::regex("_[0-9]+|[ ()]"), "");
     // Replaces literals by their numbers.
-    for (const prism::Constant& each : model.constants)
-        if (each.value && each.value->op == prism::Op::integer)
-            text = std::regex_replace(text, std::regex("\\b" + each.name.text + "\\b"), each.value->text);
+    for (const prism::Constant& constant : model.constants)
+        if (constant.value && constant.value->op == prism::Op::integer)
+            text = std::regex_replace(text, std::regex("\\b" + constant.name.text + "\\b"), constant.value->text);
     std::multiset<std::string> result;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) result.insert(line);
@@ -458,10 +459,10 @@ std::multiset<std::string> lines_of(const prism::ModelFile& model, const std::st
 Question hvc_question(const testing::Loaded& loaded, const fs::path& folder, const std::string& name,
                       prism::ModelFile& model) {
     const Assertions all(loaded.model);
-    const testing::Claim asked = testing::find_claim(loaded, name);
+    const testing::Claim claim = testing::find_claim(loaded, name);
     RoboToolEncoding encoding(loaded.system, loaded.system.modules.front(), preferences_of(folder),
-                              functions_of(all, *asked.file, *asked.assertion));
-    Question question = translate_assertion(all, *asked.file, *asked.assertion, encoding.elements());
+                              functions_of(all, *claim.file, *claim.assertion));
+    Question question = translate_assertion(all, *claim.file, *claim.assertion, encoding.elements());
     model = encoding.model_for(question);
     return question;
 }

@@ -159,8 +159,8 @@ TEST(PrismPathFormulas, AgreeWithANaiveReadingOfLassos) {
             continue;
         }
         ++decided;
-        const bool wanted = lasso.holds(file.properties[0].expression->parts[0], 0);
-        EXPECT_EQ(found.low.text(), wanted ? "1" : "0") << text << "\n" << lasso.model();
+        const bool expected = lasso.holds(file.properties[0].expression->parts[0], 0);
+        EXPECT_EQ(found.low.text(), expected ? "1" : "0") << text << "\n" << lasso.model();
     }
     EXPECT_GT(decided, 300);
     EXPECT_GT(open, 0);  // some formulas are outside the supported automata and must stay open

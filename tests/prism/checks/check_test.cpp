@@ -36,11 +36,11 @@ std::string together(const std::string& system) {
     EXPECT_TRUE(checked.model) << checked.read.report();
     if (!checked.model) return "";
     std::multiset<std::string> acts;
-    for (const Synchronisation& each : checked.model->synchronisations) {
-        std::string act = each.action + ":";
-        for (const ActionOfModule& part : each.parts)
-            act +=
-                checked.model->modules[part.module].name.text + (part.action == each.action ? "" : "." + part.action);
+    for (const Synchronisation& synchronisation : checked.model->synchronisations) {
+        std::string act = synchronisation.action + ":";
+        for (const ActionOfModule& part : synchronisation.parts)
+            act += checked.model->modules[part.module].name.text +
+                   (part.action == synchronisation.action ? "" : "." + part.action);
         acts.insert(act);
     }
     std::string text;

@@ -23,10 +23,10 @@ namespace robochart::prism_emit::testing {
 
 std::string Encoded::codes() const {
     std::set<std::string> codes;
-    for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings())
-        if (each.rule->severity == diagnostics::Severity::error) codes.emplace(each.rule->code);
+    for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings())
+        if (finding.rule->severity == diagnostics::Severity::error) codes.emplace(finding.rule->code);
     std::string result;
-    for (const std::string& each : codes) result += (result.empty() ? "" : " ") + each;
+    for (const std::string& code : codes) result += (result.empty() ? "" : " ") + code;
     return result;
 }
 
@@ -81,8 +81,9 @@ public:
         if (!model_) throw std::runtime_error(report());
         std::vector<prism::Series> series;
         for (const auto& [name, value] : constants)
-            for (prism::Series& each : prism::read_series(name + "=" + value, prism::open_constants(model_->constants)))
-                series.push_back(std::move(each));
+            for (prism::Series& constant :
+                 prism::read_series(name + "=" + value, prism::open_constants(model_->constants)))
+                series.push_back(std::move(constant));
         space_.emplace(*model_, prism::combinations(series).front(), prism::ExploreOptions{}, diagnostics_);
         EXPECT_TRUE(diagnostics_.ok()) << report();
     }

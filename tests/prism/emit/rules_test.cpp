@@ -76,7 +76,7 @@ TEST(Rules, R2OneModuleForEachMachineBufferAndPlatform) {
         "module M { rref r = R cref c = C connection r on go to c on go (_async) }\n");
     ASSERT_TRUE(model->emission) << model->report();
     std::vector<std::string> names;
-    for (const prism::Module& each : model->emission->model.modules) names.push_back(each.name.text);
+    for (const prism::Module& module : model->emission->model.modules) names.push_back(module.name.text);
     EXPECT_THAT(names, ::testing::UnorderedElementsAre("M_c_s", "M_c_t", ::testing::StartsWith("BUF_e_"), "M_R"));
 }
 

@@ -25,7 +25,7 @@ std::string name_stem(const std::string& name) {
 std::string join_sorted(std::vector<std::string> parts, const std::string& between) {
     std::ranges::sort(parts);
     std::string result;
-    for (const std::string& each : parts) result += (result.empty() ? "" : between) + each;
+    for (const std::string& part : parts) result += (result.empty() ? "" : between) + part;
     return result;
 }
 
@@ -40,14 +40,14 @@ std::string expression_text(const ExprPtr& expr, const Writer& write) {
         return "(" + join_sorted(operands, expr->op == Op::conjunction ? "&" : "|") + ")";
     }
     std::string result = "(" + std::to_string(static_cast<int>(expr->op)) + expr->text;
-    for (const ExprPtr& each : expr->parts) result += " " + expression_text(each, write);
+    for (const ExprPtr& part : expr->parts) result += " " + expression_text(part, write);
     return result + ")";
 }
 
 /// The operands of a conjunction or disjunction at any depth; `true` in a conjunction is omitted.
 void operands_of(const ExprPtr& expr, Op op, const Writer& write, std::vector<std::string>& result) {
     if (expr->op == op) {
-        for (const ExprPtr& each : expr->parts) operands_of(each, op, write, result);
+        for (const ExprPtr& part : expr->parts) operands_of(part, op, write, result);
     } else if (op != Op::conjunction || expr->op != Op::boolean || expr->text != "true") {
         result.push_back(expression_text(expr, write));
     }
@@ -62,12 +62,12 @@ struct Item {
 class Structure {
 public:
     explicit Structure(const prism::ModelFile& model) {
-        for (const prism::Constant& each : model.constants) add(each);
-        for (const prism::Variable& each : model.globals) add(each, "");
+        for (const prism::Constant& constant : model.constants) add(constant);
+        for (const prism::Variable& variable : model.globals) add(variable, "");
         for (const prism::Module& module : model.modules) {
             modules_.insert(module.name.text);
-            for (const prism::Variable& each : module.variables) add(each, module.name.text);
-            for (const prism::Command& each : module.commands) add(each, module.name.text);
+            for (const prism::Variable& variable : module.variables) add(variable, module.name.text);
+            for (const prism::Command& command : module.commands) add(command, module.name.text);
         }
         for (const Item& item : items_)
             for (const std::string& name : item.names)
@@ -80,7 +80,7 @@ public:
         for (const Item& item : items_)
             for (const std::string& name : item.names)
                 places[name].push_back(
-                    item.text([&](const std::string& each) { return each == name ? "@" : colours_.at(each); }));
+                    item.text([&](const std::string& other) { return other == name ? "@" : colours_.at(other); }));
         std::map<std::string, std::string> finer;
         for (const auto& [name, texts] : places)
             finer[name] = std::to_string(std::hash<std::string>()(colours_.at(name) + ":" + join_sorted(texts, "\n")));
@@ -97,8 +97,8 @@ public:
     [[nodiscard]] std::multimap<std::string, std::string> items() const {
         std::multimap<std::string, std::string> result;
         for (const Item& item : items_)
-            result.emplace(item.text([&](const std::string& each) { return colours_.at(each); }),
-                           item.text([](const std::string& each) { return each; }));
+            result.emplace(item.text([&](const std::string& name) { return colours_.at(name); }),
+                           item.text([](const std::string& name) { return name; }));
         return result;
     }
 
@@ -134,8 +134,9 @@ private:
             std::vector<std::string> branches;
             for (const prism::Branch& branch : command.branches) {
                 std::vector<std::string> assignments;
-                for (const prism::Assignment& each : branch.assignments)
-                    assignments.push_back(write(each.variable.text) + "'=" + expression_text(each.value, write));
+                for (const prism::Assignment& assignment : branch.assignments)
+                    assignments.push_back(write(assignment.variable.text) +
+                                          "'=" + expression_text(assignment.value, write));
                 branches.push_back(expression_text(branch.probability, write) + ":" + join_sorted(assignments, "&"));
             }
             return write(module) + "[" + (command.action.text.empty() ? "" : write("[" + command.action.text)) + "]" +
@@ -160,14 +161,14 @@ std::vector<std::string> find_differences(const prism::ModelFile& first, const p
     }
     auto left = a.items();
     auto right = b.items();
-    for (auto each = left.begin(); each != left.end();) {
-        const auto same = right.find(each->first);
+    for (auto entry = left.begin(); entry != left.end();) {
+        const auto same = right.find(entry->first);
         if (same == right.end()) {
-            ++each;
+            ++entry;
             continue;
         }
         right.erase(same);
-        each = left.erase(each);
+        entry = left.erase(entry);
     }
     std::vector<std::string> result;
     for (const auto& [colour, readable] : left) result.push_back("- " + readable);

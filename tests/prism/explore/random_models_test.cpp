@@ -176,8 +176,8 @@ class Naive {
 public:
     explicit Naive(const ModelFile& file) : file_(file) {
         for (const Module& module : file.modules)
-            for (const Variable& each : module.variables)
-                initial[each.name.text] = static_cast<int>(std::stoi(each.initial->text));
+            for (const Variable& variable : module.variables)
+                initial[variable.name.text] = static_cast<int>(std::stoi(variable.initial->text));
         std::vector<State> open{initial};
         while (!open.empty()) {
             const State state = open.back();
@@ -210,21 +210,21 @@ private:
                     if (evaluate(command.guard, state) != 0) enabled.push_back(&command);
                 }
                 if (action.empty()) {
-                    for (const Command* each : enabled) result.push_back({"", {each}});
+                    for (const Command* command : enabled) result.push_back({"", {command}});
                     continue;
                 }
                 if (!mentions) continue;
                 mentioned = true;
                 std::vector<Combination> longer;
                 for (const Combination& before : all)
-                    for (const Command* each : enabled) {
+                    for (const Command* command : enabled) {
                         longer.push_back(before);
-                        longer.back().push_back(each);
+                        longer.back().push_back(command);
                     }
                 all = longer;
             }
             if (mentioned)
-                for (const Combination& each : all) result.emplace_back(action, each);
+                for (const Combination& combination : all) result.emplace_back(action, combination);
         }
         return result;
     }
@@ -238,8 +238,8 @@ private:
                     const Rational factor = branch.probability ? evaluate(branch.probability, state) : Rational(1);
                     if (factor == 0) continue;
                     State after = before;
-                    for (const Assignment& each : branch.assignments)
-                        after[each.variable.text] = evaluate(each.value, state).convert_to<int>();
+                    for (const Assignment& assignment : branch.assignments)
+                        after[assignment.variable.text] = evaluate(assignment.value, state).convert_to<int>();
                     next[after] += probability * factor;
                 }
             result = next;

@@ -74,16 +74,16 @@ struct Case {
 
 /// Compares an estimate with the exact value: it must be inside the Clopper-Pearson interval, or within five standard
 /// deviations of a mean.
-void expect_near_exact(const Case& each, const std::string& method) {
-    const double exact = Explored(each.model).ask(each.property).low.bounds().middle();
-    const Result found = Sampled(each.model).ask(each.property, method);
-    ASSERT_EQ(found.kind, Kind::number) << each.property << ": " << found.reason;
+void expect_near_exact(const Case& test_case, const std::string& method) {
+    const double exact = Explored(test_case.model).ask(test_case.property).low.bounds().middle();
+    const Result found = Sampled(test_case.model).ask(test_case.property, method);
+    ASSERT_EQ(found.kind, Kind::number) << test_case.property << ": " << found.reason;
     const Estimate& estimate = *found.estimate;
     const double low = estimate.binomial ? estimate.binomial->low : estimate.mean - *estimate.width;
     const double high = estimate.binomial ? estimate.binomial->high : estimate.mean + *estimate.width;
-    EXPECT_LE(low, exact) << each.property;
-    EXPECT_GE(high, exact) << each.property;
-    EXPECT_LE(high - low, 0.2 * std::max(1.0, exact)) << each.property;
+    EXPECT_LE(low, exact) << test_case.property;
+    EXPECT_GE(high, exact) << test_case.property;
+    EXPECT_LE(high - low, 0.2 * std::max(1.0, exact)) << test_case.property;
 }
 
 TEST(PrismSimulation, EstimatesAgreeWithExactValues) {
@@ -114,7 +114,7 @@ TEST(PrismSimulation, EstimatesAgreeWithExactValues) {
         {pair, "R{\"r\"}=? [ F x=3 ]"},
         {pair, "R{\"r\"}=? [ C<=4 ]"},
     };
-    for (const Case& each : cases) expect_near_exact(each, "ci,samples=4000,confidence=0.000001");
+    for (const Case& test_case : cases) expect_near_exact(test_case, "ci,samples=4000,confidence=0.000001");
 }
 
 /// The uniform scheduler of an mdp is simulated as the same text read as a dtmc.
@@ -312,18 +312,18 @@ TEST(PrismSimulation, PathsOfAControllerAreAsLongAsThoseOfPrism) {
                 {"ClosedLoop", 1800, 50, 100}};
     Read read;
     Sampled model(text);
-    for (const auto& each : logs) {
-        const std::string name = std::string("mod_sys_ctrl_ref0_stm_ref0_") + each.state;
+    for (const auto& log : logs) {
+        const std::string name = std::string("mod_sys_ctrl_ref0_stm_ref0_") + log.state;
         const std::string target = "F mod_sys_ctrl_ref0_stm_ref0_scpc_8=" + name;
-        const std::string method = "ci,path=1000000,samples=" + std::to_string(each.samples);
+        const std::string method = "ci,path=1000000,samples=" + std::to_string(log.samples);
         const Result found = model.ask("P>0 [ " + target + " ]", method, 5);
-        EXPECT_TRUE(found.kind == Kind::truth && found.truth) << each.state << ": " << found.reason;
-        EXPECT_EQ(found.estimate->hits, static_cast<std::uint64_t>(each.samples)) << each.state;
-        std::cout << each.state << ": " << found.estimate->mean_steps << " steps (" << found.estimate->least_steps
-                  << " to " << found.estimate->most_steps << "), PRISM " << each.mean << "\n";
+        EXPECT_TRUE(found.kind == Kind::truth && found.truth) << log.state << ": " << found.reason;
+        EXPECT_EQ(found.estimate->hits, static_cast<std::uint64_t>(log.samples)) << log.state;
+        std::cout << log.state << ": " << found.estimate->mean_steps << " steps (" << found.estimate->least_steps
+                  << " to " << found.estimate->most_steps << "), PRISM " << log.mean << "\n";
         // A length is a constant plus waiting times, whose standard deviation is at most their mean.
-        const double deviation = each.mean * std::sqrt(1.0 / 100 + 1.0 / each.samples);
-        EXPECT_NEAR(found.estimate->mean_steps, each.mean, 5 * deviation + each.resolution) << each.state;
+        const double deviation = log.mean * std::sqrt(1.0 / 100 + 1.0 / log.samples);
+        EXPECT_NEAR(found.estimate->mean_steps, log.mean, 5 * deviation + log.resolution) << log.state;
     }
 }
 

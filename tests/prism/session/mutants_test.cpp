@@ -41,12 +41,12 @@ void process(const std::string& model, const std::string& properties) {
         EXPECT_FALSE(read.diagnostics.ok()) << model;
         return;
     }
-    const CheckedProperties wanted = check_properties(*checked, questions, read.diagnostics);
+    const CheckedProperties checked_properties = check_properties(*checked, questions, read.diagnostics);
     if (!read.diagnostics.ok()) return;
     try {
         const StateSpace space(*checked, {}, options, read.diagnostics);
-        Session session(space, wanted, {1e-6, false, &budget});
-        for (std::size_t i = 0; i < wanted.properties.size(); ++i) {
+        Session session(space, checked_properties, {1e-6, false, &budget});
+        for (std::size_t i = 0; i < checked_properties.properties.size(); ++i) {
             try {
                 (void)session.check(i, {});
             } catch (const EvaluationError& error) {

@@ -123,9 +123,9 @@ TEST(PrismSession, AnswersWorkedOutByHand) {
         {loop, "P>=1 [ F s=2 ]", "false"},
         {loop, "E [ G s<2 ]", "true"},
     };
-    for (const Case& each : cases) {
-        EXPECT_EQ(exact(each.model, each.property), each.answer) << each.property;
-        expect_agreement(each.model, each.property);
+    for (const Case& test_case : cases) {
+        EXPECT_EQ(exact(test_case.model, test_case.property), test_case.answer) << test_case.property;
+        expect_agreement(test_case.model, test_case.property);
     }
 }
 

@@ -42,22 +42,22 @@ std::string text_of(const Result& result) {
 
 /// Checks the answer with fractions, and that the enclosure contains the fraction.
 void expect(const fs::path& folder, const std::vector<Question>& questions) {
-    for (const Question& each : questions) {
+    for (const Question& question : questions) {
         std::string found;
         const std::string failed = testing::failure_text([&] {
-            Explored model(tests::read_contents(folder / each.model));
-            const Result enclosed = model.ask(each.property);
+            Explored model(tests::read_contents(folder / question.model));
+            const Result enclosed = model.ask(question.property);
             const bool fractions = !model.space->chain().exact.empty();
-            const Result exact = fractions ? model.ask(each.property, {1e-6, true, nullptr}) : enclosed;
+            const Result exact = fractions ? model.ask(question.property, {1e-6, true, nullptr}) : enclosed;
             found = text_of(exact);
             if (exact.kind == Result::Kind::number && exact.low.is_exact()) {
-                EXPECT_LE(Rational(enclosed.low.bounds().low), exact.low.value()) << each.property;
-                EXPECT_GE(Rational(enclosed.low.bounds().high), exact.low.value()) << each.property;
+                EXPECT_LE(Rational(enclosed.low.bounds().low), exact.low.value()) << question.property;
+                EXPECT_GE(Rational(enclosed.low.bounds().high), exact.low.value()) << question.property;
             }
         });
-        const bool same = failed.empty() ? found == each.answer : failed.find(each.answer) != std::string::npos;
-        EXPECT_TRUE(same) << each.model << ": " << each.property << ": " << found << failed << ", wanted "
-                          << each.answer;
+        const bool same = failed.empty() ? found == question.answer : failed.find(question.answer) != std::string::npos;
+        EXPECT_TRUE(same) << question.model << ": " << question.property << ": " << found << failed << ", wanted "
+                          << question.answer;
     }
 }
 

@@ -61,32 +61,33 @@ Explored explored(const fs::path& folder, const Row& row, const std::string& con
 }
 
 /// The enclosure contains the value and is narrow.
-bool is_enclosed(const Real& found, double wanted) {
+bool is_enclosed(const Real& found, double expected) {
     const Enclosure bounds = found.bounds();
-    if (std::isinf(wanted)) return bounds.low == wanted;
-    const double slack = 1e-15 * std::abs(wanted);  // the table's values are rounded
-    return bounds.low <= wanted + slack && wanted - slack <= bounds.high &&
-           bounds.high - bounds.low <= 1e-6 * std::max(std::abs(wanted), 1e-300);
+    if (std::isinf(expected)) return bounds.low == expected;
+    const double slack = 1e-15 * std::abs(expected);  // the table's values are rounded
+    return bounds.low <= expected + slack && expected - slack <= bounds.high &&
+           bounds.high - bounds.low <= 1e-6 * std::max(std::abs(expected), 1e-300);
 }
 
 double parse_number(const std::string& text) {
     return text == "Infinity" || text == "∞" ? infinity : std::stod(text);
 }
 
-bool as_wanted(const Result& found, const std::string& wanted) {
+bool as_wanted(const Result& found, const std::string& expected) {
     using Kind = Result::Kind;
-    if (wanted == "true" || wanted == "false") return found.kind == Kind::truth && found.truth == (wanted == "true");
-    if (wanted.front() == '[') {
-        const std::vector<std::string> ends = split(wanted.substr(1, wanted.size() - 2), ',');
+    if (expected == "true" || expected == "false")
+        return found.kind == Kind::truth && found.truth == (expected == "true");
+    if (expected.front() == '[') {
+        const std::vector<std::string> ends = split(expected.substr(1, expected.size() - 2), ',');
         return found.kind == Kind::range && is_enclosed(found.low, parse_number(ends[0])) &&
                is_enclosed(found.high, parse_number(ends[1]));
     }
-    return found.kind == Kind::number && is_enclosed(found.low, parse_number(wanted));
+    return found.kind == Kind::number && is_enclosed(found.low, parse_number(expected));
 }
 
 /// The first difference from the row; "" if there is none.
 std::string find_difference(const fs::path& folder, const Row& row, bool exact) {
-    const std::string& wanted = row.at("result");
+    const std::string& expected = row.at("result");
     const std::string& expression = row.at("expression");
     std::string found;
     const std::string failed = testing::failure_text([&] {
@@ -96,10 +97,10 @@ std::string find_difference(const fs::path& folder, const Row& row, bool exact) 
             return;
         }
         const Result result = model.ask(expression, {1e-6, exact, nullptr});
-        found = as_wanted(result, wanted) ? wanted : "another value: " + result.low.text() + " " + result.reason;
+        found = as_wanted(result, expected) ? expected : "another value: " + result.low.text() + " " + result.reason;
     });
-    if (wanted == "error") return failed.find("error[PRISM-") == std::string::npos ? "is not refused" : "";
-    return found == wanted ? "" : failed + found;
+    if (expected == "error") return failed.find("error[PRISM-") == std::string::npos ? "is not refused" : "";
+    return found == expected ? "" : failed + found;
 }
 
 TEST(PrismSuite, HandMadeExpectations) {
@@ -147,9 +148,9 @@ void expect_counts(const Row& row, const StateSpace& space) {
 std::string fraction(const Row& row, const std::vector<Row>& long_ones) {
     const std::string& text = row.at("exact");
     if (text.find("EXACT") == std::string::npos) return text;
-    for (const Row& each : long_ones)
-        if (each.begin() != each.end() && each.count("id") != 0 && each.at("id") == row.at("id"))
-            return each.count("exact") != 0 ? each.at("exact") : "";
+    for (const Row& candidate : long_ones)
+        if (candidate.begin() != candidate.end() && candidate.count("id") != 0 && candidate.at("id") == row.at("id"))
+            return candidate.count("exact") != 0 ? candidate.at("exact") : "";
     return "";
 }
 
@@ -177,20 +178,20 @@ TEST(PrismSuite, BenchmarkSet) {
             const Result result = model.ask(row.at("expression"));
             EXPECT_TRUE(as_wanted(result, row.at("value")))
                 << row.at("id") << ": " << result.low.text() << " " << result.reason << ", wanted " << row.at("value");
-            const std::string wanted = row.at("kind") == "exact" ? fraction(row, exact_values) : "";
+            const std::string expected = row.at("kind") == "exact" ? fraction(row, exact_values) : "";
             const bool dense = row.at("model").find("herman") != std::string::npos;  // fractions take minutes
-            if (wanted.empty() || model.space->chain().states() > (dense ? 100 : 3000)) continue;
+            if (expected.empty() || model.space->chain().states() > (dense ? 100 : 3000)) continue;
             ++exact_run;
             const Result exact = model.ask(row.at("expression"), {1e-6, true, nullptr});
             ASSERT_EQ(exact.kind, Result::Kind::number) << row.at("id");
-            const std::size_t slash = wanted.find('/');
-            if (wanted == "∞") {
+            const std::size_t slash = expected.find('/');
+            if (expected == "∞") {
                 EXPECT_EQ(exact.low.bounds().low, infinity) << row.at("id");
             } else {
                 const Rational value =
                     slash == std::string::npos
-                        ? decimal(wanted)
-                        : Rational(decimal(wanted.substr(0, slash)) / decimal(wanted.substr(slash + 1)));
+                        ? decimal(expected)
+                        : Rational(decimal(expected.substr(0, slash)) / decimal(expected.substr(slash + 1)));
                 EXPECT_TRUE(exact.low.is_exact() && exact.low.value() == value) << row.at("id");
             }
         }

@@ -248,10 +248,12 @@ Values long_run_reward(const Description& description) {
         // The stationary distribution solves the transpose of P with one equation replaced by the sum 1.
         Matrix a(component.size(), std::vector<Rational>(component.size()));
         std::vector<Rational> b(component.size(), 0);
-        for (std::size_t row = 0; row < component.size(); ++row)
+        for (std::size_t row = 1; row < component.size(); ++row) {
             for (std::size_t column = 0; column < component.size(); ++column)
-                a[row][column] =
-                    row == 0 ? Rational(1) : chain[component[column]][component[row]] - Rational(row == column ? 1 : 0);
+                a[row][column] = chain[component[column]][component[row]];
+            a[row][row] -= 1;
+        }
+        a[0].assign(component.size(), 1);
         b[0] = 1;
         const std::vector<Rational> stationary = solved(std::move(a), std::move(b));
         for (std::size_t at = 0; at < component.size(); ++at)

@@ -217,9 +217,12 @@ Faults lower_bounded_fault(const Description& description) {
                     }
                     worths.emplace_back(sum / weights);
                 }
-                expected[state] = !description.left[state]          ? Rational(0)
-                                  : direction == Direction::maximum ? *std::ranges::max_element(worths)
-                                                                    : *std::ranges::min_element(worths);
+                if (!description.left[state])
+                    expected[state] = Rational(0);
+                else if (direction == Direction::maximum)
+                    expected[state] = *std::ranges::max_element(worths);
+                else
+                    expected[state] = *std::ranges::min_element(worths);
             }
         }
         const Solution found = bounded_until(model, description.left, description.right, 2, std::nullopt, direction);

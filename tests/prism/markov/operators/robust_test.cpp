@@ -213,7 +213,7 @@ std::array<double, horizon + 1> truth() {
         std::array<double, 8> next{};
         for (unsigned from = 0; from < 8; ++from)
             for (unsigned to = 0; to < 8; ++to) {
-                double chance = from == 7 ? (to == 7 ? 1 : 0) : 1;  // the goal is absorbing
+                double chance = from == 7 && to != 7 ? 0 : 1;  // the goal is absorbing
                 for (unsigned robot = 0; robot < robots && from != 7; ++robot) {
                     const unsigned bit = 1U << robot;
                     const double turns = (from & bit) != 0 ? drops : finds;
