@@ -75,12 +75,12 @@ TEST(Semantics, TakesOrRefusesWellFormedModels) {
 }
 
 TEST(Semantics, TakesOrRefusesNearlyWellFormedModels) {
-    const std::vector<Project> kept = kept_projects();
-    ASSERT_GE(kept.size(), 40U);
+    const std::vector<Project> projects = kept_projects();
+    ASSERT_GE(projects.size(), 40U);
     for (const std::uint64_t seed : random_models::seeds(tests::rounds(400))) {
         random_models::Random random(seed);
         const Project base =
-            random.chance(50) ? random_models::well_formed(seed, small_shape(seed)) : random.pick(kept);
+            random.chance(50) ? random_models::well_formed(seed, small_shape(seed)) : random.pick(projects);
         const Project near = random_models::mutate_project(base, random);
         EXPECT_EQ(run_semantics(bytes_of(near)), "") << "seed " << seed << "\n" << random_models::listing(near);
     }

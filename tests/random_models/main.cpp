@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,14 @@ bool read(std::string_view digits, std::uint64_t& value) {
     return result.ec == std::errc() && result.ptr == digits.data() + digits.size();
 }
 
+std::optional<Shape> shape_of(const std::string& name) {
+    if (name == "whole") return Shape::whole_language();
+    if (name == "timed") return Shape::timed_core();
+    if (name == "untimed") return Shape::untimed_core();
+    if (name == "hostile") return Shape::with_hostile_words();
+    return std::nullopt;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -37,17 +46,12 @@ int main(int count, char** words) {
         if (numbers.contains(name) && !read(value, numbers[name])) return fail(name + " takes a number");
         if (!numbers.contains(name) && name != "--out" && name != "--shape") return fail("unknown option " + name);
     }
-    const std::string shape_name = options["--shape"];
     if (count % 2 == 0 || options["--out"].empty()) return fail("an option lacks its value, or --out is missing");
-    if (shape_name != "whole" && shape_name != "timed" && shape_name != "untimed" && shape_name != "hostile")
-        return fail("unknown shape " + shape_name);
-    const Shape shape = shape_name == "whole"     ? Shape::whole_language()
-                        : shape_name == "timed"   ? Shape::timed_core()
-                        : shape_name == "hostile" ? Shape::with_hostile_words()
-                                                  : Shape::untimed_core();
+    const std::optional<Shape> shape = shape_of(options["--shape"]);
+    if (!shape) return fail("unknown shape " + options["--shape"]);
     const Project project = numbers["--lines"] == 0
-                                ? well_formed(numbers["--seed"], shape)
-                                : sized(numbers["--seed"], numbers["--lines"], numbers["--files"], shape);
+                                ? well_formed(numbers["--seed"], *shape)
+                                : sized(numbers["--seed"], numbers["--lines"], numbers["--files"], *shape);
     const std::string failure = write(project, options["--out"]);
     if (!failure.empty()) return fail(failure);
     std::printf("%zu files, %zu lines\n", project.size(), lines(project));

@@ -158,9 +158,9 @@ std::size_t character_begin(const std::string& text, std::size_t place) {
 Texts divide_texts(const std::string& text) {
     Texts texts;
     std::size_t begin = 0;
-    for (auto& each : texts) {
+    for (auto& piece : texts) {
         const std::size_t end = text.find('\f', begin);
-        each = text.substr(begin, end - begin);
+        piece = text.substr(begin, end - begin);
         if (end == std::string::npos) break;
         begin = end + 1;
     }
@@ -185,8 +185,8 @@ std::string run_editor(std::string_view bytes) {
     Editor editor(texts);
     for (std::size_t at = 0; at + 3 <= std::min(end, 3 * most_steps); at += 3) {
         const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
-        const std::size_t wanted = byte(0) / 32U % (texts[models] ? texts.size() : models);
-        const std::size_t file = texts[wanted] ? wanted : 0;
+        const std::size_t choice = byte(0) / 32U % (texts[models] ? texts.size() : models);
+        const std::size_t file = texts[choice] ? choice : 0;
         if (byte(0) % 2 == 0) {
             editor.ask(methods.at(byte(0) / 2U % methods.size()), file, byte(1) % 64, byte(2) % 128);
             continue;
@@ -212,8 +212,10 @@ std::string run_stream(std::string_view bytes) {
     std::vector<std::string> sent;
     lsp::Server server([&](const std::string& message) { sent.push_back(message); });
     for (lsp::Frame frame = reader.next_frame(); frame.kind != lsp::Frame::Kind::end; frame = reader.next_frame()) {
-        frame.kind == lsp::Frame::Kind::message ? server.receive_message(frame.text)
-                                                : server.receive_message(nullptr, frame.text);
+        if (frame.kind == lsp::Frame::Kind::message)
+            server.receive_message(frame.text);
+        else
+            server.receive_message(nullptr, frame.text);
         while (server.has_work()) server.handle_next();
         server.use_idle_time();
     }

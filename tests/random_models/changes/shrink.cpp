@@ -91,12 +91,12 @@ private:
             if (transition->from.text() == node.name || transition->to.text() == node.name)
                 parts.push_back(transition->span);
         std::ranges::sort(parts, [](const auto& a, const auto& b) { return a.begin < b.begin; });
-        std::string kept;
+        std::string gaps;
         for (std::size_t i = 1; i < parts.size(); ++i) {
             const std::string_view gap = text_.substr(parts[i - 1].end, parts[i].begin - parts[i - 1].end);
-            kept += gap.substr(0, gap.find_last_not_of(" \n") + 1);
+            gaps += gap.substr(0, gap.find_last_not_of(" \n") + 1);
         }
-        add(parts.front().begin, parts.back().end, std::move(kept));
+        add(parts.front().begin, parts.back().end, std::move(gaps));
     }
 
     void nodes(const NodeContainer& container) {

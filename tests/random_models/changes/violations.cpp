@@ -180,7 +180,7 @@ public:
     /// Inserts before the closing brace of a component, or at the end of the file if there is none.
     void add(const Place& place, const std::string& text) {
         const std::size_t file = static_cast<std::size_t>(
-            std::ranges::find_if(model_.files, [&](const auto& each) { return each.get() == place.file; }) -
+            std::ranges::find_if(model_.files, [&](const auto& candidate) { return candidate.get() == place.file; }) -
             model_.files.begin());
         const bool inside = place.component != nullptr;
         insertions_.push_back({file, inside ? place.component->span.end - 1 : std::string::npos, "\n" + text + "\n"});
@@ -188,9 +188,9 @@ public:
 
     Project apply(Project project) {
         std::ranges::stable_sort(insertions_, [](const Insertion& a, const Insertion& b) { return a.at > b.at; });
-        for (const Insertion& each : insertions_) {
-            std::string& text = project[each.file].text;
-            text.insert(std::min(each.at, text.size()), each.text);
+        for (const Insertion& insertion : insertions_) {
+            std::string& text = project[insertion.file].text;
+            text.insert(std::min(insertion.at, text.size()), insertion.text);
         }
         return project;
     }

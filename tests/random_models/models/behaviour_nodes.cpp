@@ -127,7 +127,7 @@ void Behaviour::container(Lines& out, std::size_t depth, bool must_end) {
     for (const std::string& name : nodes.junctions) out.line("junction " + name);
     for (const std::string& name : nodes.probabilistic) out.line("probabilistic " + name);
     for (const std::string& name : nodes.finals) out.line("final " + name);
-    for (const Step& each : nodes.steps) step(out, nodes, each);
+    for (const Step& next : nodes.steps) step(out, nodes, next);
 }
 
 void Behaviour::state(Lines& out, const std::string& name, std::size_t depth) {

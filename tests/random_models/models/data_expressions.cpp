@@ -96,9 +96,15 @@ std::string Expressions::literal_text(const DataType& type) {
             return flag ? "{}" : "{" + literal_text(*type.parts[0]) + "}";
         case Form::sequence:
             return flag ? "<>" : "<" + literal_text(*type.parts[0]) + ">";
-        default:
-            return constructor(type, 0);
+        case Form::record:
+        case Form::product:
+        case Form::vector:
+        case Form::matrix:
+        case Form::function:
+        case Form::relation:
+            break;
     }
+    return constructor(type, 0);
 }
 
 /// `a, b` of these types.
@@ -191,9 +197,11 @@ Written Expressions::compound(const DataType& type, std::size_t depth) {
         case Form::record:
         case Form::product:
             return {constructor(type, depth), atom_level};
-        default:
-            return leaf(type);
+        case Form::string:
+        case Form::given:
+            break;
     }
+    return leaf(type);
 }
 
 /// Forms that exist for every type.
@@ -251,10 +259,10 @@ Written Expressions::part(const DataType& type) {
         const DataType& whole = *named.type;
         for (std::size_t i = 0; i < whole.parts.size(); ++i) {
             if (!fits_type(*whole.parts[i], type) || whole.form == Form::set || is_mapping(whole)) continue;
-            const std::string place = std::to_string(i + 1);
-            parts.push_back(whole.form == Form::record   ? named.name + "." + whole.labels[i]
-                            : whole.form == Form::matrix ? named.name + "[1, " + place + "]"
-                                                         : named.name + "[" + place + "]");
+            if (whole.form == Form::record)
+                parts.push_back(named.name + "." + whole.labels[i]);
+            else
+                parts.push_back(named.name + (whole.form == Form::matrix ? "[1, " : "[") + std::to_string(i + 1) + "]");
         }
     }
     if (parts.empty()) return leaf(type);
@@ -310,8 +318,8 @@ Written Expressions::comparison(std::size_t depth) {
     const DataType& type = *types_.existing_type();
     const std::vector<std::string> orders = {"<", "<=", ">", ">="};
     const bool ordered = is_number(type) && random_.chance(60);
-    const std::string op = ordered ? random_.pick(orders) : random_.chance(75) ? "==" : "!=";
-    return binary(type, op, type, compare_level, depth);
+    if (ordered) return binary(type, random_.pick(orders), type, compare_level, depth);
+    return binary(type, random_.chance(75) ? "==" : "!=", type, compare_level, depth);
 }
 
 Written Expressions::membership(std::size_t depth) {

@@ -36,8 +36,8 @@ const std::vector<Generic>& toolkit_functions() {
     static const std::vector<Generic> functions = [] {
         std::vector<Generic> all;
         for (const frontend::Toolkit& toolkit : frontend::all_toolkits())
-            for (Generic& each : read_generics(std::string(toolkit.package), std::string(toolkit.text)))
-                all.push_back(std::move(each));
+            for (Generic& generic : read_generics(std::string(toolkit.package), std::string(toolkit.text)))
+                all.push_back(std::move(generic));
         return all;
     }();
     return functions;
@@ -55,9 +55,14 @@ Form form_of(TypeKind kind) {
             return Form::product;
         case TypeKind::function:
             return Form::function;
-        default:
-            return Form::relation;
+        case TypeKind::relation:
+        case TypeKind::name:
+        case TypeKind::variable:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+            break;
     }
+    return Form::relation;
 }
 
 /// Parenthesises operands of `*`, `->` and `<->`.
@@ -67,10 +72,16 @@ std::string operand(const DataType& type) {
     return loose ? "(" + type.written + ")" : type.written;
 }
 
+/// The operator of a product, function or relation type.
+const char* type_operator(Form form) {
+    if (form == Form::product) return " * ";
+    return form == Form::function ? " -> " : " <-> ";
+}
+
 std::string written_type(const DataType& type) {
     if (type.form == Form::sequence) return "Seq(" + type.parts[0]->written + ")";
     if (type.form == Form::set) return "Set(" + type.parts[0]->written + ")";
-    const std::string sign = type.form == Form::product ? " * " : type.form == Form::function ? " -> " : " <-> ";
+    const std::string sign = type_operator(type.form);
     std::string out;
     for (const DataType* part : type.parts) out += (out.empty() ? "" : sign) + operand(*part);
     return out;
@@ -137,9 +148,9 @@ void Types::declare_generics() {
         const std::string name = names_.unused_name("gen");
         const std::string head = random_.pick(heads);
         declarations_.push_back("function " + name + head + " {\n}\n");
-        for (Generic& each : read_generics("", declarations_.back())) {
-            each.name = name;  // in the written form, with its `^`
-            generics_.push_back(std::move(each));
+        for (Generic& generic : read_generics("", declarations_.back())) {
+            generic.name = name;  // in the written form, with its `^`
+            generics_.push_back(std::move(generic));
         }
     }
 }

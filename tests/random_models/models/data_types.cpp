@@ -92,10 +92,17 @@ const DataType* Types::compound(Form form) {
             type.parts = {existing_type()};
             type.written = (form == Form::set ? "Set(" : "Seq(") + type.parts[0]->written + ")";
             return intern(std::move(type));
-        default:
+        case Form::boolean:
+        case Form::nat:
+        case Form::integer:
+        case Form::real:
+        case Form::string:
+        case Form::vector:
+        case Form::matrix:
             break;
     }
-    type.parts = {shape_.data.reals && random_.chance(70) ? &types_[shape_.data.integers ? 3 : 2] : nat()};
+    const std::size_t real = shape_.data.integers ? 3 : 2;
+    type.parts = {shape_.data.reals && random_.chance(70) ? &types_[real] : nat()};
     type.rows = random_.between(2, 3);
     type.columns = random_.between(shape_.data.relations && form == Form::matrix ? 1 : 2, 3);
     type.written = form == Form::vector

@@ -36,7 +36,8 @@ std::string Names::package_for_file(std::size_t file) {
     std::string plain = "Part" + std::to_string(file);
     if (!shape_.hostile) return plain;
     const std::string word = hostile_name();
-    return word.empty() ? plain : random_.chance(30) ? plain + "::" + word : word;
+    if (word.empty()) return plain;
+    return random_.chance(30) ? plain + "::" + word : word;
 }
 
 std::string Names::local_name(std::string_view stem) {

@@ -104,7 +104,12 @@ std::string SystemBuilder::operation(const Signature& signature, const std::stri
         require(text, need, around);
         defined.needs.push_back(need);
     };
-    for (const Shared& need : needs) random_.chance(40) ? pass_on(need) : declare_own(text, need, around);
+    for (const Shared& need : needs) {
+        if (random_.chance(40))
+            pass_on(need);
+        else
+            declare_own(text, need, around);
+    }
     for (const Shared& source : sources)
         if (!is_needed(source) && random_.chance(50)) pass_on(source);
     if (random_.chance(50)) require(text, platform_operations_, around);

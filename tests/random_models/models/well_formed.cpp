@@ -109,10 +109,10 @@ private:
 };
 
 std::vector<std::size_t> ProjectBuilder::choose_files() {
-    const std::size_t wanted = random_.between(std::max<std::size_t>(1, shape_.files.low), shape_.files.high);
+    const std::size_t count = random_.between(std::max<std::size_t>(1, shape_.files.low), shape_.files.high);
     const std::size_t first = random_.below(drafts_.size());
     std::vector<std::size_t> files;
-    for (std::size_t i = 0; i < std::min(wanted, drafts_.size()); ++i) files.push_back((first + i) % drafts_.size());
+    for (std::size_t i = 0; i < std::min(count, drafts_.size()); ++i) files.push_back((first + i) % drafts_.size());
     return files;
 }
 

@@ -264,7 +264,7 @@ void Structure::nodes(const NodeContainer& container) {
         nodes(*node);
         close();
     }
-    for (const auto& each : container.transitions) transition(*each);
+    for (const auto& edge : container.transitions) transition(*edge);
 }
 
 void Structure::transition(const Transition& transition) {
@@ -311,7 +311,7 @@ void Structure::component(const Component& component) {
         add("");
         declaration(*part);
     }
-    for (const auto& each : component.connections) connection(*each);
+    for (const auto& link : component.connections) connection(*link);
 }
 
 void Structure::declaration(const Declaration& declared) {
@@ -364,32 +364,32 @@ void Structure::definition(const ProbabilisticDefinition& definition) {
     name(definition.name);
     if (definition.constant) variable(definition.constant);
     expr(definition.value);
-    for (const ConstantValues& each : definition.constants) {
-        expr(each.constant);
-        add(each.from_set ? "from-set" : "set-to");
-        expr(each.value);
+    for (const ConstantValues& values : definition.constants) {
+        expr(values.constant);
+        add(values.from_set ? "from-set" : "set-to");
+        expr(values.value);
     }
     for (const RewardItem& item : definition.rewards) {
         add(item.of_step ? "of-step" : "of-state");
         for (const ExprPtr* part : {&item.event, &item.guard, &item.value}) expr(*part);
     }
-    for (const ProbabilisticFunction& each : definition.functions) {
-        add(each.result ? "pfunction" : "poperation");
-        name(each.name);
-        for (const VariablePtr& parameter : each.parameters) variable(parameter);
-        expr(each.result);
-        for (const Update& part : each.updates) update(part);
+    for (const ProbabilisticFunction& function : definition.functions) {
+        add(function.result ? "pfunction" : "poperation");
+        name(function.name);
+        for (const VariablePtr& parameter : function.parameters) variable(parameter);
+        expr(function.result);
+        for (const Update& part : function.updates) update(part);
     }
-    for (const ProbabilisticModule& each : definition.modules) {
+    for (const ProbabilisticModule& module : definition.modules) {
         add("pmodule");
-        name(each.name);
-        for (const ModuleVariable& declared : each.variables) {
+        name(module.name);
+        for (const ModuleVariable& declared : module.variables) {
             variable(declared.variable);
             expr(declared.low);
             expr(declared.high);
             expr(declared.variable->initial);
         }
-        for (const Command& command : each.commands) {
+        for (const Command& command : module.commands) {
             add("command");
             for (const ExprPtr* part : {&command.event, &command.guard}) expr(*part);
             for (const Update& part : command.updates) update(part);
@@ -432,12 +432,12 @@ void Structure::file(const File& file) {
         for (const QualifiedName& associated : block.associated) name(associated);
         out_ += " «" + block.text + "»)\n";
     }
-    for (const ProbabilisticDefinition& each : file.probabilistic_definitions) {
-        definition(each);
+    for (const ProbabilisticDefinition& defined : file.probabilistic_definitions) {
+        definition(defined);
         out_ += "\n";
     }
-    for (const ProbabilisticAssertion& each : file.probabilistic_assertions) {
-        probabilistic(each);
+    for (const ProbabilisticAssertion& asserted : file.probabilistic_assertions) {
+        probabilistic(asserted);
         out_ += "\n";
     }
     for (const KeptPart& part : file.kept) out_ += "(verbatim «" + part.text + "»)\n";

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Expressions of random syntax trees. See syntax_builder.hpp.
+#include <array>
+
 #include "tests/random_models/syntax/syntax_builder.hpp"
 
 namespace robochart::random_models {
@@ -42,9 +44,16 @@ int level_of(BinaryOp op) {
             return plus_level + 1;
         case BinaryOp::concat:
             return concat_level;
-        default:
-            return compare_level;
+        case BinaryOp::equal:
+        case BinaryOp::not_equal:
+        case BinaryOp::greater:
+        case BinaryOp::greater_equal:
+        case BinaryOp::less:
+        case BinaryOp::less_equal:
+        case BinaryOp::in:
+            break;
     }
+    return compare_level;
 }
 
 ExprPtr make(ExprKind kind) {
@@ -106,14 +115,11 @@ ExprPtr SyntaxBuilder::literal() {
 }
 
 SyntaxBuilder::Leveled SyntaxBuilder::atom(std::size_t) {
-    const std::size_t way = random_.below(10);
+    constexpr std::array kinds = {ExprKind::result,      ExprKind::to,   ExprKind::from, ExprKind::since,
+                                  ExprKind::since_entry, ExprKind::name, ExprKind::name};
+    const std::size_t way = random_.below(3 + kinds.size());
     if (way < 3) return {literal(), atom_level};
-    ExprPtr expr = make(way == 3   ? ExprKind::result
-                        : way == 4 ? ExprKind::to
-                        : way == 5 ? ExprKind::from
-                        : way == 6 ? ExprKind::since
-                        : way == 7 ? ExprKind::since_entry
-                                   : ExprKind::name);
+    ExprPtr expr = make(kinds.at(way - 3));
     if (expr->kind == ExprKind::name || expr->kind == ExprKind::since_entry) expr->name = qualified();
     if (expr->kind == ExprKind::since) expr->name = simple();
     return {std::move(expr), atom_level};

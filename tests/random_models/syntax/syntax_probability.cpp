@@ -188,7 +188,7 @@ ProbabilisticModule SyntaxBuilder::module_of_properties() {
         }
         command.guard = expr_of(ExprKind::parenthesised);
         command.guard->args.push_back(expression(1));
-        for (std::size_t each = random_.below(3); each > 0; --each) command.updates.push_back(update());
+        for (std::size_t count = random_.below(3); count > 0; --count) command.updates.push_back(update());
         module.commands.push_back(std::move(command));
     }
     return module;
@@ -206,7 +206,10 @@ void SyntaxBuilder::define(ProbabilisticDefinition& definition) {
         case ProbabilisticKind::formula:
             definition.value = expression(2);
             return;
-        default:
+        case ProbabilisticKind::constants:
+        case ProbabilisticKind::rewards:
+        case ProbabilisticKind::definitions:
+        case ProbabilisticKind::modules:
             break;
     }
     for (std::size_t i = count; i > 0; --i) {

@@ -40,8 +40,10 @@ TypeExprPtr SyntaxBuilder::type(std::size_t depth) {
         for (std::size_t i = 0; i < count; ++i) result->args.push_back(type(depth - 1));
     };
     constexpr std::size_t kinds = 9;
-    result->kind = depth == 0 ? random_.chance(80) ? TypeKind::name : TypeKind::variable
-                              : static_cast<TypeKind>(random_.below(kinds));
+    if (depth == 0)
+        result->kind = random_.chance(80) ? TypeKind::name : TypeKind::variable;
+    else
+        result->kind = static_cast<TypeKind>(random_.below(kinds));
     switch (result->kind) {
         case TypeKind::name:
             result->name = qualified();

@@ -43,18 +43,18 @@ Features of_models() {
 TEST(Constructs, AnySyntaxReachesTheTable) {
     Features made;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) add_features(structure_text(*any_syntax(seed)), made);
-    const Features wanted = of_models();
-    EXPECT_EQ(lacking(wanted.constructs, made.constructs), "");
-    EXPECT_EQ(lacking(wanted.compositions, made.compositions), "");
+    const Features expected = of_models();
+    EXPECT_EQ(lacking(expected.constructs, made.constructs), "");
+    EXPECT_EQ(lacking(expected.compositions, made.compositions), "");
 }
 
 TEST(Constructs, AnyAssertionsReachTheTable) {
-    Features wanted;
-    add_rows(table::assertions(), table::as_file, "t.assertions", wanted);
+    Features expected;
+    add_rows(table::assertions(), table::as_file, "t.assertions", expected);
     Features made;
     for (std::uint64_t seed = 0; seed < 15000; ++seed) add_features(structure_text(*any_assertions(seed)), made);
-    EXPECT_EQ(lacking(wanted.constructs, made.constructs), "");
-    EXPECT_EQ(lacking(wanted.compositions, made.compositions), "");
+    EXPECT_EQ(lacking(expected.constructs, made.constructs), "");
+    EXPECT_EQ(lacking(expected.compositions, made.compositions), "");
 }
 
 /// Features in the table that no model without errors has.
@@ -85,16 +85,16 @@ TEST(Constructs, WellFormedModelsReachWhatCanBeWellTyped) {
         const auto read = parse(well_formed(seed));
         for (const auto& file : read->model.files) add_features(structure_text(*file), made);
     }
-    Features wanted = of_models();
-    for (const std::string& composition : wanted.compositions)
-        if (declares(composition)) wanted.constructs.insert(composition);
-    wanted.constructs.insert({"function > product", "relation > product"});
+    Features expected = of_models();
+    for (const std::string& composition : expected.compositions)
+        if (declares(composition)) expected.constructs.insert(composition);
+    expected.constructs.insert({"function > product", "relation > product"});
     made.constructs.merge(made.compositions);
     for (const auto& [construct, reason] : never_well_formed()) {
-        EXPECT_EQ(wanted.constructs.erase(construct), 1U) << construct << " is not in the table";
+        EXPECT_EQ(expected.constructs.erase(construct), 1U) << construct << " is not in the table";
         EXPECT_FALSE(made.constructs.contains(construct)) << construct << " is made after all: " << reason;
     }
-    EXPECT_EQ(lacking(wanted.constructs, made.constructs), "");
+    EXPECT_EQ(lacking(expected.constructs, made.constructs), "");
 }
 
 TEST(Constructs, WellFormedModelsCallEveryToolkitFunction) {
@@ -105,14 +105,14 @@ TEST(Constructs, WellFormedModelsCallEveryToolkitFunction) {
             if (found.target != nullptr && found.target->kind == frontend::DeclKind::function)
                 called.insert(found.target->name);
     }
-    std::set<std::string> wanted;
+    std::set<std::string> functions;
     for (const frontend::Toolkit& toolkit : frontend::all_toolkits()) {
         const auto read = parse({{"toolkit.rct", std::string(toolkit.text)}});
         for (const auto& declaration : read->model.files.front()->declarations)
-            if (declaration->kind == frontend::DeclKind::function) wanted.insert(declaration->name);
+            if (declaration->kind == frontend::DeclKind::function) functions.insert(declaration->name);
     }
-    EXPECT_GE(wanted.size(), 50U);
-    EXPECT_EQ(lacking(wanted, called), "");
+    EXPECT_GE(functions.size(), 50U);
+    EXPECT_EQ(lacking(functions, called), "");
 }
 
 }  // namespace

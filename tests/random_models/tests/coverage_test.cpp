@@ -27,9 +27,9 @@ std::map<std::string, std::size_t> words_of(const std::string& text) {
     return counts;
 }
 
-void expect_all(const std::string& text, const std::vector<std::string>& wanted) {
+void expect_all(const std::string& text, const std::vector<std::string>& words) {
     const auto counts = words_of(text);
-    for (const std::string& word : wanted) {
+    for (const std::string& word : words) {
         const auto found = counts.find(word);
         EXPECT_TRUE(found != counts.end() && found->second >= 10) << word << " is made too seldom";
     }

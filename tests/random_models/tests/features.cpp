@@ -46,7 +46,10 @@ private:
     /// A word, or the relevant property of a name or number; "" for plain names, which are arbitrary.
     std::string word() {
         if (text_.substr(at_).starts_with("`")) return quoted("`").find("::") != std::string_view::npos ? "A::B" : "";
-        if (text_.substr(at_).starts_with("«")) return quoted("»"), "";
+        if (text_.substr(at_).starts_with("«")) {
+            (void)quoted("»");
+            return "";
+        }
         const std::size_t begin = at_;
         while (text_[at_] != ' ' && text_[at_] != '(' && text_[at_] != ')') ++at_;
         const std::string found(text_.substr(begin, at_ - begin));
@@ -96,9 +99,9 @@ void add_features(const std::string& structure, Features& features) {
     while (reader.at_node()) add(reader.node(), features);
 }
 
-std::string lacking(const std::set<std::string>& wanted, const std::set<std::string>& found) {
+std::string lacking(const std::set<std::string>& expected, const std::set<std::string>& found) {
     std::string out;
-    for (const std::string& word : wanted)
+    for (const std::string& word : expected)
         if (!found.contains(word)) out += word + "\n";
     return out;
 }

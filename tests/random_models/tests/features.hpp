@@ -21,6 +21,6 @@ struct Features {
 void add_features(const std::string& structure, Features& features);
 
 /// The words of the first set that are missing in the second, one per line.
-[[nodiscard]] std::string lacking(const std::set<std::string>& wanted, const std::set<std::string>& found);
+[[nodiscard]] std::string lacking(const std::set<std::string>& expected, const std::set<std::string>& found);
 
 }  // namespace robochart::random_models

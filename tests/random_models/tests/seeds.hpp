@@ -18,10 +18,10 @@ inline bool is_long_run() {
 
 /// `count` seeds from `first` on (fewer under AddressSanitizer), or ROBOCHART_SEEDS seeds from ROBOCHART_FIRST_SEED on.
 inline std::vector<std::uint64_t> seeds(std::uint64_t count, std::uint64_t first = 0) {
-    const char* wanted = std::getenv("ROBOCHART_SEEDS");
+    const char* setting = std::getenv("ROBOCHART_SEEDS");
     const char* from = std::getenv("ROBOCHART_FIRST_SEED");
     if (from != nullptr) first = std::stoull(from);
-    count = wanted != nullptr ? std::stoull(wanted) : tests::rounds(count);
+    count = setting != nullptr ? std::stoull(setting) : tests::rounds(count);
     std::vector<std::uint64_t> result;
     for (std::uint64_t i = 0; i < count; ++i) result.push_back(first + i);
     return result;

@@ -60,7 +60,7 @@ void pass_through(std::uint64_t seed, const Shape& shape, csp_emit::Time time, T
         std::set<std::string> causes;
         for (const auto& finding : findings.sorted_findings())
             if (finding.rule->severity == diagnostics::Severity::error) causes.insert(cause(finding));
-        for (const std::string& each : causes) ++tally.refusals[each];
+        for (const std::string& cause : causes) ++tally.refusals[cause];
         if (std::getenv("ROBOCHART_SHOW") != nullptr && !findings.ok())
             std::printf("seed %llu\n%s", static_cast<unsigned long long>(seed),
                         diagnostics::render_text(loaded->sources, findings).c_str());
