@@ -37,11 +37,11 @@ struct ReadChain {
     }
     void tell() {
         findings.clear();
-        for (const auto& each : found.sorted_findings())
-            findings += std::string(each.rule->code) + " " + each.message() + "\n";
+        for (const auto& finding : found.sorted_findings())
+            findings += std::string(finding.rule->code) + " " + finding.message() + "\n";
     }
     /// The report on the claims.
-    std::string asked() {
+    std::string question_findings() {
         const ChainStates states(scenario, std::nullopt);
         (void)find_chain_questions(scenario, states, found);
         tell();
@@ -94,24 +94,25 @@ TEST(Abstraction, WhatIsWrongIsSaid) {
 }
 
 TEST(Abstraction, StatesAnswerOrItIsSaid) {
-    const auto asked = [](const std::string& items) {
-        return ReadChain("abstract by way in 10 cm, 20 cm, a every 2 s " + items).asked();
+    const auto codes_of = [](const std::string& items) {
+        return ReadChain("abstract by way in 10 cm, 20 cm, a every 2 s " + items).question_findings();
     };
     const std::string tail = " within 4 s with confidence 95 %";
-    EXPECT_EQ(asked("estimate probability (way <= 10 cm and a >= 40 %)" + tail), "");
-    EXPECT_EQ(asked("estimate probability (not way <= 20 cm)" + tail), "");
-    EXPECT_THAT(asked("estimate probability way <= 15 cm" + tail), HasSubstr("RC-M17"));
-    EXPECT_THAT(asked("estimate probability way >= 10 cm" + tail), HasSubstr("RC-M17"))
+    EXPECT_EQ(codes_of("estimate probability (way <= 10 cm and a >= 40 %)" + tail), "");
+    EXPECT_EQ(codes_of("estimate probability (not way <= 20 cm)" + tail), "");
+    EXPECT_THAT(codes_of("estimate probability way <= 15 cm" + tail), HasSubstr("RC-M17"));
+    EXPECT_THAT(codes_of("estimate probability way >= 10 cm" + tail), HasSubstr("RC-M17"))
         << "10 cm is in the class below";
-    EXPECT_THAT(asked("estimate probability b >= 50 %" + tail), HasSubstr("RC-M17"));
-    EXPECT_THAT(asked("estimate probability a >= 50 % stays for 2 s" + tail), HasSubstr("RC-M17"));
-    EXPECT_THAT(asked("estimate probability a >= 50 % within 3 s with confidence 95 %"), HasSubstr("no state at 3 s"));
-    EXPECT_THAT(asked("estimate probability always a >= 50 % with confidence 95 %"), HasSubstr("RC-M17"));
-    EXPECT_THAT(asked("estimate average b with confidence 95 %"), HasSubstr("RC-M17"));
-    EXPECT_THAT(asked("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %"), "");
+    EXPECT_THAT(codes_of("estimate probability b >= 50 %" + tail), HasSubstr("RC-M17"));
+    EXPECT_THAT(codes_of("estimate probability a >= 50 % stays for 2 s" + tail), HasSubstr("RC-M17"));
+    EXPECT_THAT(codes_of("estimate probability a >= 50 % within 3 s with confidence 95 %"),
+                HasSubstr("no state at 3 s"));
+    EXPECT_THAT(codes_of("estimate probability always a >= 50 % with confidence 95 %"), HasSubstr("RC-M17"));
+    EXPECT_THAT(codes_of("estimate average b with confidence 95 %"), HasSubstr("RC-M17"));
+    EXPECT_THAT(codes_of("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %"), "");
     for (const char* number : {"50", "10000"})
-        EXPECT_THAT(asked("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %, at most " +
-                          std::string(number) + " trials"),
+        EXPECT_THAT(codes_of("accept probability a >= 50 % within 4 s >= 50 % with confidence 95 %, at most " +
+                             std::string(number) + " trials"),
                     HasSubstr("at most N trials"));
 }
 
@@ -161,7 +162,10 @@ TEST(ChainStates, TransitionsAreThoseOfRobots) {
     const auto state = [&](const std::array<std::size_t, 3>& robots) {
         double a = 0;
         double b = 0;
-        for (const std::size_t each : robots) (each == 1 ? a : b) += each == 0 ? 0 : 1;
+        for (const std::size_t robot : robots) {
+            if (robot == 1) ++a;
+            if (robot > 1) ++b;
+        }
         return states.find_state({a / 3, b / 3});
     };
     statistics::Permitted expected(11, std::vector<bool>(11));
@@ -220,7 +224,7 @@ std::vector<ChainAnswer> answered(const Scenario& scenario, const Draw& draw, st
     std::mt19937_64 random(seed);
     std::vector<TrialResult> trials(2 * scenario.trials);
     for (TrialResult& trial : trials)
-        for (const double each : draw(random)) trial.samples.push_back({each});
+        for (const double sample : draw(random)) trial.samples.push_back({sample});
     const ChainStates states(scenario, std::nullopt);
     diagnostics::Diagnostics found;
     std::vector<Excluded> excluded;
@@ -228,8 +232,8 @@ std::vector<ChainAnswer> answered(const Scenario& scenario, const Draw& draw, st
     const auto sequences = sequences_of(scenario, states, permitted, trials, excluded);
     EXPECT_TRUE(excluded.empty());
     std::vector<ChainAnswer> result;
-    for (const ChainAsked& each : find_chain_questions(scenario, states, found))
-        result.push_back(chain_answer(scenario, each, permitted, sequences, trials, nullptr));
+    for (const ChainAsked& chain_question : find_chain_questions(scenario, states, found))
+        result.push_back(chain_answer(scenario, chain_question, permitted, sequences, trials, nullptr));
     EXPECT_TRUE(found.ok());
     return result;
 }
@@ -238,7 +242,10 @@ std::vector<ChainAnswer> answered(const Scenario& scenario, const Draw& draw, st
 std::vector<double> wanders(std::mt19937_64& random) {
     std::uniform_real_distribution<double> draw(0, 1);
     std::vector<double> seen{0};
-    while (seen.size() < 13) seen.push_back(draw(random) < (seen.back() == 0 ? 0.1 : 0.7) ? 1 : 0);
+    while (seen.size() < 13) {
+        const double near = seen.back() == 0 ? 0.1 : 0.7;
+        seen.push_back(draw(random) < near ? 1 : 0);
+    }
     return seen;
 }
 
@@ -256,7 +263,7 @@ TEST(ChainAnswer, HoldsOfChainsInNineteenOfTwentyRepetitions) {
         for (std::size_t q = 0; q < 3; ++q)
             if (!answers[q].is_refuted() && answers[q].low <= truth[q] && truth[q] <= answers[q].high) ++good[q];
     }
-    for (const int each : good) EXPECT_GE(each, 190);
+    for (const int count : good) EXPECT_GE(count, 190);
 }
 
 TEST(ChainAnswer, ClaimsAreJudged) {
@@ -291,15 +298,15 @@ TEST(ChainOrder, WhatLastsForAFixedTimeIsRefuted) {
     const ReadChain read("abstract by near every 1 s estimate average near with confidence 95 %", "1");
     const ChainStates states(read.scenario, std::nullopt);
     diagnostics::Diagnostics found;
-    const auto asked = find_chain_questions(read.scenario, states, found);
+    const auto questions = find_chain_questions(read.scenario, states, found);
     const auto finding = [&](const Draw& draw) {
         std::mt19937_64 random(3);
         std::vector<TrialResult> trials(600);
         for (TrialResult& trial : trials)
-            for (const double each : draw(random)) trial.samples.push_back({each});
+            for (const double sample : draw(random)) trial.samples.push_back({sample});
         std::vector<Excluded> excluded;
         const auto permitted = states.permitted_transitions();
-        return order_finding(asked, permitted, sequences_of(read.scenario, states, permitted, trials, excluded));
+        return order_finding(questions, permitted, sequences_of(read.scenario, states, permitted, trials, excluded));
     };
     EXPECT_FALSE(finding(wanders));
     const auto lasting = finding([](std::mt19937_64& random) {
@@ -339,17 +346,17 @@ TEST(ChainOrder, HasTheGreatestConfidenceOfTheQuestions) {
         "1");
     const ChainStates states(read.scenario, std::nullopt);
     diagnostics::Diagnostics found;
-    const auto asked = find_chain_questions(read.scenario, states, found);
-    ASSERT_EQ(asked.size(), 2U);
+    const auto questions = find_chain_questions(read.scenario, states, found);
+    ASSERT_EQ(questions.size(), 2U);
     // The state stays for one step after each change, and changes after each step without a change.
     const statistics::StateSequence twos{1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2, 1, 1, 2, 2};
     const std::vector<statistics::StateSequence> all(40, twos);
-    const auto finding = order_finding(asked, statistics::all_permitted(states.size()), all);
+    const auto finding = order_finding(questions, statistics::all_permitted(states.size()), all);
     ASSERT_TRUE(finding);
     EXPECT_NEAR(finding->confidence, 0.99, 1e-12);
     diagnostics::Budget budget;
     budget.interrupt();
-    EXPECT_THROW((void)order_finding(asked, statistics::all_permitted(states.size()), all, &budget),
+    EXPECT_THROW((void)order_finding(questions, statistics::all_permitted(states.size()), all, &budget),
                  diagnostics::LimitReached);
 }
 

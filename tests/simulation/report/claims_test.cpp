@@ -140,7 +140,8 @@ std::string described(const RunResult& result) {
     for (const ClaimResult& claim : result.claims) {
         text += verdict_word(claim.verdict) + " " + std::to_string(claim.successes) + " " +
                 std::to_string(claim.interval.low) + " " + std::to_string(claim.steps) + ":";
-        for (const ClaimOutcome& each : claim.outcomes) text += (each.holds ? " +" : " -") + std::to_string(each.time);
+        for (const ClaimOutcome& outcome : claim.outcomes)
+            text += (outcome.holds ? " +" : " -") + std::to_string(outcome.time);
         text += "\n";
     }
     return text;
@@ -157,17 +158,17 @@ TEST(ClaimsOfTrials, AreTheSameWithAnyNumberOfThreads) {
 /// Trials that are recorded for pictures run to their end and give the same answers.
 TEST(ClaimsOfTrials, DoNotDependOnWhatIsKept) {
     Experiment experiment(model, scenario);
-    const RunResult kept = run(experiment, 2, true);
+    const RunResult recorded = run(experiment, 2, true);
     const RunResult bare = run(experiment, 2, false);
-    ASSERT_EQ(kept.trials.size(), 3U);
-    EXPECT_EQ(kept.trials[1].steps, 100U);
+    ASSERT_EQ(recorded.trials.size(), 3U);
+    EXPECT_EQ(recorded.trials[1].steps, 100U);
     EXPECT_TRUE(bare.trials.empty());
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_EQ(kept.claims[c].trial_count(), bare.claims[c].trial_count());
-        EXPECT_EQ(kept.claims[c].successes, bare.claims[c].successes);
-        EXPECT_EQ(kept.claims[c].steps, bare.claims[c].steps);
+        EXPECT_EQ(recorded.claims[c].trial_count(), bare.claims[c].trial_count());
+        EXPECT_EQ(recorded.claims[c].successes, bare.claims[c].successes);
+        EXPECT_EQ(recorded.claims[c].steps, bare.claims[c].steps);
     }
-    EXPECT_LE(bare.steps, kept.steps);
+    EXPECT_LE(bare.steps, recorded.steps);
     EXPECT_LT(bare.claims[1].steps, 100 * bare.claims[1].trial_count()) << "trials that succeed end then";
 }
 

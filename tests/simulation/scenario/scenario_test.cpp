@@ -365,9 +365,9 @@ const Mistake mistakes[] = {
 
 TEST(Scenario, SaysWhatIsProbablyMeant) {
     std::set<std::string> given;
-    for (const Mistake& each : mistakes) {
-        const Read read(replaced(good, each.from, each.to));
-        EXPECT_THAT(diagnostics::render_text(read.sources, read.diagnostics), HasSubstr(each.note)) << each.to;
+    for (const Mistake& mistake : mistakes) {
+        const Read read(replaced(good, mistake.from, mistake.to));
+        EXPECT_THAT(diagnostics::render_text(read.sources, read.diagnostics), HasSubstr(mistake.note)) << mistake.to;
         for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted_findings())
             for (const diagnostics::Note& note : finding.notes) given.insert(note.message);
     }

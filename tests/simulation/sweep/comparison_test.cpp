@@ -29,7 +29,7 @@ constexpr const char* estimating = R"(scenario S for M {
 struct Sweeping {
     explicit Sweeping(const std::string& text = estimating) {
         scenario = read_scenario(sources, sources.add("s.scenario", text), diagnostics);
-        for (const auto& each : diagnostics.sorted_findings()) findings += each.message() + "\n";
+        for (const auto& finding : diagnostics.sorted_findings()) findings += finding.message() + "\n";
     }
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -77,9 +77,9 @@ TEST(Vary, SharesOfSensors) {
 /// A sweep with one point for each number of successes out of ten.
 SweepResult sweep(const Scenario& scenario, const std::vector<std::uint64_t>& successes) {
     SweepResult result;
-    for (const std::uint64_t each : successes)
+    for (const std::uint64_t count : successes)
         result.points.push_back(
-            {{static_cast<double>(result.points.size() + 1)}, {estimated(scenario.claims[0], each)}});
+            {{static_cast<double>(result.points.size() + 1)}, {estimated(scenario.claims[0], count)}});
     return result;
 }
 

@@ -29,8 +29,8 @@ constexpr const char* varied = R"(scenario S for M {
 struct ReadScenario {
     explicit ReadScenario(const std::string& text) {
         scenario = read_scenario(sources, sources.add("s.scenario", text), diagnostics);
-        for (const auto& each : diagnostics.sorted_findings())
-            findings += std::string(each.rule->code) + " " + each.message() + "\n";
+        for (const auto& finding : diagnostics.sorted_findings())
+            findings += std::string(finding.rule->code) + " " + finding.message() + "\n";
     }
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
@@ -121,15 +121,17 @@ ClaimResult found(ClaimVerdict verdict) {
     return result;
 }
 
+ClaimVerdict verdict_of(char letter) {
+    if (letter == 'h') return ClaimVerdict::holds;
+    return letter == 'f' ? ClaimVerdict::fails : ClaimVerdict::open;
+}
+
 /// Verdicts at 1, 2, ... robots: 'h'olds, 'f'ails, 'o'pen, '-' not simulated.
 std::vector<PointResult> verdicts(const std::string& letters) {
     std::vector<PointResult> results;
     for (const char letter : letters) {
         PointResult point{{static_cast<double>(results.size() + 1)}, {}};
-        if (letter != '-')
-            point.claims.push_back(found(letter == 'h'   ? ClaimVerdict::holds
-                                         : letter == 'f' ? ClaimVerdict::fails
-                                                         : ClaimVerdict::open));
+        if (letter != '-') point.claims.push_back(found(verdict_of(letter)));
         results.push_back(point);
     }
     return results;

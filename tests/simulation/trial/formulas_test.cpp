@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "simulation/scenario/read_scenario.hpp"
 #include "simulation/world/random.hpp"
@@ -25,7 +26,7 @@ Scenario with_property(const std::string& property) {
         property + " >= 50 % with confidence 90 % }";
     Scenario scenario = read_scenario(sources, sources.add("s.scenario", text), diagnostics);
     std::string findings;
-    for (const auto& each : diagnostics.sorted_findings()) findings += each.message() + "\n";
+    for (const auto& finding : diagnostics.sorted_findings()) findings += finding.message() + "\n";
     EXPECT_EQ(findings, "") << property;
     return scenario;
 }
@@ -122,9 +123,15 @@ bool defined(const Formula& f, const Values& run, std::size_t t) {
             return !defined(f.parts[0], run, t);
         case Kind::both:
             return defined(f.parts[0], run, t) && defined(f.parts[1], run, t);
-        default:
+        case Kind::either:
             return defined(f.parts[0], run, t) || defined(f.parts[1], run, t);
+        case Kind::at:
+        case Kind::within:
+        case Kind::until:
+        case Kind::always:
+            break;
     }
+    throw std::logic_error("a condition on a trial");
 }
 
 /// The value for the whole run.
@@ -152,9 +159,13 @@ bool defined(const Formula& f, const Values& run) {
             return !defined(f.parts[0], run);
         case Kind::both:
             return defined(f.parts[0], run) && defined(f.parts[1], run);
-        default:
+        case Kind::either:
             return defined(f.parts[0], run) || defined(f.parts[1], run);
+        case Kind::compare:
+        case Kind::stays:
+            break;
     }
+    throw std::logic_error("a condition on an instant");
 }
 
 class RandomFormula {
