@@ -24,11 +24,11 @@ struct Read {
     /// "SLEEC-P01:3 SLEEC-P02:7": codes with lines, in the order of the text.
     [[nodiscard]] std::string findings() const {
         std::string text;
-        for (const diagnostics::Diagnostic& each : diagnostics.sorted_findings()) {
+        for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings()) {
             if (!text.empty()) text += " ";
-            text += each.rule->code;
-            if (each.span.is_known())
-                text += ":" + std::to_string(sources.position(each.span.source, each.span.begin).line);
+            text += finding.rule->code;
+            if (finding.span.is_known())
+                text += ":" + std::to_string(sources.position(finding.span.source, finding.span.begin).line);
         }
         return text;
     }

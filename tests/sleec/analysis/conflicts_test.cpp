@@ -23,11 +23,11 @@ CheckedRules rules_of(const std::string& rules) {
 std::string conflicts(const std::string& rules, WithoutLimit without = WithoutLimit::eventually) {
     const CheckedRules checked = rules_of(rules);
     std::string text;
-    for_each_question(checked, {without, {}, nullptr}, [&](const ConflictAnswer& each) {
-        if (each.conflict == Answer::no) return;
+    for_each_question(checked, {without, {}, nullptr}, [&](const ConflictAnswer& answer) {
+        if (answer.conflict == Answer::no) return;
         text += text.empty() ? "" : " ";
-        for (const std::size_t rule : each.rules) text += (rule == each.rules[0] ? "" : "-") + checked.name(rule);
-        if (each.conflict == Answer::not_decided) text += "?";
+        for (const std::size_t rule : answer.rules) text += (rule == answer.rules[0] ? "" : "-") + checked.name(rule);
+        if (answer.conflict == Answer::not_decided) text += "?";
     });
     return text;
 }
@@ -222,8 +222,8 @@ TEST(SleecConflicts, OfInstantsWithoutEnd) {
 
 std::string suggested(const std::string& rules, std::vector<std::size_t> in_conflict) {
     std::string text;
-    for (const Suggestion& each : suggest_defeaters(rules_of(rules), in_conflict, {}))
-        text += (text.empty() ? "" : ", ") + std::to_string(each.rule) + " " + each.text;
+    for (const Suggestion& suggestion : suggest_defeaters(rules_of(rules), in_conflict, {}))
+        text += (text.empty() ? "" : ", ") + std::to_string(suggestion.rule) + " " + suggestion.text;
     return text;
 }
 

@@ -47,11 +47,11 @@ struct Diagnosed {
 Diagnosed diagnosed(const CheckedRules& rules) {
     const AnalysisOptions options{WithoutLimit::now, {}, nullptr};
     Diagnosed result;
-    for_each_question(rules, options, [&](const ConflictAnswer& each) {
-        EXPECT_NE(each.conflict, Answer::not_decided) << each.reason;
-        if (each.conflict != Answer::yes) return;
+    for_each_question(rules, options, [&](const ConflictAnswer& answer) {
+        EXPECT_NE(answer.conflict, Answer::not_decided) << answer.reason;
+        if (answer.conflict != Answer::yes) return;
         std::string names;
-        for (const std::size_t rule : each.rules) names += (names.empty() ? "" : " ") + rules.name(rule);
+        for (const std::size_t rule : answer.rules) names += (names.empty() ? "" : " ") + rules.name(rule);
         result.conflicts.insert(names);
     });
     for (std::size_t i = 0; i < rules.rules.size(); ++i) {
@@ -60,11 +60,12 @@ Diagnosed diagnosed(const CheckedRules& rules) {
             superfluous = i != k && is_redundant(rules, i, k, options);
         if (superfluous) result.superfluous.insert(rules.name(i));
     }
-    for (const CheckedProperty& each : rules.concerns)
-        if (check_possible(rules, each, options).possible != Answer::no) result.raised.insert(each.written->name.text);
-    for (const CheckedProperty& each : rules.purposes)
-        if (check_possible(rules, each, options).possible != Answer::yes)
-            result.blocked.insert(each.written->name.text);
+    for (const CheckedProperty& concern : rules.concerns)
+        if (check_possible(rules, concern, options).possible != Answer::no)
+            result.raised.insert(concern.written->name.text);
+    for (const CheckedProperty& purpose : rules.purposes)
+        if (check_possible(rules, purpose, options).possible != Answer::yes)
+            result.blocked.insert(purpose.written->name.text);
     return result;
 }
 

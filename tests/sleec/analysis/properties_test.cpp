@@ -25,20 +25,20 @@ Asked ask(const std::string& rules, const std::string& property, WithoutLimit wi
     if (!read.checked) return {};
     AnalysisOptions options;
     options.without_limit = without;
-    const CheckedProperty& asked = read.checked->concerns[0];
-    const PropertyAnswer found = check_possible(*read.checked, asked, options);
+    const CheckedProperty& concern = read.checked->concerns[0];
+    const PropertyAnswer found = check_possible(*read.checked, concern, options);
     Asked result{found.possible, "", ""};
-    for (const std::string& line : history_lines(found.history, asked, *read.checked)) result.history += line + "; ";
+    for (const std::string& line : history_lines(found.history, concern, *read.checked)) result.history += line + "; ";
     if (found.possible == Answer::no)
-        for (const std::size_t each : excluding_rules(*read.checked, asked, options))
-            result.excluded += read.checked->name(each) + " ";
+        for (const std::size_t rule : excluding_rules(*read.checked, concern, options))
+            result.excluded += read.checked->name(rule) + " ";
     return result;
 }
 
 TEST(SleecProperties, WithoutRulesEverythingIsPossible) {
-    const Asked asked = ask("", "when Go and {near} then not Stop within 5 seconds");
-    EXPECT_EQ(asked.answer, Answer::yes);
-    EXPECT_EQ(asked.history, "Go at second 0 with near; ");
+    const Asked result = ask("", "when Go and {near} then not Stop within 5 seconds");
+    EXPECT_EQ(result.answer, Answer::yes);
+    EXPECT_EQ(result.history, "Go at second 0 with near; ");
     EXPECT_EQ(ask("", "exists Go").answer, Answer::yes);
     EXPECT_EQ(ask("", "exists Go and ({near} and (not {near}))").answer, Answer::no) << "the condition is never true";
 }
@@ -160,7 +160,7 @@ std::string implying(const std::string& rules, std::size_t rule, WithoutLimit wi
     const Implication found = check_implied(*read.checked, rule, options);
     if (found.implied == Answer::not_decided) return found.reason;
     std::string names = found.implied == Answer::yes ? "implied by" : "";
-    for (const std::size_t each : found.by) names += " " + read.checked->name(each);
+    for (const std::size_t premise : found.by) names += " " + read.checked->name(premise);
     return names;
 }
 

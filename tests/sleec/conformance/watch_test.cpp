@@ -49,7 +49,7 @@ std::string judged(const std::string& rule, const std::string& component, const 
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
     cspm::Script script = cspm::read(sources, sources.add("c.csp", channels + component), diagnostics);
-    for (const cspm::DeclPtr& each : watch.declarations()) script.decls.push_back(each);
+    for (const cspm::DeclPtr& declaration : watch.declarations()) script.decls.push_back(declaration);
     std::vector<std::size_t> ways;
     for (std::size_t i = 0; i < watch.ways().size(); ++i)
         if (watch.ways()[i].obligation < watch.obligations().size()) ways.push_back(i);

@@ -138,8 +138,9 @@ public:
             reference_.end_second();
         else
             reference_.observe_event(event, {values.begin(), values.end()});
-        for (const Violation& each : reference_.take_violations())
-            expected.insert({each.rule, each.second, each.event ? static_cast<std::uint32_t>(*each.event) : no_event});
+        for (const Violation& violation : reference_.take_violations())
+            expected.insert({violation.rule, violation.second,
+                             violation.event ? static_cast<std::uint32_t>(*violation.event) : no_event});
         EXPECT_EQ(generated, expected);
         return !expected.empty();
     }
@@ -227,7 +228,7 @@ TEST(MonitorFile, AgreesOnRandomHistoriesOfRandomRules) {
         for (int step = 0; step < 3000 && !HasFailure(); ++step) {
             const auto drawn = static_cast<std::uint32_t>(random() % (2 * events));
             std::vector<std::int64_t> values(measures);
-            for (std::int64_t& each : values) each = static_cast<std::int64_t>(random() % 2);
+            for (std::int64_t& value : values) value = static_cast<std::int64_t>(random() % 2);
             if (!both.step(drawn < events ? drawn : no_event, values)) continue;
             ++broken;
             both.forget();

@@ -31,9 +31,9 @@ public:
     explicit RuleProcess(const CheckedRules& rules) {
         Linking linking;
         std::string events = "tock";
-        for (const Event& each : rules.file->events) {
-            linking.events.emplace_back(each.name.text);
-            events += ", " + each.name.text;
+        for (const Event& event : rules.file->events) {
+            linking.events.emplace_back(event.name.text);
+            events += ", " + event.name.text;
         }
         linking.measures.resize(rules.file->measures.size());
         const Watch watch(rules, 0, linking, cspm::build::name("Anything"));
@@ -43,7 +43,7 @@ public:
             sources,
             sources.add("c.csp", "channel " + events + "\nAnything = [] x : {" + events + "} @ x -> Anything\n"),
             diagnostics);
-        for (const cspm::DeclPtr& each : watch.declarations()) script.decls.push_back(each);
+        for (const cspm::DeclPtr& declaration : watch.declarations()) script.decls.push_back(declaration);
         session_.emplace(script);
         const auto system = session_->system(watch.checked_process());
         graph_ = lts::explore(*system, [](std::size_t) {}).graph;
@@ -55,16 +55,16 @@ public:
         const auto number = session_->event_table().intern(event);
         States result;
         for (const lts::StateIndex state : closed(before))
-            for (const lts::Edge& each : graph_.edges(state))
-                if (each.event == number) result.insert(each.target);
+            for (const lts::Edge& edge : graph_.edges(state))
+                if (edge.event == number) result.insert(edge.target);
         return result;
     }
     bool broken(const States& states) {
         const States all = closed(states);
         return std::ranges::any_of(all, [&](lts::StateIndex state) {
             const auto edges = graph_.edges(state);
-            return std::ranges::any_of(edges, [&](const lts::Edge& each) {
-                return session_->event_table().name(each.event) == "sleec_broken";
+            return std::ranges::any_of(edges, [&](const lts::Edge& edge) {
+                return session_->event_table().name(edge.event) == "sleec_broken";
             });
         });
     }
@@ -75,10 +75,10 @@ private:
         while (!waiting.empty()) {
             const lts::StateIndex state = waiting.back();
             waiting.pop_back();
-            for (const lts::Edge& each : graph_.edges(state)) {
+            for (const lts::Edge& edge : graph_.edges(state)) {
                 const bool own =
-                    each.event == process::tau || session_->event_table().name(each.event).starts_with("sleec_asked");
-                if (own && states.insert(each.target).second) waiting.push_back(each.target);
+                    edge.event == process::tau || session_->event_table().name(edge.event).starts_with("sleec_asked");
+                if (own && states.insert(edge.target).second) waiting.push_back(edge.target);
             }
         }
         return states;
@@ -105,12 +105,12 @@ struct Place {
 std::string key(const Place& place) {
     std::string text;
     for (const auto& [obligation, progress] : place.monitor.open_duties()) {
-        for (const Demand& each : obligation.any)
-            text += std::to_string(each.event) + (each.forbids ? "-" : "+") + std::to_string(each.begin) + "." +
-                    std::to_string(each.end) + " ";
+        for (const Demand& demand : obligation.any)
+            text += std::to_string(demand.event) + (demand.forbids ? "-" : "+") + std::to_string(demand.begin) + "." +
+                    std::to_string(demand.end) + " ";
         text += std::to_string(progress.elapsed) + "." + std::to_string(progress.broken) + "; ";
     }
-    for (const lts::StateIndex each : place.states) text += std::to_string(each) + " ";
+    for (const lts::StateIndex state : place.states) text += std::to_string(state) + " ";
     return text;
 }
 

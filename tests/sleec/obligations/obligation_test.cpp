@@ -22,11 +22,11 @@ std::string demands(const std::string& rule, const Valuation& values = {0, 0, 0,
     const auto obligation = obligation_of(read.checked->rules[0], values, without);
     if (!obligation) return "nothing";
     std::string text;
-    for (const Demand& each : obligation->any)
-        text += (text.empty() ? "" : " | ") + std::string(each.forbids ? "not " : "") +
-                read.checked->event_name(each.event) + " " + std::to_string(each.begin) + "-" +
-                (each.end == forever ? "" : std::to_string(each.end));
-    for (const std::size_t each : obligation->ended_by) text += " unless " + read.checked->event_name(each);
+    for (const Demand& demand : obligation->any)
+        text += (text.empty() ? "" : " | ") + std::string(demand.forbids ? "not " : "") +
+                read.checked->event_name(demand.event) + " " + std::to_string(demand.begin) + "-" +
+                (demand.end == forever ? "" : std::to_string(demand.end));
+    for (const std::size_t event : obligation->ended_by) text += " unless " + read.checked->event_name(event);
     return text;
 }
 
@@ -127,8 +127,8 @@ bool holds(const Demand& demand, std::uint32_t history) {
 }
 
 bool holds(const Obligation& obligation, std::uint32_t history) {
-    for (const Demand& each : obligation.any)
-        if (holds(each, history)) return true;
+    for (const Demand& demand : obligation.any)
+        if (holds(demand, history)) return true;
     return false;
 }
 

@@ -51,7 +51,7 @@ std::string unequal_rules(const std::string& name) {
     const Encoding encoding(rules, {"", "_ours"});
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < rules.rules.size(); ++i) all.push_back(i);
-    for (const cspm::DeclPtr& each : encoding.process_declarations(all)) script.decls.push_back(each);
+    for (const cspm::DeclPtr& declaration : encoding.process_declarations(all)) script.decls.push_back(declaration);
     for (const std::size_t rule : all) {
         const auto theirs = cspm::build::name("SLEEC" + rules.name(rule));
         const auto ours = cspm::build::name(encoding.process_name(rule));
@@ -61,8 +61,8 @@ std::string unequal_rules(const std::string& name) {
     if (!diagnostics.ok()) return diagnostics::render_text(sources, diagnostics);
     cspm::Session session(script);
     std::string unequal;
-    for (const cspm::DeclPtr& each : session.assertions()) {
-        const cspm::AssertionResult result = session.check(*each, {});
+    for (const cspm::DeclPtr& assertion : session.assertions()) {
+        const cspm::AssertionResult result = session.check(*assertion, {});
         if (result.verdict.outcome != refine::Outcome::holds) unequal += result.text + "\n";
     }
     return unequal;
@@ -117,19 +117,17 @@ std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>
 
 std::string verdicts(cspm::Session& session, std::size_t pair) {
     const auto assertions = session.assertions();
-    const auto holds = [&](std::size_t i) {
+    const auto answer = [&](std::size_t i) {
         refine::Limits limits;
         limits.threads = 1;
         const auto outcome = session.check(*assertions[4 * pair + i], limits).verdict.outcome;
-        return outcome == refine::Outcome::inconclusive ? -1 : static_cast<int>(outcome == refine::Outcome::holds);
+        if (outcome == refine::Outcome::inconclusive) return "open";
+        const bool holds = outcome == refine::Outcome::holds;
+        if (i < 2) return holds ? "pass" : "fail";
+        return holds ? "yes" : "no";
     };
     std::string text;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const int found = holds(i);
-        const char* yes = i < 2 ? "pass" : "yes";
-        const char* no = i < 2 ? "fail" : "no";
-        text += fmt::format("{}{}", i == 0 ? "" : " ", found < 0 ? "open" : found == 1 ? yes : no);
-    }
+    for (std::size_t i = 0; i < 4; ++i) text += fmt::format("{}{}", i == 0 ? "" : " ", answer(i));
     return text;
 }
 

@@ -23,8 +23,8 @@ std::uint64_t setting(const char* name, std::uint64_t otherwise) {
 
 std::string text_of(const std::set<std::vector<std::size_t>>& conflicts) {
     std::string text;
-    for (const auto& each : conflicts) {
-        for (const std::size_t rule : each) text += "R" + std::to_string(rule) + " ";
+    for (const auto& conflict : conflicts) {
+        for (const std::size_t rule : conflict) text += "R" + std::to_string(rule) + " ";
         text += "; ";
     }
     return text;
@@ -32,17 +32,17 @@ std::string text_of(const std::set<std::vector<std::size_t>>& conflicts) {
 
 /// The analysis' answers to all questions about a rule set.
 struct Analysed {
-    std::set<std::vector<std::size_t>> forbidden, endless, asked;
+    std::set<std::vector<std::size_t>> forbidden, endless, queried;
     bool decided = true;
 };
 
 Analysed analysed(const CheckedRules& rules) {
     Analysed result;
-    for_each_question(rules, {}, [&](const ConflictAnswer& each) {
-        result.asked.insert(each.rules);
-        result.decided = result.decided && each.conflict != Answer::not_decided;
-        if (each.conflict == Answer::yes)
-            (each.example->endless ? result.endless : result.forbidden).insert(each.rules);
+    for_each_question(rules, {}, [&](const ConflictAnswer& answer) {
+        result.queried.insert(answer.rules);
+        result.decided = result.decided && answer.conflict != Answer::not_decided;
+        if (answer.conflict == Answer::yes)
+            (answer.example->endless ? result.endless : result.forbidden).insert(answer.rules);
     });
     return result;
 }
@@ -51,27 +51,27 @@ using Sets = std::set<std::vector<std::size_t>>;
 
 /// The sets that contain no smaller set of `others`.
 Sets without_larger(Sets sets, const Sets& others) {
-    std::erase_if(sets, [&](const auto& each) {
-        return std::ranges::any_of(others, [&](const auto& other) {
-            return other.size() < each.size() && std::ranges::includes(each, other);
-        });
+    std::erase_if(sets, [&](const auto& set) {
+        return std::ranges::any_of(
+            others, [&](const auto& other) { return other.size() < set.size() && std::ranges::includes(set, other); });
     });
     return sets;
 }
 
 /// Compares the answers for the queried sets that have no conflicting subset.
 void compare_endless(const std::vector<testing::NaiveRule>& rules, const Analysed& found, const std::string& text) {
-    for (const std::vector<std::size_t>& each : found.asked) {
+    for (const std::vector<std::size_t>& rule_set : found.queried) {
         std::vector<testing::NaiveRule> subset;
-        for (const std::size_t rule : each) subset.push_back(rules[rule]);
+        for (const std::size_t rule : rule_set) subset.push_back(rules[rule]);
         const auto naive = testing::in_conflict(subset);
         const auto part = [&](const auto& other) {
-            return other.size() < each.size() && std::ranges::includes(each, other);
+            return other.size() < rule_set.size() && std::ranges::includes(rule_set, other);
         };
         if (!naive || std::ranges::any_of(found.endless, part) || std::ranges::any_of(found.forbidden, part)) continue;
-        const bool said = found.endless.contains(each);
+        const bool endless = found.endless.contains(rule_set);
         const bool expected = *naive == testing::NaiveAnswer::endless;
-        EXPECT_TRUE(said == expected) << text << text_of({each}) << (said ? "" : "not ") << "said to be endless";
+        EXPECT_TRUE(endless == expected) << text << text_of({rule_set}) << (endless ? "" : "not ")
+                                         << "said to be endless";
     }
 }
 
@@ -91,7 +91,7 @@ TEST(RandomRules, ConflictsAgreeWithTheEnumeration) {
         ++compared;
         in_conflict += expected->empty() ? 0U : 1U;
         endless += found.endless.size();
-        for (const auto& each : *expected) of_three += each.size() > 2 ? 1U : 0U;
+        for (const auto& conflict : *expected) of_three += conflict.size() > 2 ? 1U : 0U;
         const Sets smallest = without_larger(without_larger(found.forbidden, found.forbidden), found.endless);
         ASSERT_EQ(text_of(smallest), text_of(without_larger(*expected, found.endless))) << text;
         compare_endless(rules, found, text);

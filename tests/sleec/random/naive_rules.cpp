@@ -65,11 +65,11 @@ Fate on_second(Duty& duty) {
 }
 
 /// The parts that the response requires with these values; nullopt if there is no duty.
-std::optional<Parts> asked(const NaiveResponse& response, unsigned values) {
+std::optional<Parts> required_parts(const NaiveResponse& response, unsigned values) {
     const NaiveResponse::Defeater* deciding = nullptr;
-    for (const auto& each : response.defeaters)
-        if (each.condition.holds(values)) deciding = &each;
-    if (deciding != nullptr) return deciding->response ? asked(*deciding->response, values) : std::nullopt;
+    for (const auto& defeater : response.defeaters)
+        if (defeater.condition.holds(values)) deciding = &defeater;
+    if (deciding != nullptr) return deciding->response ? required_parts(*deciding->response, values) : std::nullopt;
     Parts parts;
     int begin = 0;
     for (const NaiveAction& action : response.chain) {
@@ -107,24 +107,24 @@ bool is_dead(const Duty& due, const State& open) {
 
 std::optional<State> after_event(const std::vector<NaiveRule>& rules, const State& state, int event, unsigned values) {
     State next;
-    for (Duty each : state) {
-        const Fate fate = on_event(each, event);
+    for (Duty duty : state) {
+        const Fate fate = on_event(duty, event);
         if (fate == Fate::violated) return std::nullopt;
-        if (fate == Fate::open) next.insert(each);
+        if (fate == Fate::open) next.insert(duty);
     }
     for (const NaiveRule& rule : rules) {
         if (rule.trigger != event || (rule.condition && !rule.condition->holds(values))) continue;
-        if (auto parts = asked(rule.response, values)) next.insert({std::move(*parts), 0, 0});
+        if (auto parts = required_parts(rule.response, values)) next.insert({std::move(*parts), 0, 0});
     }
     return next;
 }
 
 std::optional<State> after_second(const State& state) {
     State next;
-    for (Duty each : state) {
-        const Fate fate = on_second(each);
+    for (Duty duty : state) {
+        const Fate fate = on_second(duty);
         if (fate == Fate::violated) return std::nullopt;
-        if (fate == Fate::open) next.insert(each);
+        if (fate == Fate::open) next.insert(duty);
     }
     return next;
 }
@@ -137,9 +137,15 @@ NaiveCondition random_condition(std::mt19937_64& random) {
     return {number(random, 2), number(random, 2) == 0};
 }
 
+/// The number of actions of a response.
+int random_length(std::mt19937_64& random) {
+    if (number(random, 3) != 0) return 1;
+    return number(random, 3) == 0 ? 3 : 2;
+}
+
 NaiveResponse random_response(std::mt19937_64& random, int depth) {
     NaiveResponse result;
-    const int length = number(random, 3) == 0 ? (number(random, 3) == 0 ? 3 : 2) : 1;
+    const int length = random_length(random);
     for (int i = 0; i < length; ++i) {
         NaiveAction action{number(random, 5) < 2, number(random, events), 0, number(random, 3)};
         if (i > 0 && number(random, 3) != 0) action.to = 0;
@@ -177,17 +183,17 @@ std::string NaiveCondition::text() const {
 
 std::string NaiveResponse::text() const {
     std::string result;
-    for (const NaiveAction& each : chain) {
-        if (&each != chain.data()) result += " otherwise ";
-        result += (each.negated ? "not " : "") + event_text(each.event);
-        if (each.to && each.from > 0)
-            result += " within [" + std::to_string(each.from) + ", " + std::to_string(*each.to) + "] seconds";
-        else if (each.to)
-            result += " within " + std::to_string(*each.to) + " seconds";
+    for (const NaiveAction& action : chain) {
+        if (&action != chain.data()) result += " otherwise ";
+        result += (action.negated ? "not " : "") + event_text(action.event);
+        if (action.to && action.from > 0)
+            result += " within [" + std::to_string(action.from) + ", " + std::to_string(*action.to) + "] seconds";
+        else if (action.to)
+            result += " within " + std::to_string(*action.to) + " seconds";
     }
-    for (const Defeater& each : defeaters) {
-        result += " unless " + each.condition.text();
-        if (each.response) result += " then {" + each.response->text() + "}";
+    for (const Defeater& defeater : defeaters) {
+        result += " unless " + defeater.condition.text();
+        if (defeater.response) result += " then {" + defeater.response->text() + "}";
     }
     return result;
 }
@@ -211,11 +217,11 @@ std::string text_of(const std::vector<NaiveRule>& rules) {
 std::vector<NaiveRule> random_rules(std::mt19937_64& random) {
     std::vector<NaiveRule> result(static_cast<std::size_t>(2 + number(random, 3)));
     const bool alternatives = number(random, 4) == 0;  // the first rule has alternatives, the others forbid
-    for (NaiveRule& each : result) {
-        each.trigger = number(random, events);
-        if (number(random, 3) == 0) each.condition = random_condition(random);
-        each.response = random_response(random, 0);
-        if (alternatives) each.response = alternative_response(random, &each == result.data());
+    for (NaiveRule& rule : result) {
+        rule.trigger = number(random, events);
+        if (number(random, 3) == 0) rule.condition = random_condition(random);
+        rule.response = random_response(random, 0);
+        if (alternatives) rule.response = alternative_response(random, &rule == result.data());
     }
     return result;
 }
@@ -228,8 +234,8 @@ std::optional<NaiveAnswer> in_conflict(const std::vector<NaiveRule>& rules) {
     for (std::size_t at = 0; at < states.size(); ++at) {
         if (states.size() > most_states) return std::nullopt;
         const State state = states[at];
-        for (const Duty& each : state)
-            if (is_dead(each, state)) return NaiveAnswer::forbidden;
+        for (const Duty& duty : state)
+            if (is_dead(duty, state)) return NaiveAnswer::forbidden;
         const auto meet = [&](std::optional<State> next) {
             if (!next) return;
             const auto [place, fresh] = known.emplace(*next, states.size());
@@ -246,13 +252,13 @@ std::optional<NaiveAnswer> in_conflict(const std::vector<NaiveRule>& rules) {
             for (unsigned values = 0; values < 4; ++values) meet(after_event(rules, state, event, values));
     }
     std::vector<bool> passes(states.size(), false);
-    for (const std::size_t each : passing) passes[each] = true;
+    for (const std::size_t index : passing) passes[index] = true;
     while (!passing.empty()) {
         const std::size_t at = passing.back();
         passing.pop_back();
-        for (const std::size_t each : before[at]) {
-            if (!passes[each]) passing.push_back(each);
-            passes[each] = true;
+        for (const std::size_t previous : before[at]) {
+            if (!passes[previous]) passing.push_back(previous);
+            passes[previous] = true;
         }
     }
     const bool all = std::ranges::find(passes, false) == passes.end();

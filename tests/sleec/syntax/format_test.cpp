@@ -93,14 +93,14 @@ TEST(SleecFormat, ASecondTimeNothingChanges) {
     if (tests::shared_folder().empty() || !std::filesystem::exists(suite))
         GTEST_SKIP() << "the published files are not there";
     std::size_t files = 0;
-    for (const auto& each : std::filesystem::recursive_directory_iterator(suite)) {
-        if (each.path().extension() != ".sleec") continue;
-        SCOPED_TRACE(each.path());
-        const std::string once = formatted(tests::read_contents(each.path()));
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(suite)) {
+        if (entry.path().extension() != ".sleec") continue;
+        SCOPED_TRACE(entry.path());
+        const std::string once = formatted(tests::read_contents(entry.path()));
         if (once.starts_with("refused: ")) continue;
         ++files;
         EXPECT_EQ(formatted(once), once);
-        testing::Read before(tests::read_contents(each.path())), after(once);
+        testing::Read before(tests::read_contents(entry.path())), after(once);
         EXPECT_TRUE(same_file(before.file, after.file));
     }
     EXPECT_GT(files, 30U);

@@ -224,10 +224,10 @@ const Mistake mistakes[] = {
 
 TEST(SleecReader, SaysWhatIsProbablyMeant) {
     std::set<std::string> given;
-    for (const Mistake& each : mistakes) {
-        const std::string text = each.text;
+    for (const Mistake& mistake : mistakes) {
+        const std::string text = mistake.text;
         const Read read(text.starts_with("def_") || text.starts_with("rule_") ? text : with_definitions(text));
-        EXPECT_NE(read.report().find(each.note), std::string::npos) << text << "\n" << read.report();
+        EXPECT_NE(read.report().find(mistake.note), std::string::npos) << text << "\n" << read.report();
         for (const diagnostics::Diagnostic& finding : read.diagnostics.sorted_findings())
             for (const diagnostics::Note& note : finding.notes) given.insert(note.message);
     }
