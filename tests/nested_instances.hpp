@@ -20,7 +20,8 @@ inline std::vector<std::string> nested_instances(const std::vector<cspm::DeclPtr
         for (const auto* const inside : {&decl->decls, &decl->exports}) {
             const bool around = parameterised || !decl->parameters.empty();
             const std::string below = decl->kind == cspm::DeclKind::module ? name + "::" : path;
-            for (std::string& each : nested_instances(*inside, below, around)) result.push_back(std::move(each));
+            for (std::string& instance : nested_instances(*inside, below, around))
+                result.push_back(std::move(instance));
         }
     }
     return result;

@@ -177,7 +177,7 @@ void run(const app::Options& given, Judgement& result) {
     if (good && options.verb == app::Verb::emit_prism) good = app::write_prism(*project, options, report);
     if (good && options.verb == app::Verb::conform) {
         app::check_conformance(*project, options, report);
-        for (const app::ConformanceReport& each : report.conformance) take(each, result);
+        for (const app::ConformanceReport& conformance : report.conformance) take(conformance, result);
     }
     take(project->sources, project->diagnostics, result);
 }

@@ -140,9 +140,9 @@ TEST(RulePages, IndexListsEachUnderItsArea) {
     }
     for (const diagnostics::PageText& text : pages()) {
         const diagnostics::RulePage page = diagnostics::read_page(text.text);
-        const std::string wanted = "* [" + page.code + "](" + page.code + ".md): " + page.title;
-        const auto found = area_of_line.find(wanted);
-        EXPECT_TRUE(found != area_of_line.end()) << "docs/rules/README.md lacks the line\n" << wanted;
+        const std::string entry = "* [" + page.code + "](" + page.code + ".md): " + page.title;
+        const auto found = area_of_line.find(entry);
+        EXPECT_TRUE(found != area_of_line.end()) << "docs/rules/README.md lacks the line\n" << entry;
         if (found == area_of_line.end()) continue;
         EXPECT_EQ(found->second, page.area) << page.code << " stands under another heading than its area";
         area_of_line.erase(found);

@@ -104,10 +104,10 @@ std::vector<Words> words_not_used() {
 }
 
 /// Whether the wanted words start at this token.
-bool begin_at(const Words& wanted, const std::vector<Token>& text, std::size_t at) {
-    if (at + wanted.size() > text.size()) return false;
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        if (text[at + i].word != wanted[i] || (i > 0 && !text[at + i].joins)) return false;
+bool begin_at(const Words& phrase, const std::vector<Token>& text, std::size_t at) {
+    if (at + phrase.size() > text.size()) return false;
+    for (std::size_t i = 0; i < phrase.size(); ++i)
+        if (text[at + i].word != phrase[i] || (i > 0 && !text[at + i].joins)) return false;
     return true;
 }
 
@@ -122,8 +122,8 @@ std::vector<std::pair<std::size_t, std::string>> uses(const std::string& text, c
     std::vector<std::pair<std::size_t, std::string>> result;
     const std::vector<Token> all = tokens(text);
     for (std::size_t at = 0; at < all.size(); ++at)
-        for (const Words& wanted : not_used)
-            if (begin_at(wanted, all, at)) result.emplace_back(all[at].line, joined(wanted));
+        for (const Words& phrase : not_used)
+            if (begin_at(phrase, all, at)) result.emplace_back(all[at].line, joined(phrase));
     return result;
 }
 
@@ -153,9 +153,9 @@ TEST(Words, OfTheGlossarysLastSectionAreNotUsed) {
         for (std::string line; std::getline(in, line);) lines.push_back(line);
         for (const auto& [line, word] : uses(text, not_used)) {
             const auto found = std::find_if(std::begin(allowed), std::end(allowed),
-                                            [&, line = line, word = word](const Allowed& each) {
-                                                return each.word == word && name.starts_with(each.file) &&
-                                                       lines[line - 1].find(each.text) != std::string::npos;
+                                            [&, line = line, word = word](const Allowed& exception) {
+                                                return exception.word == word && name.starts_with(exception.file) &&
+                                                       lines[line - 1].find(exception.text) != std::string::npos;
                                             });
             if (found != std::end(allowed))
                 needed.insert(found);
@@ -164,8 +164,8 @@ TEST(Words, OfTheGlossarysLastSectionAreNotUsed) {
                               << "`; docs/glossary.md says what to write instead";
         }
     }
-    for (const Allowed& each : allowed)
-        EXPECT_TRUE(needed.contains(&each)) << each.file << ": `" << each.word << "` is not used there";
+    for (const Allowed& exception : allowed)
+        EXPECT_TRUE(needed.contains(&exception)) << exception.file << ": `" << exception.word << "` is not used there";
 }
 
 /// The files and types in the other tables: `checker/lts/event.hpp`, `ir::Machine`.

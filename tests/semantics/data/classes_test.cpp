@@ -142,7 +142,8 @@ struct WindowTest {
             const double element = sequence[static_cast<std::size_t>(place - 1)];
             least = least ? std::min(*least, element) : element;
         }
-        return least ? related(relation, *least, number) ? 1 : 0 : -1;
+        if (!least) return -1;
+        return related(relation, *least, number) ? 1 : 0;
     }
 };
 

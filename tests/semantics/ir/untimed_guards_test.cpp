@@ -107,8 +107,8 @@ bool has(const ExprPtr& expr, ExprKind kind) {
 
 /// True if the condition is true for some values of the clocks.
 bool possible(const ExprPtr& condition, const Values& values, std::uint32_t clocks) {
-    for (std::uint32_t each = 0; each < (1U << clocks); ++each)
-        if (value(condition, values, each)) return true;
+    for (std::uint32_t clock_values = 0; clock_values < (1U << clocks); ++clock_values)
+        if (value(condition, values, clock_values)) return true;
     return false;
 }
 
@@ -123,12 +123,12 @@ TEST(UntimedGuards, KeepWhatIsTrueForSomeValuesOfTheClocks) {
         for (const bool first : {false, true})
             for (const bool second : {false, true}) {
                 const Values values{first, second};
-                const bool kept = !guard.kept || value(guard.kept, values, 0);
-                const bool wanted = possible(condition, values, random.clocks());
-                EXPECT_TRUE(kept || !wanted) << "a run is lost: " << seed;
+                const bool untimed_value = !guard.kept || value(guard.kept, values, 0);
+                const bool expected = possible(condition, values, random.clocks());
+                EXPECT_TRUE(untimed_value || !expected) << "a run is lost: " << seed;
                 if (has(condition, ExprKind::iff)) continue;
-                EXPECT_EQ(kept, wanted) << seed;
-                ++(kept ? open : exact);
+                EXPECT_EQ(untimed_value, expected) << seed;
+                ++(untimed_value ? open : exact);
             }
     }
     EXPECT_GT(exact, 100U);
