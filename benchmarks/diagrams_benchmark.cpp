@@ -90,8 +90,8 @@ int main(int argc, char** argv) {
         return 0;
     }
     std::vector<Measured> all;
-    for (const std::string& each : models)
-        draw_all(each, [&](const diagrams::Subject& subject, const diagrams::Elements& elements) {
+    for (const std::string& model : models)
+        draw_all(model, [&](const diagrams::Subject& subject, const diagrams::Elements& elements) {
             all.push_back(measure(subject, elements));
         });
     if (all.empty()) {
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     }
     std::ranges::sort(all, [](const Measured& a, const Measured& b) { return a.milliseconds < b.milliseconds; });
     double sum = 0;
-    for (const Measured& each : all) sum += each.milliseconds;
+    for (const Measured& measured : all) sum += measured.milliseconds;
     fmt::print("{} diagrams, {:.1f} ms in all; median {:.2f} ms, 95 % below {:.2f} ms\n", all.size(), sum,
                all[all.size() / 2].milliseconds, all[all.size() * 95 / 100].milliseconds);
     for (std::size_t i = all.size() - std::min<std::size_t>(all.size(), 5); i < all.size(); ++i)

@@ -92,9 +92,9 @@ Reading measure(const random_models::Project& project, std::size_t runs) {
 double series(std::uint64_t seed, std::size_t runs, bool many_files) {
     double first = 0;
     double last = 0;
-    for (const std::size_t wanted : {5'000U, 10'000U, 20'000U, 50'000U}) {
-        const std::size_t files = many_files ? wanted / 500 : 1;
-        const random_models::Project project = random_models::sized(seed, wanted, files);
+    for (const std::size_t size : {5'000U, 10'000U, 20'000U, 50'000U}) {
+        const std::size_t files = many_files ? size / 500 : 1;
+        const random_models::Project project = random_models::sized(seed, size, files);
         const auto lines = static_cast<double>(random_models::lines(project));
         std::size_t bytes = 0;
         for (const random_models::Text& file : project) bytes += file.text.size();

@@ -106,10 +106,10 @@ Measured measure(const lts::TransitionSystem& system, const Count& count) {
 }
 
 /// Other programs on the machine can only increase a time, so the minimum for each rank and level counts.
-void take_least(Measured& kept, const Measured& again) {
-    for (std::size_t rank = 0; rank < kept.seconds.size(); ++rank)
-        for (std::size_t level = 0; level < kept.seconds[rank].size(); ++level)
-            kept.seconds[rank][level] = std::min(kept.seconds[rank][level], again.seconds[rank][level]);
+void take_least(Measured& least, const Measured& again) {
+    for (std::size_t rank = 0; rank < least.seconds.size(); ++rank)
+        for (std::size_t level = 0; level < least.seconds[rank].size(); ++level)
+            least.seconds[rank][level] = std::min(least.seconds[rank][level], again.seconds[rank][level]);
 }
 
 void sum_up(Measured& measured) {
@@ -184,7 +184,7 @@ std::vector<Measured> measure_all(unsigned times, const lts::TransitionSystem& s
     for (const Count& count : counts) all.push_back(measure(system, count));
     for (unsigned i = 1; i < times; ++i)
         for (std::size_t at = 0; at < counts.size(); ++at) take_least(all[at], measure(system, counts[at]));
-    for (Measured& each : all) sum_up(each);
+    for (Measured& measured : all) sum_up(measured);
     return all;
 }
 
