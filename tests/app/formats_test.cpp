@@ -25,6 +25,10 @@ struct Form {
     const char* schema;   ///< schema of the document; "sarif" for SARIF
 };
 
+void PrintTo(const Form& form, std::ostream* out) {
+    *out << form.name;
+}
+
 /// The document's statement about the limit; "" if it contains none.
 std::string limit_of(const json& document, const std::string& schema) {
     if (schema == "sarif") {

@@ -58,6 +58,10 @@ struct Hard {
     const char* arguments;  ///< the model is m.rct
 };
 
+void PrintTo(const Hard& hard, std::ostream* out) {
+    *out << hard.name;
+}
+
 class HardWork : public ::testing::TestWithParam<Hard> {};
 
 std::string in_time(const Hard& hard, const std::string& more) {

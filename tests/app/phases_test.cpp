@@ -29,6 +29,10 @@ struct Phase {
     const char* golden;
 };
 
+void PrintTo(const Phase& phase, std::ostream* out) {
+    *out << phase.name;
+}
+
 class Phases : public ::testing::TestWithParam<Phase> {};
 
 /// Runs in the folder of the models, because reports name files as the command line does.

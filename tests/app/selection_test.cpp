@@ -18,6 +18,10 @@ struct Row {
     const char* message;  ///< expected on standard output or error
 };
 
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
+
 // A folder with a model with two assertions, a model without assertions, a model without machines, a script with an
 // assertion and one without, an empty folder, and pipes without a writer.
 constexpr const char* files = R"(

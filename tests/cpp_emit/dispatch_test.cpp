@@ -105,6 +105,10 @@ struct Case {
     bool direct;  ///< no program waits: the code is a switch or a table
 };
 
+void PrintTo(const Case& row, std::ostream* out) {
+    *out << row.model << " " << row.component;
+}
+
 constexpr Case cases[] = {
     {"corpus/aggregation", "AggregationFSM", true},
     {"corpus/swarm_taxis", "SwarmTaxisFSM", false},
@@ -147,7 +151,11 @@ TEST_P(Dispatch, DoesWhatACycleDoes) {
 
 INSTANTIATE_TEST_SUITE_P(BothWays, Dispatch,
                          ::testing::Combine(::testing::ValuesIn(cases),
-                                            ::testing::Values(Strategy::nested_switch, Strategy::table)));
+                                            ::testing::Values(Strategy::nested_switch, Strategy::table)),
+                         [](const auto& instance) {
+                             const bool table = std::get<1>(instance.param) == Strategy::table;
+                             return std::get<0>(instance.param).component + std::string(table ? "_table" : "_switch");
+                         });
 
 /// Code that asks its platform asks it in both APIs: `dispatch` runs as a cycle, and the strategy has no effect.
 /// tests/conformance/check/dispatch_equivalence_test.cpp compares both APIs for every answer.

@@ -315,7 +315,23 @@ TEST_P(AwkwardNames, BuildWithBothCompilers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, AwkwardNames,
-                         ::testing::Values(Target::library, Target::main, Target::ros2, Target::enki));
+                         ::testing::Values(Target::library, Target::main, Target::ros2, Target::enki),
+                         [](const auto& instance) {
+                             switch (instance.param) {
+                                 case Target::library:
+                                     return "library";
+                                 case Target::main:
+                                     return "main";
+                                 case Target::ros2:
+                                     return "ros2";
+                                 case Target::enki:
+                                     return "enki";
+                                 case Target::sources:
+                                 case Target::argos:
+                                     break;
+                             }
+                             return "sources";
+                         });
 
 }  // namespace
 }  // namespace robochart::cpp_emit

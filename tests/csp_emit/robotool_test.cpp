@@ -163,7 +163,12 @@ TEST_P(NewestRoboTool, AgreesOnTheRangerModel) {
 
 INSTANTIATE_TEST_SUITE_P(SharedScripts, NewestRoboTool,
                          ::testing::Combine(::testing::Values(Time::untimed, Time::timed),
-                                            ::testing::Values(Variables::parameters, Variables::memories)));
+                                            ::testing::Values(Variables::parameters, Variables::memories)),
+                         [](const auto& instance) {
+                             const bool memories = std::get<1>(instance.param) == Variables::memories;
+                             return std::string(std::get<0>(instance.param) == Time::timed ? "timed" : "untimed") +
+                                    (memories ? "_memories" : "");
+                         });
 
 TEST(RangerAssertions, SimplifiedSpecificationsAreEqual) {
     const std::string root = robochart::tests::shared_folder().string() + "/suite/robotool-csp-2026";

@@ -12,6 +12,11 @@
 #include "tests/source_folder.hpp"
 
 namespace robochart::fuzz {
+
+static void PrintTo(const Target& target, std::ostream* out) {
+    *out << target.name;
+}
+
 namespace {
 
 using tests::read_contents;

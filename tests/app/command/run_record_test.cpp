@@ -55,6 +55,10 @@ struct Row {
     bool to_file = false;
 };
 
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
+
 /// The keys of an object, in order.
 std::vector<std::string> keys(const nlohmann::ordered_json& object) {
     std::vector<std::string> names;

@@ -52,6 +52,10 @@ struct Row {
     const char* expected;
 };
 
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << ::testing::PrintToString(row.item);
+}
+
 class WrongMapping : public ::testing::TestWithParam<Row> {};
 
 TEST_P(WrongMapping, IsSaidWithItsPlace) {

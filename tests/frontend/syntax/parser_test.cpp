@@ -285,6 +285,10 @@ struct Mistake {
     bool is_assertions = false;
 };
 
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+    *out << ::testing::PrintToString(mistake.text);
+}
+
 class Mistakes : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(Mistakes, GiveOneMessageEach) {

@@ -18,6 +18,10 @@ struct Wrong {
     const char* script;
 };
 
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+    *out << ::testing::PrintToString(wrong.script);
+}
+
 std::string findings(Reading& reading) {
     check_types(reading.script, reading.diagnostics);
     std::string result;

@@ -17,6 +17,10 @@ struct Typed {
     const char* type;    ///< of the name `v`
 };
 
+void PrintTo(const Typed& typed, std::ostream* out) {
+    *out << ::testing::PrintToString(typed.script);
+}
+
 // Declarations that all scripts of this file may use.
 constexpr const char* common = R"(
 datatype T = Leaf | Node.T.Int.T

@@ -77,6 +77,10 @@ struct Hostile {
     const char* error;
 };
 
+void PrintTo(const Hostile& hostile, std::ostream* out) {
+    *out << hostile.name;
+}
+
 std::string nested(std::size_t depth) {
     std::string text;
     for (std::size_t i = 0; i < depth; ++i) text += "<children type=\"3008\">";

@@ -261,6 +261,10 @@ struct Setting {
     std::size_t times;
 };
 
+void PrintTo(const Setting& setting, std::ostream* out) {
+    *out << setting.name;
+}
+
 class Operators : public testing::TestWithParam<Setting> {};
 
 TEST_P(Operators, AgreeWithTheNaiveSolver) {
