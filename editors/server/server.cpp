@@ -9,61 +9,53 @@
 #include <array>
 #include <limits>
 
-#include "editors/server/cspm/answers.hpp"
 #include "editors/server/features/capabilities.hpp"
 #include "editors/server/features/diagram.hpp"
-#include "editors/server/features/documents.hpp"
-#include "editors/server/features/features.hpp"
-#include "editors/server/plain/answers.hpp"
-#include "editors/server/sleec/answers.hpp"
 
 namespace robochart::lsp {
 
 namespace {
 
+/// A request about a document.
 struct RequestRow {
     std::string_view method;
-    Json (*answer)(Session&, View);
+    Json (Language::*answer)(const Request&);
 };
+/// A notification about a document.
 struct NotificationRow {
     std::string_view method;
-    void (*handle)(Session&, View);
+    void (Language::*handle)(View params);
 };
 
 constexpr std::array requests = {
-    RequestRow{"callHierarchy/incomingCalls", incoming_calls},
-    RequestRow{"callHierarchy/outgoingCalls", outgoing_calls},
-    RequestRow{diagram_request, component_diagram},
-    RequestRow{"textDocument/codeAction", code_actions},
-    RequestRow{"textDocument/codeLens", code_lenses},
-    RequestRow{"textDocument/completion", completion_items},
-    RequestRow{"textDocument/declaration", definition_locations},
-    RequestRow{"textDocument/definition", definition_locations},
-    RequestRow{"textDocument/diagnostic", document_diagnostic},
-    RequestRow{"textDocument/documentHighlight", name_highlights},
-    RequestRow{"textDocument/documentSymbol", document_symbols},
-    RequestRow{"textDocument/foldingRange", folding_ranges},
-    RequestRow{"textDocument/formatting", formatting_edits},
-    RequestRow{"textDocument/hover", hover_text},
-    RequestRow{"textDocument/inlayHint", inlay_hints},
-    RequestRow{"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
-    RequestRow{"textDocument/prepareRename", prepare_rename},
-    RequestRow{"textDocument/references", reference_locations},
-    RequestRow{"textDocument/rename", rename_edits},
-    RequestRow{"textDocument/selectionRange", selection_ranges},
-    RequestRow{"textDocument/semanticTokens/full", semantic_tokens},
-    RequestRow{"textDocument/signatureHelp", signature_help},
-    RequestRow{"workspace/symbol", workspace_symbols},
+    RequestRow{"callHierarchy/incomingCalls", &Language::incoming_calls},
+    RequestRow{"callHierarchy/outgoingCalls", &Language::outgoing_calls},
+    RequestRow{diagram_request, &Language::diagram},
+    RequestRow{"textDocument/codeAction", &Language::code_actions},
+    RequestRow{"textDocument/codeLens", &Language::code_lenses},
+    RequestRow{"textDocument/completion", &Language::completion},
+    RequestRow{"textDocument/declaration", &Language::definition},
+    RequestRow{"textDocument/definition", &Language::definition},
+    RequestRow{"textDocument/diagnostic", &Language::pull_findings},
+    RequestRow{"textDocument/documentHighlight", &Language::highlights},
+    RequestRow{"textDocument/documentSymbol", &Language::document_symbols},
+    RequestRow{"textDocument/foldingRange", &Language::folding_ranges},
+    RequestRow{"textDocument/formatting", &Language::formatting},
+    RequestRow{"textDocument/hover", &Language::hover},
+    RequestRow{"textDocument/inlayHint", &Language::inlay_hints},
+    RequestRow{"textDocument/prepareCallHierarchy", &Language::prepare_call_hierarchy},
+    RequestRow{"textDocument/prepareRename", &Language::prepare_rename},
+    RequestRow{"textDocument/references", &Language::references},
+    RequestRow{"textDocument/rename", &Language::rename},
+    RequestRow{"textDocument/selectionRange", &Language::selection_ranges},
+    RequestRow{"textDocument/semanticTokens/full", &Language::semantic_tokens},
+    RequestRow{"textDocument/signatureHelp", &Language::signature_help},
 };
 
 constexpr std::array notifications = {
-    NotificationRow{"initialized", did_initialize},
-    NotificationRow{"textDocument/didOpen", did_open},
-    NotificationRow{"textDocument/didChange", did_change},
-    NotificationRow{"textDocument/didClose", did_close},
-    NotificationRow{"textDocument/didSave", did_save},
-    NotificationRow{"workspace/didChangeWatchedFiles", did_change_watched_files},
-    NotificationRow{"workspace/didChangeWorkspaceFolders", did_change_folders},
+    NotificationRow{"textDocument/didOpen", &Language::did_open},
+    NotificationRow{"textDocument/didChange", &Language::did_change},
+    NotificationRow{"textDocument/didClose", &Language::did_close},
 };
 
 template <class Rows>
@@ -85,7 +77,12 @@ diagnostics::Limits limits_of(const Interruption& interruption) {
 }  // namespace
 
 Server::Server(std::function<void(const std::string&)> send)
-    : budget_(limits_of(interruption_)), session_(&budget_), scripts_(&budget_), rules_(&budget_), plain_(&budget_) {
+    : budget_(limits_of(interruption_)),
+      session_(&budget_),
+      scripts_(session_),
+      rules_(session_),
+      plain_(session_),
+      models_(session_) {
     session_.rule_names = [this](const std::string& folder) { return rules_.names_in(folder); };
     session_.send = [send = std::move(send)](const Json& message) { send(json_text(message)); };
 }
@@ -113,10 +110,7 @@ void Server::use_idle_time() {
     if (phase_ != Phase::running || exit_code_) return;
     const Interruption::Work work(interruption_, nullptr);
     try {
-        publish_diagnostics(session_);
-        publish_scripts(session_, scripts_);
-        publish_rules(session_, rules_);
-        publish_plain(session_, plain_);
+        for (Language* language : languages_) language->publish();
     } catch (const diagnostics::LimitReached&) {
         // Newer messages are handled first; then this is tried again.
     } catch (const std::exception& error) {
@@ -173,20 +167,37 @@ Json Server::answer_request(const std::string& method, View params) {
         phase_ = Phase::shut_down;
         return nullptr;
     }
+    if (method == "workspace/symbol") return models_.workspace_symbols(params["query"].text());
     const auto row = row_of(requests, method);
     if (row == requests.end()) throw Refusal(ErrorCode::method_not_found, fmt::format("no method `{}`", method));
-    if (asks_for_script(scripts_, params)) return answer_for_script(session_, scripts_, method, params);
-    if (asks_for_rules(rules_, params)) return answer_for_rules(session_, rules_, method, params);
-    if (asks_for_plain(plain_, params)) return answer_for_plain(session_, plain_, method, params);
-    return row->answer(session_, params);
+    Language& language = language_of(params);
+    return (language.*row->answer)(language.request_of(params));
 }
 
 Json Server::initialize(View params) {
     if (phase_ != Phase::fresh) throw Refusal(ErrorCode::invalid_request, "`initialize` may come once");
     session_.client = client_of(params);
-    for (const std::string& folder : folders_of(params)) session_.workspace.add_folder(folder);
+    for (const std::string& folder : folders_of(params)) models_.add_folder(folder);
     phase_ = Phase::running;
     return server_capabilities(session_.client);
+}
+
+Language& Server::language_of(View params) {
+    const View document = params["textDocument"];
+    const std::string& uri = document.is_null() ? params["item"]["uri"].text() : document["uri"].text();
+    for (Language* language : languages_)
+        if (language->accepts(uri, document["languageId"].text()) || language->find(uri) != nullptr) return *language;
+    return models_;
+}
+
+void Server::change_files(View changes) {
+    for (const View change : changes.items())
+        for (Language* language : languages_) language->refresh_file(change["uri"].text());
+}
+
+void Server::change_folders(View event) {
+    for (const View folder : event["removed"].items()) models_.remove_folder(path_of_uri(folder["uri"].text()));
+    for (const View folder : event["added"].items()) models_.add_folder(path_of_uri(folder["uri"].text()));
 }
 
 /// Notifications have no answer, so their errors only go to the editor's log.
@@ -195,12 +206,13 @@ void Server::handle_notification(const std::string& method, View params) {
         exit_code_ = phase_ == Phase::shut_down ? 0 : 1;
         return;
     }
+    if (phase_ != Phase::running) return;
     const auto row = row_of(notifications, method);
-    if (phase_ != Phase::running || row == notifications.end()) return;
     try {
-        if (!notify_script(session_, scripts_, method, params) && !notify_rules(session_, rules_, method, params) &&
-            !notify_plain(session_, plain_, method, params))
-            row->handle(session_, params);
+        if (method == "initialized" && session_.client.watches_files) session_.send(watch_request());
+        if (method == "workspace/didChangeWatchedFiles") change_files(params["changes"]);
+        if (method == "workspace/didChangeWorkspaceFolders") change_folders(params["event"]);
+        if (row != notifications.end()) (language_of(params).*row->handle)(params);
     } catch (const std::exception& error) {
         log_message(method, error.what());
     }

@@ -3,6 +3,7 @@
 // lifecycle messages; JSON-RPC 2.0).
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <iosfwd>
@@ -11,10 +12,10 @@
 
 #include "base/diagnostics/budget.hpp"
 #include "editors/server/cspm/scripts.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/plain/plain_texts.hpp"
 #include "editors/server/protocol/interruption.hpp"
 #include "editors/server/sleec/rule_texts.hpp"
-#include "editors/server/workspace/session.hpp"
 
 namespace robochart::lsp {
 
@@ -51,6 +52,10 @@ private:
     void handle_notification(const std::string& method, View params);
     [[nodiscard]] Json answer_request(const std::string& method, View params);
     [[nodiscard]] Json initialize(View params);
+    /// The language of `textDocument` or `item`.
+    [[nodiscard]] Language& language_of(View params);
+    void change_files(View changes);
+    void change_folders(View event);
     [[nodiscard]] bool is_cancelled(const Json& id) const;
     void ended_early(const Json& id);
     void log_message(const std::string& where, const char* what);
@@ -63,6 +68,8 @@ private:
     Scripts scripts_;
     RuleTexts rules_;
     PlainTexts plain_;
+    Models models_;
+    std::array<Language*, 4> languages_ = {&scripts_, &rules_, &plain_, &models_};  ///< models accept all documents
     std::deque<Message> queue_;
     Phase phase_ = Phase::fresh;
     std::optional<int> exit_code_;

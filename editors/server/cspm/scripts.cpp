@@ -24,64 +24,37 @@ std::string file_at(const std::string& path) {
 
 }  // namespace
 
-bool is_script(std::string_view uri, std::string_view language) {
+ScriptDocument::ScriptDocument(SourceManager& in, const std::string& at) : TextDocument(in, at), file(file_at(path)) {}
+
+bool Scripts::accepts(std::string_view uri, std::string_view language_id) const {
     constexpr std::array<std::string_view, 3> suffixes = {".csp", ".cspm", ".fdr3"};
-    return language == "cspm" ||
+    return language_id == "cspm" ||
            std::ranges::any_of(suffixes, [&](std::string_view suffix) { return uri.ends_with(suffix); });
 }
 
-ScriptDocument* Scripts::find(std::string_view uri) {
-    const auto found = documents_.find(uri);
-    return found != documents_.end() ? found->second.get() : nullptr;
-}
-
-ScriptDocument& Scripts::open_document(const std::string& uri, std::string text) {
-    std::unique_ptr<ScriptDocument>& document = documents_[uri];
-    document = std::make_unique<ScriptDocument>();
-    document->uri = uri;
-    document->path = path_of_uri(uri);
-    document->file = file_at(document->path);
-    document->source = document->texts.add(document->path, std::move(text));
-    forget_readings(document->file);
-    return *document;
-}
-
-void Scripts::change(ScriptDocument& document, std::string text) {
-    if (document.texts.source_text(document.source) == text) return;
-    document.texts.replace(document.source, std::move(text));
-    forget_readings(document.file);
-}
-
-void Scripts::close(const std::string& uri) {
-    const auto found = documents_.find(uri);
-    if (found == documents_.end()) return;
-    const std::string file = found->second->file;
-    documents_.erase(found);
-    forget_readings(file);
-}
-
 void Scripts::refresh_file(const std::string& uri) {
+    if (!accepts(uri, {})) return;
     const std::string file = file_of(path_of_uri(uri));
     if (find_open(file) == nullptr) forget_readings(file);
 }
 
 /// Discards readings that used this file.
 void Scripts::forget_readings(const std::string& file) {
-    news_ = true;
-    for (const auto& [uri, document] : documents_)
+    note_news();
+    for (const auto& [uri, document] : documents())
         if (document->file == file || (document->reading && document->reading->searched.contains(file)))
             document->reading.reset();
 }
 
 const ScriptDocument* Scripts::find_open(const std::string& file) const {
-    for (const auto& [uri, document] : documents_)
+    for (const auto& [uri, document] : documents())
         if (document->file == file) return document.get();
     return nullptr;
 }
 
 /// The file recorded for an open document of this path. Links may have changed since then; the document keeps its file.
 std::string Scripts::file_of(const std::string& path) const {
-    for (const auto& [uri, document] : documents_)
+    for (const auto& [uri, document] : documents())
         if (document->path == path) return document->file;
     return file_at(path);
 }
@@ -92,7 +65,7 @@ std::optional<SourceId> Scripts::load_text(ScriptReading& reading, const std::st
     const ScriptDocument* document = find_open(file);
     std::optional<SourceId> source;
     if (document != nullptr)
-        source = reading.sources.add(path, std::string(document->texts.source_text(document->source)));
+        source = reading.sources.add(path, std::string(document->sources.source_text(document->source)));
     else if (path.starts_with('/'))
         source = reading.sources.load_file(path, error);
     else
@@ -105,7 +78,7 @@ std::optional<SourceId> Scripts::load_text(ScriptReading& reading, const std::st
 
 void Scripts::read(ScriptDocument& document) {
     auto reading = std::make_unique<ScriptReading>();
-    reading->findings.set_budget(budget_);
+    reading->findings.set_budget(session_.budget);
     reading->script =
         cspm::read_file(reading->sources, document.path, reading->findings,
                         [&](const std::string& path, std::string& error) { return load_text(*reading, path, error); });
@@ -114,7 +87,7 @@ void Scripts::read(ScriptDocument& document) {
 
 /// If open files include each other, the first file is the main file of the script.
 bool Scripts::is_part_of_another(const ScriptDocument& document) const {
-    return std::ranges::any_of(documents_, [&](const auto& entry) {
+    return std::ranges::any_of(documents(), [&](const auto& entry) {
         const ScriptDocument& other = *entry.second;
         if (&other == &document || !other.reading->at.contains(document.file)) return false;
         return !document.reading->at.contains(other.file) || other.uri < document.uri;
@@ -122,15 +95,15 @@ bool Scripts::is_part_of_another(const ScriptDocument& document) const {
 }
 
 std::vector<const ScriptReading*> Scripts::current_readings() {
-    for (const auto& [uri, document] : documents_)
+    for (const auto& [uri, document] : documents())
         if (!document->reading) read(*document);
     std::vector<const ScriptReading*> result;
-    for (const auto& [uri, document] : documents_) {
+    for (const auto& [uri, document] : documents()) {
         if (is_part_of_another(*document)) continue;
         ScriptReading& reading = *document->reading;
         if (!reading.typed && reading.findings.ok()) {
             diagnostics::Diagnostics of_types;
-            of_types.set_budget(budget_);
+            of_types.set_budget(session_.budget);
             (void)cspm::check_types(reading.script, of_types, &reading.names);
             reading.findings.add(of_types);
         }

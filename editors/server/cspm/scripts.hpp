@@ -14,13 +14,9 @@
 
 #include "base/diagnostics/diagnostic.hpp"
 #include "checker/cspm/types/type_check.hpp"
-#include "editors/server/protocol/positions.hpp"
-#include "editors/server/workspace/open_text.hpp"
+#include "editors/server/documents/open_texts.hpp"
 
 namespace robochart::lsp {
-
-/// True if a document contains CSPM, according to its name or to the language identifier from the editor.
-[[nodiscard]] bool is_script(std::string_view uri, std::string_view language = {});
 
 /// A script with all files that it includes, and the analysis so far.
 struct ScriptReading {
@@ -35,38 +31,40 @@ struct ScriptReading {
 };
 
 /// An open script.
-struct ScriptDocument : OpenText {
+struct ScriptDocument : TextDocument {
+    ScriptDocument(SourceManager& in, const std::string& at);
+
     std::string file;                        ///< the file of the document, with links resolved
     std::unique_ptr<ScriptReading> reading;  ///< the document read with its includes; null after a change
 };
 
-class Scripts {
+/// Reading and checking poll the budget of the session. If the budget ends this work, the next request repeats it.
+class Scripts : public OpenTexts<ScriptDocument> {
 public:
-    /// Reading and checking poll the budget, if one is given. If the budget ends this work, the next request repeats
-    /// it.
-    explicit Scripts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
+    using OpenTexts::OpenTexts;
 
-    [[nodiscard]] ScriptDocument* find(std::string_view uri);
-    ScriptDocument& open_document(const std::string& uri, std::string text);
-    void change(ScriptDocument& document, std::string text);
-    void close(const std::string& uri);
-    /// Must be called when a file has changed on disk.
-    void refresh_file(const std::string& uri);
+    [[nodiscard]] bool accepts(std::string_view uri, std::string_view language_id) const override;
+    void refresh_file(const std::string& uri) override;
 
+    [[nodiscard]] Json definition(const Request&) override;
+    [[nodiscard]] Json document_symbols(const Request&) override;
+    [[nodiscard]] Json hover(const Request&) override;
+
+protected:
+    void drop_results(ScriptDocument& document) override { forget_readings(document.file); }
+    [[nodiscard]] std::map<std::string, Json> all_findings() override;
+    [[nodiscard]] Json findings_in(TextDocument& document) override;
+
+private:
     /// The scripts that contain the open documents, with types.
     [[nodiscard]] std::vector<const ScriptReading*> current_readings();
     /// The first of these scripts that contains the document.
     [[nodiscard]] const ScriptReading& reading_of(const ScriptDocument& document);
     /// The URI that the editor uses for a file.
     [[nodiscard]] std::string uri_of(const ScriptReading& reading, SourceId source) const;
+    /// `{uri, range}` of a span of a script; null if the span is unknown.
+    [[nodiscard]] Json script_location(const ScriptReading& reading, Span span) const;
 
-    /// True if something changed since it was last settled.
-    [[nodiscard]] bool has_news() const { return news_; }
-    void settle_news() { news_ = false; }
-
-    Published published;
-
-private:
     void forget_readings(const std::string& file);
     void read(ScriptDocument& document);
     [[nodiscard]] std::optional<SourceId> load_text(ScriptReading& reading, const std::string& path,
@@ -74,10 +72,6 @@ private:
     [[nodiscard]] std::string file_of(const std::string& path) const;
     [[nodiscard]] const ScriptDocument* find_open(const std::string& file) const;
     [[nodiscard]] bool is_part_of_another(const ScriptDocument& document) const;
-
-    diagnostics::Budget* budget_;
-    std::map<std::string, std::unique_ptr<ScriptDocument>, std::less<>> documents_;  ///< keyed by URI
-    bool news_ = false;
 };
 
 }  // namespace robochart::lsp

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/workspace/describe.hpp"
 #include "frontend/syntax/file_visitor.hpp"
 
@@ -78,13 +78,6 @@ const Declaration* callable_at(const Target& target) {
     return callable ? name->target : nullptr;
 }
 
-/// The target of an item that the editor returns in a later request.
-Target target_of_item(Session& session, View params) {
-    const View item = params["item"];
-    return target_of(session, Json::object({{"textDocument", Json::object({{"uri", item["uri"].json()}})},
-                                            {"position", item["selectionRange"]["start"].json()}}));
-}
-
 /// The places of calls, grouped by the other end, in the order of the first call.
 class Ends {
 public:
@@ -114,34 +107,34 @@ private:
 
 }  // namespace
 
-Json prepare_call_hierarchy(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::prepare_call_hierarchy(const Request& request) {
+    const Target target = target_of(request);
     const Declaration* found = callable_at(target);
     if (found == nullptr) return {};
     std::vector<const Declaration*> shown = {found};
     if (found->kind == DeclKind::operation_signature) shown = call_graph(target.project).definitions_of(*found);
     Json result = Json::array();
     for (const Declaration* declaration : shown)
-        if (Json made = hierarchy_item(session, target.project, *declaration); !made.is_null())
+        if (Json made = hierarchy_item(session_, target.project, *declaration); !made.is_null())
             result.push_back(std::move(made));
     return result;
 }
 
-Json incoming_calls(Session& session, View params) {
-    const Target target = target_of_item(session, params);
+Json Models::incoming_calls(const Request& request) {
+    const Target target = target_of(request);
     const Declaration* callee = callable_at(target);
-    Ends callers(session, target.project, "from");
+    Ends callers(session_, target.project, "from");
     if (callee != nullptr && callee->kind != DeclKind::state_machine)
         for (const CallSite& call : call_graph(target.project).calls)
             if (call.callee->name == callee->name) callers.add(*call.caller, call.span);
     return callers.take_calls();
 }
 
-Json outgoing_calls(Session& session, View params) {
-    const Target target = target_of_item(session, params);
+Json Models::outgoing_calls(const Request& request) {
+    const Target target = target_of(request);
     const Declaration* caller = callable_at(target);
     const CallGraph graph = call_graph(target.project);
-    Ends callees(session, target.project, "to");
+    Ends callees(session_, target.project, "to");
     for (const CallSite& call : graph.calls)
         if (call.caller == caller)
             for (const Declaration* definition : graph.definitions_of(*call.callee))

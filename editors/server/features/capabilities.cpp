@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/protocol/uri.hpp"
 
 namespace robochart::lsp {
@@ -28,6 +28,17 @@ std::string_view name_of(Encoding encoding) {
 }
 
 }  // namespace
+
+Json watch_request() {
+    const Json watchers = Json::array({Json::object({{"globPattern", "**/*.{rct,assertions,csp,cspm,fdr3,sleec}"}})});
+    const Json registration = Json::object({{"id", "files"},
+                                            {"method", "workspace/didChangeWatchedFiles"},
+                                            {"registerOptions", Json::object({{"watchers", watchers}})}});
+    return Json::object({{"jsonrpc", "2.0"},
+                         {"id", "register-files"},
+                         {"method", "client/registerCapability"},
+                         {"params", Json::object({{"registrations", Json::array({registration})}})}});
+}
 
 Client client_of(View params) {
     const View capabilities = params["capabilities"];

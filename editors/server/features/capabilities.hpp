@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "editors/server/workspace/session.hpp"
+#include "editors/server/documents/session.hpp"
 
 namespace robochart::lsp {
 
@@ -22,5 +22,7 @@ inline constexpr const char* step_command = "robochart.step";
 [[nodiscard]] std::vector<std::string> folders_of(View params);
 /// The result of `initialize`.
 [[nodiscard]] Json server_capabilities(const Client&);
+/// Asks the editor to report changes of files that are not open.
+[[nodiscard]] Json watch_request();
 
 }  // namespace robochart::lsp

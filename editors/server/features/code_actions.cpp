@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostics/fixes.hpp"
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 
 namespace robochart::lsp {
 
@@ -51,18 +51,19 @@ Json code_action(const Session& session, const Target& target, const Diagnostic&
 
 }  // namespace
 
-Json code_actions(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::code_actions(const Request& request) {
+    const Target target = target_of(request);
     const Span requested =
-        span_of(target.project.sources(), target.document.source, params["range"], session.client.encoding);
-    const View only = params["context"]["only"];
+        span_of(target.project.sources(), target.document.source, request.params["range"], session_.client.encoding);
+    const View only = request.params["context"]["only"];
     Json list = Json::array();
     for (const View kind : only.items())
         if (kind.text() != "quickfix" && kind.text() != "" && only.items().size() == 1) return list;
     for (const Diagnostic& finding : findings_about(target)) {
         if (!spans_overlap(finding.span, requested)) continue;
         for (const FixIt& fix : finding.fixes)
-            if (fix.span.is_known()) list.push_back(code_action(session, target, finding, fix, params["context"]));
+            if (fix.span.is_known())
+                list.push_back(code_action(session_, target, finding, fix, request.params["context"]));
     }
     return list;
 }

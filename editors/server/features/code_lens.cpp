@@ -3,7 +3,7 @@
 // editor runs the commands, because they may take a long time and need the editor's windows.
 
 #include "editors/server/features/capabilities.hpp"
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "frontend/diagrams/notation/subjects.hpp"
 
 namespace robochart::lsp {
@@ -14,7 +14,7 @@ namespace {
 /// arguments.
 class Lenses {
 public:
-    Lenses(Session& session, View params) : session_(session), target_(target_of(session, params)) {}
+    Lenses(const Session& session, const Target& target) : session_(session), target_(target) {}
 
     Json find() {
         for (const frontend::Assertion& assertion : target_.project.tree_of(target_.document).assertions)
@@ -51,15 +51,15 @@ private:
             {{"range", lsp_range(target_.project.sources(), place, session_.client.encoding)}, {"command", run}}));
     }
 
-    Session& session_;
+    const Session& session_;
     const Target target_;
     Json result_ = Json::array();
 };
 
 }  // namespace
 
-Json code_lenses(Session& session, View params) {
-    return Lenses(session, params).find();
+Json Models::code_lenses(const Request& request) {
+    return Lenses(session_, target_of(request)).find();
 }
 
 }  // namespace robochart::lsp

@@ -8,7 +8,7 @@
 #include "editors/server/features/completion_context.hpp"
 #include "editors/server/features/completion_words.hpp"
 #include "editors/server/features/csp_blocks.hpp"
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/workspace/describe.hpp"
 #include "editors/server/workspace/visible.hpp"
 #include "frontend/types/types.hpp"
@@ -365,10 +365,10 @@ private:
 
 }  // namespace
 
-Json completion_items(Session& session, View params) {
-    const Target target = target_of(session, params);
-    if (std::optional<Json> in_block = completion_in_block(session, target)) return std::move(*in_block);
-    return Completer(session, target).run();
+Json Models::completion(const Request& request) {
+    const Target target = target_of(request);
+    if (std::optional<Json> in_block = completion_in_block(session_, target)) return std::move(*in_block);
+    return Completer(session_, target).run();
 }
 
 }  // namespace robochart::lsp

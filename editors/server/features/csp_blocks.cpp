@@ -9,7 +9,6 @@
 #include "checker/cspm/syntax/lexer.hpp"
 #include "csp_emit/blocks/check_blocks.hpp"
 #include "csp_emit/blocks/script_names.hpp"
-#include "editors/server/protocol/findings.hpp"
 
 namespace robochart::lsp {
 
@@ -137,11 +136,10 @@ std::optional<Json> completion_in_block(const Session& session, const Target& ta
     return Json::object({{"isIncomplete", false}, {"items", std::move(items)}});
 }
 
-std::optional<Json> hover_in_block(const Session& session, const Target& target) {
+std::optional<Hover> hover_in_block(const Session& session, const Target& target) {
     const frontend::CspBlock* const block = block_at(target);
     if (block == nullptr) return std::nullopt;
-    const SourceManager& sources = target.project.sources();
-    const std::string_view text = sources.source_text(target.document.source);
+    const std::string_view text = target.project.sources().source_text(target.document.source);
     std::uint32_t end = target.offset;
     while (end < text.size() && (cspm::continues_name(text[end]) || (text[end] == ':' && end + 1 < text.size() &&
                                                                      (text[end + 1] == ':' || text[end - 1] == ':'))))
@@ -162,12 +160,7 @@ std::optional<Json> hover_in_block(const Session& session, const Target& target)
                 meaning != emission->provenance.events.end() && !meaning->second.text.empty())
                 out += fmt::format("\n\n{}{}: {}", full, direction, meaning->second.text);
     }
-    std::vector<diagnostics::Diagnostic> findings = findings_about(target);
-    const std::string why = explain_findings(findings, target.offset, markdown);
-    if (!out.empty() && !why.empty()) out += markdown ? "\n\n---\n" : "\n\n";
-    out += why;
-    return hover_answer(sources, std::move(out), {target.document.source, begin, end}, session.client.encoding,
-                        markdown);
+    return Hover{std::move(out), {target.document.source, begin, end}};
 }
 
 }  // namespace robochart::lsp

@@ -4,14 +4,14 @@
 
 #include <optional>
 
-#include "editors/server/workspace/session.hpp"
+#include "editors/server/workspace/target.hpp"
 
 namespace robochart::lsp {
 
 /// The completions at a place inside a block; no value if the place is not in a block.
 [[nodiscard]] std::optional<Json> completion_in_block(const Session&, const Target&);
-/// The name of the script at a place inside a block, and its meaning in the model; null if there is no name. No value
-/// if the place is not in a block.
-[[nodiscard]] std::optional<Json> hover_in_block(const Session&, const Target&);
+/// The name of the script at a place inside a block, and its meaning in the model. No value if the place is not in
+/// a block.
+[[nodiscard]] std::optional<Hover> hover_in_block(const Session&, const Target&);
 
 }  // namespace robochart::lsp

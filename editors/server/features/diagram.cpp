@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "frontend/diagrams/layout/arrange.hpp"
 #include "frontend/diagrams/stored/stored_diagrams.hpp"
 #include "frontend/diagrams/svg/svg.hpp"
@@ -185,10 +185,11 @@ Json answer_of(const DrawnDiagram& drawn, const std::string& component, diagrams
 }
 
 /// Draws a component from its current text.
-DrawnDiagram draw_now(Session& session, const Target& target, const Subject& subject, diagrams::Memory& memory) {
+DrawnDiagram draw_now(const Session& session, const Target& target, const Subject& subject, diagrams::AirdFiles& files,
+                      diagrams::Memory& memory) {
     DrawnDiagram result{diagrams::Elements(target.project.current_model()), {}, nullptr, target.document.version};
-    const diagrams::StoredDiagrams stored(target.project.current_model(), target.project.sources(),
-                                          session.diagrams->files, session.budget);
+    const diagrams::StoredDiagrams stored(target.project.current_model(), target.project.sources(), files,
+                                          session.budget);
     try {
         result.picture =
             diagrams::draw_subject(subject, {result.elements, &memory, session.budget, stored.find(subject.component)});
@@ -231,11 +232,10 @@ const KeptDiagram* KeptDiagrams::find_last(std::string_view uri, std::string_vie
     return found != entries_.end() ? &*found : nullptr;
 }
 
-Json component_diagram(Session& session, View params) {
-    const Target target = target_of(session, params);
-    const DiagramParameters parameters = diagram_parameters(params);
-    if (!session.diagrams) session.diagrams = std::make_shared<KeptDiagrams>();
-    KeptDiagrams& stored = *session.diagrams;
+Json Models::diagram(const Request& request) {
+    const Target target = target_of(request);
+    const DiagramParameters parameters = diagram_parameters(request.params);
+    KeptDiagrams& stored = *diagrams_;
     stored.requested.insert(target.document.uri);
     const std::vector<Subject> subjects =
         diagrams::find_subjects(target.project.current_model(), target.project.sources());
@@ -250,22 +250,21 @@ Json component_diagram(Session& session, View params) {
             return answer_of(*old->drawn, old->name, parameters.theme, true);
     if (choice.subject == nullptr) return nullptr;
     KeptDiagram& entry = stored.find_or_add(uri, kind_of(*choice.subject), choice.subject->name);
-    DrawnDiagram now = draw_now(session, target, *choice.subject, entry.memory);
+    DrawnDiagram now = draw_now(session_, target, *choice.subject, stored.files, entry.memory);
     Json answer = answer_of(now, entry.name, parameters.theme, false);
     // A diagram of a text with errors may lack parts, so it is not stored.
     if (!broken) entry.drawn = std::move(now);
     return answer;
 }
 
-void announce_diagrams(Session& session, const Project& project) {
-    if (!session.diagrams) return;
-    std::set<std::string>& uris = session.diagrams->requested;
-    std::erase_if(uris, [&](const std::string& uri) { return !session.workspace.find(uri); });
+void Models::announce_diagrams(const Project& project) {
+    std::set<std::string>& uris = diagrams_->requested;
+    std::erase_if(uris, [&](const std::string& uri) { return find(uri) == nullptr; });
     for (const std::string& uri : uris) {
-        const Workspace::Place place = session.workspace.find(uri);
+        const Workspace::Place place = workspace_.find(uri);
         if (place.project != &project) continue;
         const Json params = Json::object({{"uri", uri}, {"version", version_of(place.document->version)}});
-        session.send(Json::object({{"jsonrpc", "2.0"}, {"method", diagram_notification}, {"params", params}}));
+        session_.send(Json::object({{"jsonrpc", "2.0"}, {"method", diagram_notification}, {"params", params}}));
     }
 }
 

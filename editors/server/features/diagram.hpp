@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "editors/server/workspace/session.hpp"
+#include "editors/server/protocol/json.hpp"
 #include "frontend/diagrams/notation/memory.hpp"
 #include "frontend/diagrams/notation/subjects.hpp"
 #include "frontend/diagrams/stored/aird_files.hpp"
@@ -53,8 +53,5 @@ private:
     static constexpr std::size_t most = 16;
     std::list<KeptDiagram> entries_;  ///< most recent first
 };
-
-/// Notifies the editor that diagrams of documents of the project may have changed, if it has requested any.
-void announce_diagrams(Session&, const Project&);
 
 }  // namespace robochart::lsp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Foldable ranges: braces over several lines, comments, and consecutive imports.
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::lsp {
@@ -58,8 +58,8 @@ private:
 
 }  // namespace
 
-Json folding_ranges(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::folding_ranges(const Request& request) {
+    const Target target = target_of(request);
     const SourceManager& sources = target.project.sources();
     diagnostics::Diagnostics ignored;
     const frontend::TokenStream stream =

@@ -6,9 +6,8 @@
 #include <optional>
 
 #include "editors/server/features/csp_blocks.hpp"
-#include "editors/server/features/features.hpp"
 #include "editors/server/features/keywords.hpp"
-#include "editors/server/protocol/findings.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/workspace/describe.hpp"
 #include "frontend/syntax/lexer.hpp"
 
@@ -97,23 +96,21 @@ std::optional<Word> reserved_word_at(const Target& target) {
     return std::nullopt;
 }
 
+/// Describes the name or the keyword at a place outside of CSP blocks.
+Hover hover_over_text(const Target& target, bool markdown) {
+    if (const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset))
+        return {describe_name(target.project, *name, markdown), name->span};
+    if (const std::optional<Word> word = reserved_word_at(target)) return {std::string(word->text), word->span};
+    return {};
+}
+
 }  // namespace
 
-Json hover_text(Session& session, View params) {
-    const Target target = target_of(session, params);
-    if (std::optional<Json> in_block = hover_in_block(session, target)) return std::move(*in_block);
-    const bool markdown = session.client.markdown;
-    const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
-    const std::optional<Word> word = name == nullptr ? reserved_word_at(target) : std::nullopt;
-    std::string text = name != nullptr ? describe_name(target.project, *name, markdown) : std::string();
-    if (word) text = word->text;
-    const std::string rules = explain_findings(findings_about(target), target.offset, markdown);
-    if (!text.empty() && !rules.empty()) text += markdown ? "\n\n---\n" : "\n\n";
-    text += rules;
-    Span span;
-    if (name != nullptr) span = name->span;
-    if (word) span = word->span;
-    return hover_answer(target.project.sources(), std::move(text), span, session.client.encoding, markdown);
+Json Models::hover(const Request& request) {
+    const Target target = target_of(request);
+    std::optional<Hover> hover = hover_in_block(session_, target);
+    if (!hover) hover = hover_over_text(target, session_.client.markdown);
+    return hover_answer(request, std::move(*hover), findings_about(target));
 }
 
 }  // namespace robochart::lsp

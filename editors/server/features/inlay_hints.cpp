@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "frontend/syntax/file_visitor.hpp"
 #include "frontend/types/types.hpp"
 
@@ -125,11 +125,11 @@ private:
 
 }  // namespace
 
-Json inlay_hints(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::inlay_hints(const Request& request) {
+    const Target target = target_of(request);
     const SourceManager& sources = target.project.sources();
-    const Span range = span_of(sources, target.document.source, params["range"], session.client.encoding);
-    Hints hints(sources, session.client.encoding, range);
+    const Span range = span_of(sources, target.document.source, request.params["range"], session_.client.encoding);
+    Hints hints(sources, session_.client.encoding, range);
     Traversal(hints).visit_file(target.project.tree_of(target.document));
     return hints.take_hints();
 }

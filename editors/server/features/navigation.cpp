@@ -2,7 +2,7 @@
 // Navigation from names to declarations and back.
 #include <algorithm>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/workspace/names.hpp"
 
 namespace robochart::lsp {
@@ -38,8 +38,8 @@ int highlight_kind(Access access) {
 
 /// Finds the places of declarations. A declaration of a library is in its installed file. For a call, the results are
 /// the called signature and the definitions of the operation.
-Json definition_locations(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::definition(const Request& request) {
+    const Target target = target_of(request);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) return {};
     std::vector<const Occurrence*> found;
@@ -51,29 +51,29 @@ Json definition_locations(Session& session, View params) {
                 occurrence.target->kind == frontend::DeclKind::operation &&
                 occurrence.target->name == name->target->name)
                 found.push_back(&occurrence);
-    Json result = locations_of(session, target.project, found);
+    Json result = locations_of(session_, target.project, found);
     if (!found.empty() || name->target == nullptr) return result;
-    Json library = lsp_location(session, target.project, name->target->name_span);
+    Json library = lsp_location(session_, target.project, name->target->name_span);
     if (!library.is_null()) result.push_back(std::move(library));
     return result;
 }
 
-Json reference_locations(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::references(const Request& request) {
+    const Target target = target_of(request);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     if (name == nullptr) return Json::array();
     std::vector<const Occurrence*> found = same_name(target.project, *name);
-    if (!params["context"]["includeDeclaration"].truth_or(true))
+    if (!request.params["context"]["includeDeclaration"].truth_or(true))
         std::erase_if(found, [](const Occurrence* occurrence) { return occurrence->declares; });
-    return locations_of(session, target.project, found);
+    return locations_of(session_, target.project, found);
 }
 
-Json name_highlights(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::highlights(const Request& request) {
+    const Target target = target_of(request);
     const Occurrence* name = target.project.occurrence_at(target.document.source, target.offset);
     Json result = Json::array();
     if (name == nullptr) return result;
-    const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);
+    const PositionTable positions(target.project.sources(), target.document.source, session_.client.encoding);
     for (const Occurrence* occurrence : same_name(target.project, *name)) {
         if (occurrence->span.source != target.document.source) continue;
         const int kind = highlight_kind(occurrence->access);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/renaming/rename_blocks.hpp"
 #include "editors/server/renaming/rename_check.hpp"
 #include "editors/server/workspace/names.hpp"
@@ -169,26 +169,26 @@ void warn_of_csp_text(const Session& session, Project& project, std::string_view
 
 }  // namespace
 
-Json prepare_rename(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::prepare_rename(const Request& request) {
+    const Target target = target_of(request);
     const Occurrence& name = find_renamable(target);
-    return Json::object({{"range", lsp_range(target.project.sources(), name.span, session.client.encoding)},
+    return Json::object({{"range", lsp_range(target.project.sources(), name.span, session_.client.encoding)},
                          {"placeholder", text_of(target.project, name.span)}});
 }
 
-Json rename_edits(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::rename(const Request& request) {
+    const Target target = target_of(request);
     const Occurrence& name = find_renamable(target);
-    const std::string wish = check_new_name(params["newName"].text());
+    const std::string wish = check_new_name(request.params["newName"].text());
     std::vector<Edit> edits = harmless_edits(target.project, name, wish);
     std::string_view old = text_of(target.project, name.span);
     if (old.starts_with("^")) old.remove_prefix(1);
-    const auto in_blocks = edits_of_blocks(target.project, std::string(old), wish, edits, session.budget);
+    const auto in_blocks = edits_of_blocks(target.project, std::string(old), wish, edits, session_.budget);
     if (in_blocks && !in_blocks->empty())
         edits.insert(edits.end(), in_blocks->begin(), in_blocks->end());
     else
-        warn_of_csp_text(session, target.project, old);
-    return workspace_edit(session, target.project, edits);
+        warn_of_csp_text(session_, target.project, old);
+    return workspace_edit(session_, target.project, edits);
 }
 
 }  // namespace robochart::lsp

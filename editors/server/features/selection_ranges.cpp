@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "frontend/syntax/file_visitor.hpp"
 #include "frontend/syntax/lexer.hpp"
 
@@ -97,16 +97,16 @@ Json chain_ranges(const std::vector<Span>& spans, const SourceManager& sources, 
 
 }  // namespace
 
-Json selection_ranges(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::selection_ranges(const Request& request) {
+    const Target target = target_of(request);
     const SourceManager& sources = target.project.sources();
     const SourceId source = target.document.source;
-    const Encoding encoding = session.client.encoding;
+    const Encoding encoding = session_.client.encoding;
     diagnostics::Diagnostics ignored;
     const TokenStream stream = tokenize(sources, source, target.document.is_assertions, ignored);
     const File& file = target.project.tree_of(target.document);
     Json result = Json::array();
-    for (const View position : params["positions"].items()) {
+    for (const View position : request.params["positions"].items()) {
         const std::uint32_t offset = offset_of(sources, source, position, encoding);
         Around around(source, offset);
         around.add({source, 0, static_cast<std::uint32_t>(sources.source_text(source).size())});

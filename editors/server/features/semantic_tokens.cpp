@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Semantic highlighting of names. Keywords and literals are left to the editor's grammar.
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 
 namespace robochart::lsp {
 
@@ -121,9 +121,9 @@ Json semantic_legend() {
 }
 
 /// The result has five numbers per name: line and column relative to the name before, length, type, modifiers.
-Json semantic_tokens(Session& session, View params) {
-    const Target target = target_of(session, params);
-    const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);
+Json Models::semantic_tokens(const Request& request) {
+    const Target target = target_of(request);
+    const PositionTable positions(target.project.sources(), target.document.source, session_.client.encoding);
     Json data = Json::array();
     std::int64_t last_line = 0;
     std::int64_t last_column = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editors/server/features/completion_context.hpp"
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/workspace/describe.hpp"
 #include "editors/server/workspace/visible.hpp"
 #include "frontend/syntax/lexer.hpp"
@@ -63,8 +63,8 @@ const Declaration* find_callee(Project& project, const Document& document, std::
 
 }  // namespace
 
-Json signature_help(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::signature_help(const Request& request) {
+    const Target target = target_of(request);
     const Call call = call_at(target.project.sources(), target.document, target.offset);
     if (call.name.empty()) return {};
     const Declaration* found = find_callee(target.project, target.document, target.offset, call.name);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "editors/server/features/features.hpp"
+#include "editors/server/features/models.hpp"
 #include "editors/server/workspace/describe.hpp"
 #include "frontend/syntax/print.hpp"
 
@@ -99,14 +99,14 @@ Json symbol_information(const Declaration& declaration, Json place) {
 
 }  // namespace
 
-Json document_symbols(Session& session, View params) {
-    const Target target = target_of(session, params);
+Json Models::document_symbols(const Request& request) {
+    const Target target = target_of(request);
     const File& file = target.project.tree_of(target.document);
-    const PositionTable positions(target.project.sources(), target.document.source, session.client.encoding);
+    const PositionTable positions(target.project.sources(), target.document.source, session_.client.encoding);
     Json result = Json::array();
     for (const auto& declaration : file.declarations) {
         if (declaration->name.empty()) continue;
-        if (session.client.hierarchical_symbols) {
+        if (session_.client.hierarchical_symbols) {
             result.push_back(document_symbol(positions, *declaration));
         } else {
             visit_all(*declaration, [&](const Declaration& visited) {
@@ -138,16 +138,15 @@ Json document_symbols(Session& session, View params) {
     return result;
 }
 
-Json workspace_symbols(Session& session, View params) {
+Json Models::workspace_symbols(const std::string& query) {
     constexpr std::size_t limit = 500;
-    const std::string& query = params["query"].text();
     Json result = Json::array();
-    for (const auto& project : session.workspace.projects())
+    for (const auto& project : workspace_.projects())
         for (const auto& file : project->current_model().files)
             for (const auto& declaration : file->declarations)
                 visit_all(*declaration, [&](const Declaration& visited) {
                     if (file->is_library || result.size() >= limit || !matches_query(visited.name, query)) return;
-                    Json found = symbol_information(visited, lsp_location(session, *project, visited.name_span));
+                    Json found = symbol_information(visited, lsp_location(session_, *project, visited.name_span));
                     if (!found.is_null()) result.push_back(std::move(found));
                 });
     return result;

@@ -7,7 +7,6 @@
 
 #include "cpp_emit/ros2/read_mapping.hpp"
 #include "csp_emit/swarm/read_swarm.hpp"
-#include "editors/server/protocol/uri.hpp"
 #include "simulation/scenario/read_scenario.hpp"
 
 namespace robochart::lsp {
@@ -16,18 +15,24 @@ namespace {
 
 constexpr std::array<std::string_view, 3> languages = {"scenario", "ros2", "swarm"};
 
-void read(std::string_view language, const SourceManager& sources, SourceId source, diagnostics::Diagnostics& out) {
-    if (language == "scenario") (void)simulation::read_scenario(sources, source, out);
-    if (language == "ros2") (void)cpp_emit::ros2::read_mapping(sources, source, out);
-    if (language == "swarm") (void)csp_emit::read_swarm(sources, source, out);
-}
-
 /// The language of a document; "" if it is not one of these languages.
 std::string_view language_of(std::string_view uri, std::string_view language) {
     for (const std::string_view known : languages)
         if (language == known || (uri.ends_with(known) && uri.substr(0, uri.size() - known.size()).ends_with('.')))
             return known;
     return {};
+}
+
+/// The findings about a text in the language of a document.
+diagnostics::Diagnostics read(const TextDocument& document, const SourceManager& sources, SourceId source,
+                              diagnostics::Budget* budget) {
+    const std::string_view language = language_of(document.uri, document.language_id);
+    diagnostics::Diagnostics found;
+    found.set_budget(budget);
+    if (language == "scenario") (void)simulation::read_scenario(sources, source, found);
+    if (language == "ros2") (void)cpp_emit::ros2::read_mapping(sources, source, found);
+    if (language == "swarm") (void)csp_emit::read_swarm(sources, source, found);
+    return found;
 }
 
 /// The quoted words of a message: 'a', 'b' or 'c'.
@@ -44,54 +49,21 @@ std::vector<std::string> quoted_words(std::string_view text) {
 
 }  // namespace
 
-bool is_plain(std::string_view uri, std::string_view language) {
-    return !language_of(uri, language).empty();
+bool PlainTexts::accepts(std::string_view uri, std::string_view language_id) const {
+    return !language_of(uri, language_id).empty();
 }
 
-PlainText* PlainTexts::find(std::string_view uri) {
-    const auto found = documents_.find(uri);
-    return found != documents_.end() ? found->second.get() : nullptr;
+const diagnostics::Diagnostics& PlainTexts::diagnostics_of(TextDocument& document) {
+    std::optional<diagnostics::Diagnostics>& known = text_of(document).findings;
+    if (!known) known = read(document, document.sources, document.source, session_.budget);
+    return *known;
 }
 
-PlainText& PlainTexts::open_document(const std::string& uri, std::string_view language, std::string text) {
-    std::unique_ptr<PlainText>& document = documents_[uri];
-    document = std::make_unique<PlainText>();
-    document->uri = uri;
-    document->path = path_of_uri(uri);
-    document->language = language_of(uri, language);
-    document->source = document->texts.add(document->path, std::move(text));
-    news_ = true;
-    return *document;
-}
-
-void PlainTexts::change(PlainText& document, std::string text) {
-    if (document.texts.source_text(document.source) == text) return;
-    document.texts.replace(document.source, std::move(text));
-    document.findings.reset();
-    news_ = true;
-}
-
-void PlainTexts::close(const std::string& uri) {
-    news_ = documents_.erase(uri) > 0 || news_;
-}
-
-const diagnostics::Diagnostics& PlainTexts::findings_in(PlainText& document) {
-    if (!document.findings) {
-        diagnostics::Diagnostics found;
-        found.set_budget(budget_);
-        read(document.language, document.texts, document.source, found);
-        document.findings = std::move(found);
-    }
-    return *document.findings;
-}
-
-std::vector<std::string> PlainTexts::words_at(const PlainText& document, std::uint32_t offset) const {
+std::vector<std::string> PlainTexts::words_at(const TextDocument& document, std::uint32_t offset) const {
     SourceManager texts;
-    const std::string_view before = document.texts.source_text(document.source).substr(0, offset);
+    const std::string_view before = document.sources.source_text(document.source).substr(0, offset);
     const SourceId source = texts.add(document.path, std::string(before));
-    diagnostics::Diagnostics found;
-    found.set_budget(budget_);
-    read(document.language, texts, source, found);
+    const diagnostics::Diagnostics found = read(document, texts, source, session_.budget);
     std::vector<std::string> result;
     for (const diagnostics::Diagnostic& finding : found.sorted_findings())
         if (!finding.arguments.empty() && finding.span.is_known() && finding.span.begin >= before.size())

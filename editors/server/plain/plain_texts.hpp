@@ -3,53 +3,39 @@
 // cpp` and `check` report names that the model does not declare.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
-#include "editors/server/workspace/open_text.hpp"
+#include "editors/server/documents/open_texts.hpp"
 
 namespace robochart::lsp {
 
-/// True if a document contains a scenario, a mapping or a swarm, according to its name or to the language identifier
-/// from the editor.
-[[nodiscard]] bool is_plain(std::string_view uri, std::string_view language = {});
-
-struct PlainText : OpenText {
-    std::string language;  ///< "scenario", "ros2" or "swarm"
-    std::optional<diagnostics::Diagnostics> findings;
+struct PlainText : TextDocument {
+    using TextDocument::TextDocument;
+    std::optional<diagnostics::Diagnostics> findings;  ///< no value after a change
 };
 
-class PlainTexts {
+/// Reading polls the budget of the session. If the budget ends the reading, the next request repeats it.
+class PlainTexts : public OpenTexts<PlainText> {
 public:
-    /// Reading polls the budget, if one is given. If the budget ends the reading, the next request repeats it.
-    explicit PlainTexts(diagnostics::Budget* budget = nullptr) : budget_(budget) {}
+    using OpenTexts::OpenTexts;
 
-    [[nodiscard]] PlainText* find(std::string_view uri);
-    PlainText& open_document(const std::string& uri, std::string_view language, std::string text);
-    void change(PlainText& document, std::string text);
-    void close(const std::string& uri);
-    [[nodiscard]] const diagnostics::Diagnostics& findings_in(PlainText& document);
-    /// The words that the parser would accept at an offset, found by parsing the text before the offset.
-    [[nodiscard]] std::vector<std::string> words_at(const PlainText& document, std::uint32_t offset) const;
-    [[nodiscard]] const std::map<std::string, std::unique_ptr<PlainText>, std::less<>>& all_documents() const {
-        return documents_;
-    }
+    [[nodiscard]] bool accepts(std::string_view uri, std::string_view language_id) const override;
 
-    /// True if something changed since it was last settled.
-    [[nodiscard]] bool has_news() const { return news_; }
-    void settle_news() { news_ = false; }
+    [[nodiscard]] Json completion(const Request&) override;
+    [[nodiscard]] Json hover(const Request&) override;
 
-    Published published;
+protected:
+    void drop_results(PlainText& document) override { document.findings.reset(); }
+    [[nodiscard]] Json findings_in(TextDocument& document) override;
 
 private:
-    diagnostics::Budget* budget_;
-    std::map<std::string, std::unique_ptr<PlainText>, std::less<>> documents_;  ///< keyed by URI
-    bool news_ = false;
+    [[nodiscard]] const diagnostics::Diagnostics& diagnostics_of(TextDocument& document);
+    /// The words that the parser would accept at an offset, found by parsing the text before the offset.
+    [[nodiscard]] std::vector<std::string> words_at(const TextDocument& document, std::uint32_t offset) const;
 };
 
 }  // namespace robochart::lsp

@@ -102,12 +102,4 @@ std::string explain_findings(const std::vector<Diagnostic>& findings, std::uint3
     return out;
 }
 
-Json hover_answer(const SourceManager& sources, std::string text, Span place, Encoding encoding, bool markdown) {
-    if (text.empty()) return {};
-    Json result = Json::object(
-        {{"contents", Json::object({{"kind", markdown ? "markdown" : "plaintext"}, {"value", std::move(text)}})}});
-    if (place.is_known()) result["range"] = lsp_range(sources, place, encoding);
-    return result;
-}
-
 }  // namespace robochart::lsp

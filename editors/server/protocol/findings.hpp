@@ -27,7 +27,5 @@ using Locate = std::function<Json(Span)>;
 /// The codes and explanations of the rules that report the text at an offset, without duplicates; "" if there are none.
 [[nodiscard]] std::string explain_findings(const std::vector<diagnostics::Diagnostic>& findings, std::uint32_t offset,
                                            bool markdown);
-/// The answer to a hover request; null if the text is empty. `place` may be unknown.
-[[nodiscard]] Json hover_answer(const SourceManager&, std::string text, Span place, Encoding, bool markdown);
 
 }  // namespace robochart::lsp

@@ -27,12 +27,12 @@ constexpr int event = 23;
 /// Uses the tokens before the place, because the text usually has errors while it is written.
 class RuleCompleter {
 public:
-    RuleCompleter(const RuleText& document, const RuleFile& file, std::uint32_t offset, Encoding encoding)
+    RuleCompleter(const TextDocument& document, const RuleFile& file, std::uint32_t offset, Encoding encoding)
         : file_(file) {
         diagnostics::Diagnostics ignored;
         Span prefix{document.source, offset, offset};
         for (const Token& token :
-             sleec::lex(document.texts.source_text(document.source), document.source, ignored, true)) {
+             sleec::lex(document.sources.source_text(document.source), document.source, ignored, true)) {
             if (token.span.begin >= offset || token.kind == Tok::end) break;
             if (token.span.end < offset || (token.span.end == offset && token.kind == Tok::symbol)) {
                 if (token.kind != Tok::comment) before_.push_back(token);
@@ -42,7 +42,7 @@ public:
             inside_ = token.kind == Tok::comment || token.kind == Tok::number;
             prefix.begin = token.span.begin;
         }
-        range_ = lsp_range(document.texts, prefix, encoding);
+        range_ = lsp_range(document.sources, prefix, encoding);
     }
 
     Json run() {
@@ -152,7 +152,7 @@ private:
 
 }  // namespace
 
-Json rule_completion(const RuleText& document, const RuleFile& file, std::uint32_t offset, Encoding encoding) {
+Json rule_completion(const TextDocument& document, const RuleFile& file, std::uint32_t offset, Encoding encoding) {
     return RuleCompleter(document, file, offset, encoding).run();
 }
 

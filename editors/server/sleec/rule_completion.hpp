@@ -7,6 +7,6 @@
 namespace robochart::lsp {
 
 /// The names and words that may follow the tokens before the offset.
-[[nodiscard]] Json rule_completion(const RuleText&, const sleec::RuleFile&, std::uint32_t offset, Encoding);
+[[nodiscard]] Json rule_completion(const TextDocument&, const sleec::RuleFile&, std::uint32_t offset, Encoding);
 
 }  // namespace robochart::lsp

@@ -133,10 +133,10 @@ std::optional<Span> declaration_of(const RuleFile& file, const std::string& text
 
 }  // namespace
 
-std::optional<RuleName> rule_name_at(const RuleText& document, const RuleFile& file, std::uint32_t offset) {
+std::optional<RuleName> rule_name_at(const TextDocument& document, const RuleFile& file, std::uint32_t offset) {
     diagnostics::Diagnostics ignored;
     for (const sleec::Token& token :
-         sleec::lex(document.texts.source_text(document.source), document.source, ignored)) {
+         sleec::lex(document.sources.source_text(document.source), document.source, ignored)) {
         if (token.span.begin > offset) break;
         if (token.kind != sleec::Tok::word || token.span.end < offset) continue;
         const std::string text(token.text);
@@ -161,9 +161,9 @@ std::string about_rule_name(const RuleFile& file, const RuleName& name, bool mar
     return "";
 }
 
-Json rule_outline(const RuleText& document, const RuleFile& file, const Client& client) {
+Json rule_outline(const TextDocument& document, const RuleFile& file, const Client& client) {
     Json result = Json::array();
-    const PositionTable positions(document.texts, document.source, client.encoding);
+    const PositionTable positions(document.sources, document.source, client.encoding);
     for (const Declared& declared : declared_in(file)) {
         const Json whole = positions.lsp_range(declared.whole);
         Json symbol = Json::object({{"name", declared.name->text}, {"kind", declared.kind}});

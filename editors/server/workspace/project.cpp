@@ -40,9 +40,9 @@ bool Project::has_open() const {
 }
 
 Document& Project::add(const std::string& path) {
-    auto document = std::make_unique<Document>();
+    auto document = std::make_unique<Document>(sources_, uri_of_path(path));
     document->path = path;
-    document->uri = uri_of_path(path);
+    document->open = false;
     document->is_assertions = fs::path(path).extension() == ".assertions";
     const auto known = ids_.find(path);
     document->source = known != ids_.end() ? known->second : sources_.add(path, {});

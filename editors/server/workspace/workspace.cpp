@@ -45,18 +45,11 @@ void Workspace::rebuild_projects() {
     for (const std::string& folder : folders_)
         for (const std::string& path : frontend::project_files(folder, true))
             project_at(root_of(path)).refresh_file(path);
-    for (const auto& project : before) {
-        keep_orphans(*project);
+    for (const auto& project : before)
         for (const auto& [path, document] : project->documents())
             if (document->open)
                 open_document(document->uri, std::string(project->sources().source_text(document->source)))
                     .document->version = document->version;
-    }
-}
-
-void Workspace::keep_orphans(const Project& project) {
-    for (const auto& [path, document] : project.documents())
-        if (!document->published.empty()) orphans_.push_back(document->uri);
 }
 
 Workspace::Place Workspace::find(std::string_view uri) {
@@ -105,25 +98,16 @@ Workspace::Place Workspace::open_document(const std::string& uri, std::string te
 void Workspace::close(const std::string& uri) {
     const Place place = find(uri);
     if (!place) return;
-    const bool shown = !place.document->published.empty();
     place.project->close(*place.document);
-    if (shown && !find(uri)) orphans_.push_back(uri);
     // A project outside the workspace exists only for its open files.
     const bool listed = !folder_around(place.project->folder() + "/.").empty();
     if (listed || place.project->has_open()) return;
-    keep_orphans(*place.project);
     std::erase_if(projects_, [&](const auto& project) { return project.get() == place.project; });
 }
 
 void Workspace::refresh_file(const std::string& uri) {
     const std::string path = path_of_uri(uri);
-    if (const Place known = find(uri)) {
-        const bool shown = !known.document->published.empty();
-        const std::string as_written = known.document->uri;
-        known.project->refresh_file(path);
-        if (shown && !find(uri)) orphans_.push_back(as_written);
-        return;
-    }
+    if (const Place known = find(uri)) return known.project->refresh_file(path);
     const std::string extension = fs::path(path).extension().string();
     if (extension != ".rct" && extension != ".assertions") return;
     const std::string root = root_of(path);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
-#include "editors/server/protocol/positions.hpp"
+#include "editors/server/documents/language.hpp"
 #include "frontend/project/incremental.hpp"
 #include "frontend/project/occurrences.hpp"
 #include "frontend/syntax/ast.hpp"
@@ -19,18 +19,12 @@
 namespace robochart::lsp {
 
 /// One file of a project.
-struct Document {
-    std::string path;
-    std::string uri;  ///< as the editor writes it
-    SourceId source = SourceId::none;
+struct Document : TextDocument {
+    using TextDocument::TextDocument;
     bool is_assertions = false;
-    bool open = false;  ///< true if the text is that of the editor
-    std::optional<std::int64_t> version;
     bool stale = true;                  ///< the text changed since it was parsed
     frontend::File* tree = nullptr;     ///< the tree in the project's model, after parsing
     diagnostics::Diagnostics findings;  ///< the findings of the parser
-    std::string published;              ///< the diagnostics last sent
-    std::string pulled;                 ///< the diagnostics that the editor last requested, while it is open
 };
 
 /// The files of one project (language reference 1.3: folder = project), with the analysis results. Access to the model
@@ -111,8 +105,6 @@ public:
     void close(const std::string& uri);
     void refresh_file(const std::string& uri);
     [[nodiscard]] const std::vector<std::unique_ptr<Project>>& projects() const { return projects_; }
-    /// Documents that left a project and still have diagnostics in the editor, by URI.
-    [[nodiscard]] std::vector<std::string> take_orphans() { return std::exchange(orphans_, {}); }
 
 private:
     /// The workspace folder that contains a path, the innermost if there are several; "" if there is none.
@@ -120,12 +112,10 @@ private:
     [[nodiscard]] std::string root_of(const std::string& path) const;
     Project& project_at(const std::string& root);
     void rebuild_projects();
-    void keep_orphans(const Project& project);
 
     diagnostics::Budget* budget_;
     std::vector<std::string> folders_;
     std::vector<std::unique_ptr<Project>> projects_;
-    std::vector<std::string> orphans_;
 };
 
 }  // namespace robochart::lsp

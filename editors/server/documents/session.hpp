@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The settings negotiated with one editor, and the interface of request handlers.
+// The settings negotiated with one editor, and the state of the connection.
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "editors/server/protocol/json.hpp"
-#include "editors/server/workspace/workspace.hpp"
+#include "base/diagnostics/budget.hpp"
+#include "editors/server/protocol/positions.hpp"
 
 namespace robochart::lsp {
 
@@ -52,34 +52,16 @@ struct Client {
     std::set<std::string> commands;  ///< code lens commands that it supports (editors/server/features/capabilities.hpp)
 };
 
-class KeptDiagrams;
-
+/// The state of the connection, shared by all languages.
 struct Session {
-    explicit Session(diagnostics::Budget* limits = nullptr) : workspace(limits), budget(limits) {}
+    explicit Session(diagnostics::Budget* limits) : budget(limits) {}
 
-    Workspace workspace;
     Client client;
-    diagnostics::Budget* budget;  ///< interrupts work; null: no limit
-    std::shared_ptr<KeptDiagrams>
-        diagrams;                ///< created by the first request for a diagram (editors/server/features/diagram.hpp)
-    std::int64_t refreshes = 0;  ///< number of requests to refresh diagnostics so far
+    diagnostics::Budget* budget;            ///< interrupts work; null: no limit
+    std::int64_t refreshes = 0;             ///< number of requests to refresh diagnostics so far
     std::function<void(const Json&)> send;  ///< sends a message to the editor
     /// The SLEEC rules of a folder, each with the name of its file; an empty function: not available.
     std::function<std::vector<std::pair<std::string, std::string>>(const std::string& folder)> rule_names;
 };
-
-/// The place in a document that a request is about.
-struct Target {
-    Project& project;
-    Document& document;
-    std::uint32_t offset = 0;
-};
-
-/// The document of `params.textDocument`, and the offset of `params.position`, if given. Rejects unknown documents.
-[[nodiscard]] Target target_of(Session&, View params);
-/// The findings about the target's document, sorted by place; parse errors come first.
-[[nodiscard]] std::vector<diagnostics::Diagnostic> findings_about(const Target&);
-/// `{uri, range}` of a span of the project; null if it is in no file.
-[[nodiscard]] Json lsp_location(const Session&, Project&, Span);
 
 }  // namespace robochart::lsp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "editors/server/workspace/text_difference.hpp"
+#include "editors/server/documents/text_difference.hpp"
 
 #include <algorithm>
 #include <string>

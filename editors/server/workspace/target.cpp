@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "editors/server/workspace/session.hpp"
-
-#include <fmt/format.h>
+#include "editors/server/workspace/target.hpp"
 
 #include "editors/server/protocol/uri.hpp"
 #include "editors/server/workspace/library_files.hpp"
 
 namespace robochart::lsp {
-
-Target target_of(Session& session, View params) {
-    const View uri = params["textDocument"]["uri"];
-    if (!uri.is_text()) throw Refusal(ErrorCode::invalid_params, "textDocument.uri is missing");
-    const Workspace::Place place = session.workspace.find(uri.text());
-    if (!place) throw Refusal(ErrorCode::invalid_params, fmt::format("no such document: {}", uri.text()));
-    const View at = params["position"];
-    const std::uint32_t offset =
-        at.is_null() ? 0 : offset_of(place.project->sources(), place.document->source, at, session.client.encoding);
-    return {*place.project, *place.document, offset};
-}
 
 std::vector<diagnostics::Diagnostic> findings_about(const Target& target) {
     std::vector<diagnostics::Diagnostic> result = target.document.findings.sorted_findings();
