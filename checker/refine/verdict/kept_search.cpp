@@ -2,16 +2,18 @@
 #include "checker/refine/verdict/kept_search.hpp"
 
 #include <fmt/format.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <random>
+#include <system_error>
 
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
@@ -68,12 +70,13 @@ bool is_finished(const std::string& name) {
            name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 
-/// Returns a different text each time.
+/// Returns a different text each time: 128 random bits. Does not use std::random_device, which calls a function that
+/// the C library has only since 2.36.
 std::string random_text() {
-    std::random_device source;
-    std::string text;
-    for (int i = 0; i < 4; ++i) text += fmt::format("{:08x}", source());
-    return text;
+    std::array<std::uint64_t, 2> bits{};
+    if (getrandom(bits.data(), sizeof bits, 0) != static_cast<ssize_t>(sizeof bits))
+        throw std::system_error(errno, std::generic_category(), "cannot read random bits");
+    return fmt::format("{:016x}{:016x}", bits[0], bits[1]);
 }
 
 /// Whether the entry was left by a run that was killed while it wrote.
