@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "checker/cspm/session.hpp"
@@ -55,11 +56,14 @@ public:
     [[nodiscard]] Result judge_schedulability();
     [[nodiscard]] std::uint32_t site_count(cpp_emit::Fault fault);
     /// Makes the generated code ask its platform at each choice of the model. The checks then explore every answer.
-    void explore_choices() { choices_ = true; }
+    void explore_choices() {
+        choices_ = true;
+        interface_.reset();
+    }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] cspm::ExprPtr process() const { return component_process(script_.definitions, component_); }
-    /// The interface of the generated code, with events of the session.
-    [[nodiscard]] Interface interface();
+    /// The interface of the generated code, with events of the session. Compiles the code once.
+    [[nodiscard]] const Interface& interface();
     [[nodiscard]] cspm::Session& session() { return *session_; }
     [[nodiscard]] lts::TransitionSystem& system() { return *system_; }
 
@@ -72,6 +76,7 @@ private:
     std::unique_ptr<cspm::Session> session_;
     std::unique_ptr<lts::TransitionSystem> system_;
     bool choices_ = false;
+    std::optional<Interface> interface_;
 };
 
 }  // namespace robochart::conformance::test

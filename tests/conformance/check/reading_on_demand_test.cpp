@@ -14,6 +14,7 @@
 #include "conformance/check/conform.hpp"
 #include "conformance/check/conformance_check.hpp"
 #include "conformance/check/cycle_schedule.hpp"
+#include "conformance/check/partial_readings.hpp"
 #include "conformance/code/cycle_graph.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
@@ -63,6 +64,7 @@ void expect_same(const Result& all, const Result& on_demand, const std::string& 
     }
 }
 
+/// Compares both searches that scale to many inputs with the search over all inputs.
 TEST(ReadingOnDemand, AgreesWithAllInputsForSeededFaults) {
     using Fault = cpp_emit::Fault;
     std::size_t decided = 0;
@@ -84,6 +86,12 @@ TEST(ReadingOnDemand, AgreesWithAllInputsForSeededFaults) {
             const auto object = bench.compile_fault(fault, 0);
             if (!object) continue;
             const Result all = refined_by(graph, alphabet, object->interface(), 1, {});
+            const Result partial = judge_partially(graph, alphabet, object->interface(), 1, {});
+            EXPECT_EQ(all.outcome, partial.outcome)
+                << folder << " " << static_cast<int>(fault) << ": " << all.reason << " / " << partial.reason;
+            if (!all.api_difference) {
+                EXPECT_EQ(all.cycles.size(), partial.cycles.size()) << folder;
+            }
             try {
                 const Result on_demand = refined_on_demand(graph, alphabet, object->interface(), 1, {});
                 expect_same(all, on_demand, fmt::format("{} {}", folder, static_cast<int>(fault)));

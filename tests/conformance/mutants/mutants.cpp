@@ -96,10 +96,11 @@ Result Study::check_refinement(const rc_interface& code) {
     return refined_by(*graph_, *alphabet_, code, 1, limits());
 }
 
-std::vector<Study::Seeded> Study::seed_faults(std::size_t sites, bool event_api_only) {
+std::vector<Study::Seeded> Study::seed_faults(std::size_t sites, bool event_api_only,
+                                              const std::set<cpp_emit::Fault>& omitted) {
     std::vector<Seeded> all;
     for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
-        if (event_api_only && !cpp_emit::in_event_api(kind.fault)) continue;
+        if ((event_api_only && !cpp_emit::in_event_api(kind.fault)) || omitted.contains(kind.fault)) continue;
         const std::uint32_t there = emit(kind.fault, 0).fault_sites;
         const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(there, sites));
         for (std::uint32_t n = 0; n < count; ++n) {
@@ -111,9 +112,9 @@ std::vector<Study::Seeded> Study::seed_faults(std::size_t sites, bool event_api_
     return all;
 }
 
-std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only) {
+std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only, const std::set<cpp_emit::Fault>& omitted) {
     if (original_code_ == nullptr) return {};
-    std::vector<Seeded> all = seed_faults(sites, event_api_only);
+    std::vector<Seeded> all = seed_faults(sites, event_api_only, omitted);
     for (std::size_t first = 0; first < all.size(); first += at_once) {
         std::vector<Seeded*> together;
         for (std::size_t i = first; i < std::min(first + at_once, all.size()); ++i) together.push_back(&all[i]);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,9 @@ public:
     /// The result for the unchanged code. If it is not `conforms`, the analysis has no meaning.
     [[nodiscard]] Result check_original();
     /// Every mutant whose code differs from the original, at most `sites` of each kind, spread evenly.
-    /// `event_api_only`: only faults of the event API.
-    [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_api_only = false);
+    /// `event_api_only`: only faults of the event API. `omitted`: kinds to omit.
+    [[nodiscard]] std::vector<Mutant> mutants(std::size_t sites = 1000, bool event_api_only = false,
+                                              const std::set<cpp_emit::Fault>& omitted = {});
 
 private:
     struct Seeded {
@@ -48,7 +50,8 @@ private:
     };
 
     [[nodiscard]] cpp_emit::Emission emit(cpp_emit::Fault, std::uint32_t site);
-    [[nodiscard]] std::vector<Seeded> seed_faults(std::size_t sites, bool event_api_only);
+    [[nodiscard]] std::vector<Seeded> seed_faults(std::size_t sites, bool event_api_only,
+                                                  const std::set<cpp_emit::Fault>& omitted);
     void judge_together(std::vector<Seeded*> together);
     void drop_uncompilable(std::vector<Seeded*>& together);
     void judge(Mutant&, const rc_interface& code);

@@ -87,7 +87,7 @@ Campaign run(random_models::Shape (*shape_of)(std::uint64_t), bool all_choices, 
 }
 
 TEST(RandomModels, Conform) {
-    const Campaign campaign = run(core_shape, false, tests::rounds(200));
+    const Campaign campaign = run(core_shape, false, tests::rounds(100));
     print(campaign.tally());
     EXPECT_GE(campaign.tally().conforming * 2, campaign.tally().models) << "too few can be explored";
     expect_everything(campaign.tally());

@@ -165,8 +165,9 @@ void check_mutants(const std::string& folder, const std::vector<Fault>& faults) 
     std::size_t killed = 0;
     for (const Fault fault : faults)
         for (std::uint32_t site = 0; site < bench.site_count(fault); ++site) {
-            const Result oracle = bench.check_code(fault, site);
-            const bool passed = suites.passes_suite(suites.compile_fault(fault, site)->interface(), suite);
+            const auto object = suites.compile_fault(fault, site);
+            const Result oracle = bench.check_code(object->interface());
+            const bool passed = suites.passes_suite(object->interface(), suite);
             if (oracle.outcome == Outcome::conforms) {
                 EXPECT_TRUE(passed) << static_cast<int>(fault) << " at " << site;
                 continue;

@@ -14,7 +14,7 @@ using testing::read;
 using testing::resolved;
 
 constexpr std::size_t deep = tests::rounds(100'000);
-constexpr std::size_t megabytes = tests::rounds(10'000'000);
+constexpr std::size_t megabytes = tests::rounds(4'000'000);
 
 std::string times(std::size_t n, const std::string& text) {
     std::string out;
@@ -138,7 +138,7 @@ TEST(Extremes, NestedBracesInAssertionsAreAFewMistakes) {
 
 // ---------------------------------------------------------------- long, not deep
 
-TEST(Extremes, ALineOfTenMegabytesIsReadToTheEnd) {
+TEST(Extremes, ALineOfMegabytesIsReadToTheEnd) {
     for (const std::string& text :
          {"type " + std::string(megabytes, 'x') + " )", std::string(megabytes, '9'), std::string(megabytes, '{'),
           std::string(megabytes, 'a') + ":", std::string(megabytes, '^'), "type A " + std::string(megabytes, ' ') + ")",

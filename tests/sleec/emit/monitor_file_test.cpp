@@ -202,7 +202,7 @@ TEST(MonitorFile, AgreesOnAllHistoriesOfTwelveSteps) {
 }
 
 TEST(MonitorFile, AgreesOnRandomHistoriesOfRandomRules) {
-    const std::size_t sets = tests::rounds(40);
+    const std::size_t sets = tests::rounds(20);
     std::vector<std::unique_ptr<Read>> read;
     std::vector<const CheckedRules*> checked;
     std::vector<const Read*> all;

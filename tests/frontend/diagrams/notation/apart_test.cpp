@@ -128,7 +128,7 @@ TEST(Boxes, OfPublicModelsAreApartAndTitlesAreFree) {
 }
 
 TEST(Boxes, OfRandomModelsAreApartAndTitlesAreFree) {
-    for (std::uint64_t seed = 1; seed <= tests::rounds(60); ++seed)
+    for (std::uint64_t seed = 1; seed <= tests::rounds(24); ++seed)
         draw_each(random_models::well_formed(seed), expect_apart);
 }
 

@@ -78,7 +78,7 @@ TEST(Pictures, OfPublicModelsMeetTheCriteria) {
 }
 
 TEST(Pictures, OfRandomModelsMeetTheCriteria) {
-    for (std::uint64_t seed = 1; seed <= tests::rounds(60); ++seed)
+    for (std::uint64_t seed = 1; seed <= tests::rounds(24); ++seed)
         draw_each(random_models::well_formed(seed), expect_good);
 }
 

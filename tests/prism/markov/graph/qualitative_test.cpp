@@ -44,7 +44,7 @@ TEST(Qualitative, DtmcsAgreeWithTheirValues) {
 }
 
 TEST(Qualitative, MdpsAgreeWithTheirValues) {
-    expect_no_fault(2, Kind::mdp, tests::rounds(1'500), qualitative_fault);
+    expect_no_fault(2, Kind::mdp, tests::rounds(500), qualitative_fault);
 }
 
 /// Whether all, or some, successors of a state are in the set.
@@ -94,7 +94,7 @@ std::optional<std::string> ctl_fault(const Description& description) {
 }
 
 TEST(Qualitative, CtlAgreesWithItsFixedPoints) {
-    expect_no_fault(3, Kind::mdp, tests::rounds(3'000), ctl_fault);
+    expect_no_fault(3, Kind::mdp, tests::rounds(1'000), ctl_fault);
 }
 
 TEST(Qualitative, ALongChainNeedsNoRecursion) {
