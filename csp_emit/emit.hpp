@@ -21,6 +21,8 @@ namespace robochart::csp_emit {
                             diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
 /// The emission as files that FDR loads: csp-gen/[timed/]NAME.csp and NAME_assertions.csp (which includes the first).
-[[nodiscard]] std::vector<OutputFile> files(const Emission&, Time, const std::string& model);
+/// `notes` are comments at the head of the definitions; they may contain any text.
+[[nodiscard]] std::vector<OutputFile> files(const Emission&, Time, const std::string& model,
+                                            const std::vector<std::string>& notes = {});
 
 }  // namespace robochart::csp_emit

@@ -31,9 +31,16 @@ std::string list_missing_claims(const Emission& emission) {
     return claims.empty() ? "" : "\n-- not said by an assertion; `check --swarm` decides it:\n" + claims;
 }
 
+std::string comment_lines(const std::vector<std::string>& notes) {
+    std::string lines;
+    for (const std::string& note : notes) lines += fmt::format("-- {}\n", diagnostics::escape_for_display(note));
+    return lines.empty() ? lines : lines + "\n";
+}
+
 }  // namespace
 
-std::vector<OutputFile> files(const Emission& emission, Time time, const std::string& model) {
+std::vector<OutputFile> files(const Emission& emission, Time time, const std::string& model,
+                              const std::vector<std::string>& notes) {
     const std::string name = script_name(model);
     const std::string folder = time == Time::timed ? "csp-gen/timed/" : "csp-gen/";
     const std::string head = std::string("-- ") + (time == Time::timed ? "timed" : "untimed") + " CSP semantics of " +
@@ -44,7 +51,8 @@ std::vector<OutputFile> files(const Emission& emission, Time time, const std::st
     const auto& all = emission.script.decls;
     const auto first = static_cast<std::ptrdiff_t>(emission.definitions.decls.size());
     assertions.decls.insert(assertions.decls.end(), all.begin() + first, all.end());
-    const std::string there = "-- definitions; the assertions are in " + checked + ", which includes this file\n\n";
+    const std::string there =
+        "-- definitions; the assertions are in " + checked + ", which includes this file\n\n" + comment_lines(notes);
     const std::string here = "-- to check it in FDR4: `fdr4 " + checked + "` and Run All, or `refines " + checked +
                              "`; without FDR4: `robochart-verify cspm " + checked + "`\n\n";
     return {{folder + name + ".csp", head + there + cspm::print(emission.definitions)},

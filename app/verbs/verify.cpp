@@ -29,6 +29,7 @@
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/ros2/read_mapping.hpp"
 #include "cpp_emit/ros2/rules.hpp"
+#include "driver/claims/class_project.hpp"
 #include "driver/claims/model_claims.hpp"
 #include "driver/model/block_values.hpp"
 #include "driver/model/broken_claims.hpp"
@@ -218,19 +219,34 @@ bool run_phases(driver::Project& project, const Options& options, bool code, Rep
 
 }  // namespace
 
-bool write_csp(driver::Project& project, const Options& options, Report& report) {
-    const auto other = driver::with_carriers_of_robotool(project);
-    driver::Project& exported = other ? *other : project;
-    const std::string name = options.swarm.file.empty() ? project.name : project.name + "_swarm";
-    bool written = true;
+namespace {
+
+/// Writes the scripts of a project under this name. `notes` describes its types.
+bool write_scripts(driver::Project& project, const std::string& name, const std::vector<std::string>& notes,
+                   const Options& options, Report& report) {
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
         const bool skipped = (options.claims.times == driver::Times::timed && time == csp_emit::Time::untimed) ||
                              (options.claims.times == driver::Times::untimed && time == csp_emit::Time::timed);
-        if (skipped || !written) continue;
-        const csp_emit::Emission& emission = emit_csp(exported, options.claims, options.swarm, time);
-        written = exported.diagnostics.ok() &&
-                  write_all("", csp_emit::files(emission, time, name), report.csp_files, options, project);
+        if (skipped) continue;
+        const csp_emit::Emission& emission = emit_csp(project, options.claims, options.swarm, time);
+        if (!project.diagnostics.ok() ||
+            !write_all("", csp_emit::files(emission, time, name, notes), report.csp_files, options, project))
+            return false;
     }
+    return true;
+}
+
+}  // namespace
+
+bool write_csp(driver::Project& project, const Options& options, Report& report) {
+    const auto other = driver::with_carriers_of_robotool(project);
+    driver::Project& exported = other ? *other : project;
+    bool written = write_scripts(exported, options.swarm.file.empty() ? project.name : project.name + "_swarm", {},
+                                 options, report);
+    const driver::ClassProject classes = driver::class_project(project, options);
+    if (written && classes.project)
+        written = write_scripts(*classes.project, project.name + "_classes",
+                                ir::describe_classes(classes.project->system), options, report);
     // A check has reported the findings of the script already.
     if (other && options.verb == Verb::emit_csp) project.diagnostics.add(exported.diagnostics);
     return written;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "semantics/data/class_model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <map>
@@ -263,6 +265,17 @@ std::optional<ClassModel> class_model(const System& system, const Instantiation&
                                divided.all_values, divided.nothing_tested});
     }
     return result;
+}
+
+std::vector<std::string> describe_classes(const System& class_model) {
+    std::vector<std::string> lines;
+    for (const Type& type : class_model.types) {
+        if (type.shown.empty()) continue;
+        lines.push_back(fmt::format("{}: classes of values of {}", type.name, type.values_of));
+        for (std::size_t i = 0; i < type.shown.size(); ++i)
+            lines.push_back(fmt::format("  {}, for example {}", type.labels[i], type.shown[i]));
+    }
+    return lines;
 }
 
 }  // namespace robochart::ir

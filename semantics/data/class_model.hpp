@@ -36,4 +36,8 @@ struct ClassModel {
 /// of events: the class model has the same names of events, and other values.
 [[nodiscard]] std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation);
 
+/// Describes the classes of a class model for readers of its scripts: a line for each type of classes, then a line for
+/// each class with one of its values. The lines contain names of the model.
+[[nodiscard]] std::vector<std::string> describe_classes(const System& class_model);
+
 }  // namespace robochart::ir

@@ -259,5 +259,31 @@ TEST(Carriers, OfRoboToolAreThoseOfTheOptionAndOfExportedScripts) {
                 ::testing::HasSubstr("nametype core_nat = {0..7}\n"));
 }
 
+/// A script with classes is a second file. `cspm` decides its assertions as `check` decides the claims, and RoboTool's
+/// carriers do not: 21.25 is their greatest number.
+TEST(Carriers, AScriptWithClassesHasTheAnswersOfTheModel) {
+    const std::string model =
+        "stm S { event e : real event stop var x : real initial i state A { } state High { } state Both { } junction k "
+        "transition t0 { from i to A } transition t1 { from A to k trigger e ? x } "
+        "transition t2 { from k to High condition x > 21.25 } transition t3 { from High to A trigger stop } "
+        "transition t4 { from k to A condition not (x > 21.25) } "
+        "transition t5 { from A to Both trigger stop condition x < 19.5 /\\ x > 21.25 } }";
+    const std::string claims =
+        "assertion A : S is deadlock-free\nassertion B : S::High is reachable in S\n"
+        "assertion C : S::Both is not reachable in S\n";
+    const testing::Folder folder({{"m/m.rct", model}, {"m/m.assertions", claims}});
+    EXPECT_EQ(run({"check", folder / "m", "--no-cache"}).exit, 0);
+    ASSERT_EQ(run({"emit", "csp", folder / "m", "--out", folder.path("out")}).exit, 0);
+    const auto outcome = [&](const std::string& name) {
+        return run({"cspm", folder.path("out") + "/csp-gen/" + name, "--no-cache"});
+    };
+    const auto concrete = outcome("m_assertions.csp");
+    EXPECT_EQ(concrete.exit, 1) << concrete.out;
+    const auto classes = outcome("m_classes_assertions.csp");
+    EXPECT_EQ(classes.exit, 0) << classes.out << classes.err;
+    EXPECT_THAT(tests::read_contents(folder.path("out") + "/csp-gen/m_classes.csp"),
+                ::testing::HasSubstr("\n-- x_class: classes of values of real\n--   c1, for example 0\n"));
+}
+
 }  // namespace
 }  // namespace robochart::app
