@@ -69,7 +69,10 @@ std::string summary_text(const std::vector<driver::Part>& parts) {
 }
 
 std::string range_text(const std::vector<std::int64_t>& carrier) {
-    return carrier.empty() ? "empty" : fmt::format("{}..{}", carrier.front(), carrier.back());
+    if (carrier.empty()) return "empty";
+    const auto size = static_cast<std::uint64_t>(carrier.back()) - static_cast<std::uint64_t>(carrier.front()) + 1;
+    const std::string range = fmt::format("{}..{}", carrier.front(), carrier.back());
+    return size == carrier.size() ? range : fmt::format("{} values in {}", carrier.size(), range);
 }
 
 std::vector<std::string> instantiation_notes(const ir::Instantiation& i) {

@@ -147,9 +147,8 @@ void nest_ranges(Ranges& ranges, Diagnostics& diagnostics) {
     }
 }
 
-/// The place of the number in the model that makes a range large; unknown if an option chose the range.
+/// The place of the number in the model that makes a range large.
 diagnostics::Span cause_of(const Range& range, const Literals& literals) {
-    if (range.chosen) return {};
     const bool upwards = range.high > -(range.low + 1);  // cannot overflow, even for the least number
     auto found = literals.places.find(upwards ? range.high : range.low);
     // A range may extend one number beyond a number of the model.
@@ -157,18 +156,21 @@ diagnostics::Span cause_of(const Range& range, const Literals& literals) {
     return found == literals.places.end() ? diagnostics::Span{} : found->second;
 }
 
-std::vector<std::int64_t> numbers_in(const Range& range, const char* name, const Literals& literals,
-                                     Diagnostics& diagnostics) {
-    const auto size = checked_subtract(range.high, range.low);
-    if (!size || *size >= most_values) {
-        const std::string count = size ? std::to_string(*size) : "over 2^63";
-        diagnostics.report(rules::range_too_large, cause_of(range, literals),
-                           {name, count, std::to_string(most_values), name});
-        return {0};
-    }
-    std::vector<std::int64_t> result;
-    for (std::int64_t value = range.low; value <= range.high; ++value) result.push_back(value);
-    return result;
+/// The numbers of a large range that conditions can tell apart: those of the narrower type, the ends of the range, the
+/// whole numbers of the model, and the neighbours of all these.
+std::vector<std::int64_t> distinguished_numbers(const Range& range, const std::vector<std::int64_t>& narrower,
+                                                const Literals& literals) {
+    std::set<std::int64_t> numbers(narrower.begin(), narrower.end());
+    const auto add = [&](std::int64_t number) {
+        for (const std::int64_t step : {-1, 0, 1})
+            if (const auto near = checked_add(number, step); near && range.has(*near)) numbers.insert(*near);
+    };
+    for (const std::int64_t number : {std::int64_t{-1}, std::int64_t{1}, range.low, range.high}) add(number);
+    for (const std::set<std::int64_t>* whole : {&literals.nat, &literals.integer})
+        for (const std::int64_t number : *whole) add(number);
+    for (const Decimal& decimal : literals.real)
+        for (const bool up : {false, true}) add(round_to_whole(decimal, up));
+    return {numbers.begin(), numbers.end()};
 }
 
 /// The smallest power of ten that makes every decimal literal a whole number.
@@ -179,23 +181,58 @@ std::int64_t scale_of(const Literals& literals) {
     return power_of_ten(places).value_or(1);  // parse_decimal accepts at most 18 decimal places
 }
 
-/// The whole numbers of the range and every decimal literal, in units of 1/scale.
-std::vector<std::int64_t> real_numbers(const Range& range, const Literals& literals, std::int64_t scale,
-                                       Diagnostics& diagnostics) {
-    std::set<std::int64_t> units;
-    bool fits = true;
-    const auto add = [&](std::optional<std::int64_t> unit) {
-        if (unit)
-            units.insert(*unit);
+/// Makes the carriers of the number types, and reports types that are too large. One report is enough, because the
+/// types are nested.
+class NumberCarriers {
+public:
+    NumberCarriers(const Literals& literals, Diagnostics& diagnostics)
+        : literals_(literals), diagnostics_(diagnostics) {}
+
+    /// The carrier of a type; it has gaps if the range of the model's numbers is too large. `narrower` is the carrier
+    /// of the type that can be used as this one.
+    [[nodiscard]] std::vector<std::int64_t> whole(const Range& range, const char* name,
+                                                  const std::vector<std::int64_t>& narrower) {
+        const auto size = checked_subtract(range.high, range.low);
+        std::vector<std::int64_t> result;
+        if (size && *size < most_values) {
+            for (std::int64_t value = range.low; value <= range.high; ++value) result.push_back(value);
+            return result;
+        }
+        const std::string count = size ? std::to_string(*size) : "over 2^63";
+        result = range.chosen ? std::vector<std::int64_t>{0} : distinguished_numbers(range, narrower, literals_);
+        if (reported_) return result;
+        reported_ = true;
+        if (range.chosen)
+            diagnostics_.report(rules::range_too_large, {}, {name, count, std::to_string(most_values), name});
         else
-            fits = false;
-    };
-    for (const auto value : numbers_in(range, "real", literals, diagnostics)) add(checked_multiply(value, scale));
-    for (const auto& literal : literals.real)
-        if (literal.decimals > 0) add(scale_decimal(literal, scale));
-    if (!fits) diagnostics.report(rules::scale_too_large, {}, {std::to_string(scale)});
-    return {units.begin(), units.end()};
-}
+            diagnostics_.report(rules::numbers_omitted, cause_of(range, literals_),
+                                {name, count, std::to_string(most_values), std::to_string(result.size()), name});
+        return result;
+    }
+
+    /// The whole numbers of the range and every decimal literal, in units of 1/scale.
+    [[nodiscard]] std::vector<std::int64_t> reals(const Range& range, const std::vector<std::int64_t>& narrower,
+                                                  std::int64_t scale) {
+        std::set<std::int64_t> units;
+        bool fits = true;
+        const auto add = [&](std::optional<std::int64_t> unit) {
+            if (unit)
+                units.insert(*unit);
+            else
+                fits = false;
+        };
+        for (const auto value : whole(range, "real", narrower)) add(checked_multiply(value, scale));
+        for (const auto& literal : literals_.real)
+            if (literal.decimals > 0) add(scale_decimal(literal, scale));
+        if (!fits) diagnostics_.report(rules::scale_too_large, {}, {std::to_string(scale)});
+        return {units.begin(), units.end()};
+    }
+
+private:
+    const Literals& literals_;
+    Diagnostics& diagnostics_;
+    bool reported_ = false;
+};
 
 /// The value at which all clocks of the model can saturate without a change of any comparison.
 std::int64_t clock_need(const System& system, const Instantiation& instantiation) {
@@ -257,9 +294,10 @@ Instantiation instantiate_system(const System& system, const InstantiationOption
     instantiation.scale = scale_of(literals);
     literals.strings.insert("");
     instantiation.strings.assign(literals.strings.begin(), literals.strings.end());
-    instantiation.nat = numbers_in(ranges.by_type[0], "nat", literals, diagnostics);
-    instantiation.integer = numbers_in(ranges.by_type[1], "int", literals, diagnostics);
-    instantiation.real = real_numbers(ranges.by_type[2], literals, instantiation.scale, diagnostics);
+    NumberCarriers numbers(literals, diagnostics);
+    instantiation.nat = numbers.whole(ranges.by_type[0], "nat", {});
+    instantiation.integer = numbers.whole(ranges.by_type[1], "int", instantiation.nat);
+    instantiation.real = numbers.reals(ranges.by_type[2], instantiation.integer, instantiation.scale);
     set_constants(system, chosen, instantiation);
     const std::int64_t clocks = clock_need(system, instantiation);
     instantiation.clock_bound = std::max(instantiation.clock_bound, clocks);

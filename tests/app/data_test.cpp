@@ -235,6 +235,28 @@ TEST(Classes, GiveTheAnswersOfCarriersThatHaveAllClasses) {
     EXPECT_GT(failing, tests::rounds(50)) << "some claims fail";
 }
 
+/// Data with classes need no carrier, so a carrier of millions is no obstacle. Data that keep their carrier have the
+/// numbers of the model and their neighbours: 4,999,999 and 5,000,001 lead to different states.
+TEST(Classes, NumbersOfMillionsAreDecided) {
+    const testing::TemporaryFile classes(
+        "m.rct",
+        "stm S { event e : nat var u : nat var x : nat initial i state A { } state B { } transition t0 { from i to A } "
+        "transition t1 { from A to B trigger e ? x condition x < 5000000 } }");
+    const Answers found = answers_for(classes.path());
+    EXPECT_EQ(found.verdicts.at("state machine S deadlock-free"), "fails") << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S every transition fires"), "holds") << found.text;
+    EXPECT_TRUE(found.classes.contains("e")) << found.text;
+    const testing::TemporaryFile carriers(
+        "m.rct",
+        "stm S { event e : nat event f : nat var x : nat var y : nat initial i state A { } state B { } state C { } "
+        "transition t0 { from i to A } transition t1 { from A to A trigger e ? x } "
+        "transition t2 { from A to B trigger f ? y condition x < y /\\ y < 5000000 } "
+        "transition t3 { from A to C trigger f ? y condition x < y /\\ y > 5000000 } }");
+    const Answers kept = answers_for(carriers.path());
+    EXPECT_EQ(kept.verdicts.at("state machine S every transition fires"), "holds") << kept.text;
+    EXPECT_THAT(kept.text, ::testing::HasSubstr("nat 6 values in 0..5000001"));
+}
+
 TEST(Classes, AreTurnedOffByAnOptionAndByRanges) {
     const testing::TemporaryFile model(
         "m.rct",

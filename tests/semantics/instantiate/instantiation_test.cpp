@@ -275,7 +275,19 @@ TEST(Instantiate, NumbersTooLargeForTheScaleAreReported) {
                        compare(ExprKind::less, samples::variable(1, types.real), decimal(1, 18))});
     EXPECT_EQ(codes(with_guard(guard), {}), Codes{"RC-S16"});
     EXPECT_EQ(codes(with_guard(compare(ExprKind::less, samples::variable(0, types.nat), nat(1LL << 40))), {}),
-              (Codes{"RC-S15", "RC-S15", "RC-S15"}));
+              Codes{"RC-S25"});
+}
+
+/// The carriers have the numbers that comparisons with the model's numbers can tell apart, and the types stay nested.
+TEST(Instantiate, ALargeRangeHasTheNumbersOfTheModelAndTheirNeighbours) {
+    const auto lowered = samples::lower_text(samples::machine_text(
+        "event e:nat var n:nat var k:int transition t { from A to A trigger e?n condition n < 4000000 /\\ k > 7 }"));
+    Diagnostics diagnostics;
+    const Instantiation inst = instantiate_system(lowered->system, {}, diagnostics);
+    EXPECT_TRUE(diagnostics.ok());
+    EXPECT_EQ(inst.nat, (std::vector<std::int64_t>{0, 1, 2, 6, 7, 8, 3999999, 4000000, 4000001}));
+    EXPECT_EQ(inst.integer, (std::vector<std::int64_t>{-2, -1, 0, 1, 2, 6, 7, 8, 3999999, 4000000, 4000001}));
+    EXPECT_EQ(inst.real, inst.integer);
 }
 
 /// The message shows the number that makes a type large, with its place in the model. If an option causes it, there is
@@ -289,7 +301,7 @@ TEST(Instantiate, ATypeThatIsTooLargeNamesTheNumber) {
         return diagnostics.sorted_findings().at(0);
     };
     const diagnostics::Diagnostic found = first({});
-    EXPECT_EQ(found.rule->code, "RC-S15");
+    EXPECT_EQ(found.rule->code, "RC-S25");
     ASSERT_TRUE(found.span.is_known());
     EXPECT_EQ(
         lowered->sources.source_text(found.span.source).substr(found.span.begin, found.span.end - found.span.begin),
