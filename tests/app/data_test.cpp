@@ -267,6 +267,92 @@ TEST(Classes, AreTurnedOffByAnOptionAndByRanges) {
     EXPECT_TRUE(answers_for(model.path(), {"--range", "nat=0..9"}).classes.empty());
 }
 
+// ---------------------------------------------------------------- shortcuts that would be unsound
+
+Answers answers_for_text(const std::string& text) {
+    const testing::TemporaryFile model("m.rct", text);
+    return answers_for(model.path());
+}
+
+/// Two conditions on one value are not free for themselves: no value is above 10 and at most 5. With a truth value for
+/// each condition, `Stuck` would be reachable.
+TEST(Shortcuts, ConditionsOnOneValueDependOnEachOther) {
+    const Answers found = answers_for_text(
+        "stm S { event e : real event go var v : real initial i state A { } state High { } state Stuck { } "
+        "transition t0 { from i to A } transition t1 { from A to A trigger e ? v } "
+        "transition t2 { from A to High trigger go condition v > 10.5 } "
+        "transition t3 { from High to Stuck trigger go condition v <= 5.25 } "
+        "transition t4 { from High to A trigger go condition v > 5.25 } }");
+    EXPECT_EQ(found.verdicts.at("state machine S High is reachable"), "holds") << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S Stuck is reachable"), "fails") << found.text;
+}
+
+/// The least element of an empty window is undefined, so neither the condition nor its negation is true. With
+/// "undefined is false", the negation would be true and the junction would always have a way on.
+TEST(Shortcuts, UndefinedIsNotFalse) {
+    const Answers found = answers_for_text(
+        "import sequence_toolkit::* import set_toolkit::* import relation_toolkit::* "
+        "stm S { event e : Seq(real) var s : Seq(real) initial i state A { } junction k transition t0 { from i to A } "
+        "transition t1 { from A to k trigger e ? s } "
+        "transition t2 { from k to A condition min(ran(extract([1, 3], s))) < 0.5 } "
+        "transition t3 { from k to A condition not (min(ran(extract([1, 3], s))) < 0.5) } }");
+    EXPECT_EQ(found.classes.at("e"), 3U) << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S deadlock-free"), "fails") << found.text;
+}
+
+/// A value that is only passed on by one machine is tested by another, behind an asynchronous connection.
+TEST(Shortcuts, AReaderBehindABufferDistinguishesValues) {
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"m/m.rct",
+         "interface I { event e : real } interface O { event back } "
+         "interface W { event e : real event go } "
+         "stm First { uses I event out_ : real var x : real initial i state A { } "
+         "transition t0 { from i to A } transition t1 { from A to A trigger e ? x action "
+         "out_ ! x } } "
+         "stm Second { event in_ : real var y : real initial i state A { } state Far { } "
+         "transition t0 { from i to A } "
+         "transition t1 { from A to Far trigger in_ ? y condition y > 7.5 } "
+         "transition t2 { from A to A trigger in_ ? y condition y <= 7.5 } } "
+         "controller C { uses I sref a = First sref b = Second "
+         "connection C on e to a on e connection a on out_ to b on in_ ( _async ) }"}};
+    const testing::Folder folder(files);
+    const auto ran = run({"check", folder / "m", "--core", "--no-cache", "--format", "json"});
+    const Json json = Json::parse(ran.out, nullptr, false);
+    ASSERT_FALSE(json.is_discarded()) << ran.out << ran.err;
+    std::map<std::string, std::size_t> classes;
+    for (const Json& data : json.value("data", Json::array()))
+        for (const Json& place : data.at("places")) classes[place.get<std::string>()] = data.at("classes");
+    EXPECT_EQ(classes["x"], 2U) << ran.out << ran.err;
+    EXPECT_EQ(classes["y"], 2U);
+}
+
+/// A loop over data that come from outside keeps its numbers: no line says that the verdict is about all values.
+TEST(Shortcuts, ALoopBoundIsNoClass) {
+    const Answers found = answers_for_text(
+        "stm S { event e : nat event done var n : nat var i : nat initial j state A { } state Loop { } "
+        "transition t0 { from j to A } transition t1 { from A to Loop trigger e ? n action i = 0 } "
+        "transition t2 { from Loop to Loop condition i < n action i = i + 1 } "
+        "transition t3 { from Loop to A condition i >= n action done } }");
+    EXPECT_FALSE(found.classes.contains("n")) << found.text;
+    EXPECT_FALSE(found.classes.contains("e")) << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S divergence-free"), "holds") << found.text;
+}
+
+/// Claims that observe values are decided with values: the block sends what it has received.
+TEST(Shortcuts, ClaimsThatObserveValuesHaveNoClasses) {
+    const testing::Folder folder(
+        {{"m/m.rct",
+          "stm S { event e : nat event out_ : nat var x : nat initial i state A { } state B { } "
+          "transition t0 { from i to A } transition t1 { from A to B trigger e ? x } "
+          "transition t2 { from B to A action out_ ! 1 } }"},
+         {"m/m.assertions",
+          "untimed csp Spec csp-begin Spec = S::e.in?v -> S::out_.out!v -> Spec csp-end "
+          "untimed assertion A : S refines Spec in the traces model"}});
+    const auto ran = run({"check", folder / "m", "--no-cache"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, ::testing::Not(::testing::HasSubstr("any value")));
+}
+
 /// RoboTool's carriers end at the greatest literal, so nothing is above it.
 TEST(Carriers, OfRoboToolAreThoseOfTheOptionAndOfExportedScripts) {
     const std::string text =
