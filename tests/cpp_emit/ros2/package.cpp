@@ -59,7 +59,6 @@ void Package::build(const std::string& options) const {
 }
 
 void Package::drive(const std::string& node_header, const std::string& text, bool traced) const {
-    build(traced ? "-DROBOCHART_TRACE=ON" : "");
     write("drive.cpp",
           "#include \"" + node_header +
               "\"\n#define EXPECT(x) if (!(x)) return __LINE__\n"
@@ -78,9 +77,10 @@ void Package::drive(const std::string& node_header, const std::string& text, boo
               "    Network::get().log.clear();\n"
               "    return lines == 1;\n}\n" +
               text);
-    folder_.run("c++ -std=c++17 -O0 -DROBOCHART_TRACE=" + std::to_string(traced) + " -I " + stub() +
-                "/include -I src -I controller drive.cpp -Lbuild -l:$(basename build/*_node.so) "
-                "-Wl,-rpath,$PWD/build -o drive");
+    folder_.run(
+        "for f in controller/*.cpp src/*_node.cpp drive.cpp; do echo \"#include \\\"$PWD/$f\\\"\"; done > whole.cpp; "
+        "c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -DROBOCHART_TRACE=" +
+        std::to_string(traced) + " -I " + stub() + "/include -I src -I controller whole.cpp -o drive");
     folder_.run("./drive; code=$?; test $code = 0 || { sed -n ${code}p drive.cpp; exit 1; }");
 }
 

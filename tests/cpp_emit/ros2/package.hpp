@@ -28,7 +28,8 @@ protected:
               const ir::InstantiationOptions& = {});
     /// Builds the package with CMake, with all warnings as errors.
     void build(const std::string& options = "") const;
-    /// Builds and runs a program with the node. The program returns 0, or the line of the first EXPECT that fails.
+    /// Compiles the node with a program as one source, and runs it. The program returns 0, or the line of the first
+    /// EXPECT that fails.
     void drive(const std::string& node_header, const std::string& text, bool traced = false) const;
 
     void write(const std::string& path, const std::string& text) const;
