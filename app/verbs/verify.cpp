@@ -102,11 +102,8 @@ std::vector<std::string> instantiation_notes(const std::vector<driver::Part>& pa
             result.push_back(same ? note : fmt::format("{}: {}", project->name, note));
         if (same) break;
     }
-    const auto replaces = [](const ir::CspBlock& block) {
-        return block.name == "Instantiations" || block.name == "instantiations";
-    };
     for (const driver::Project* project : finite)
-        if (std::ranges::any_of(project->system.csp_blocks, replaces))
+        if (std::ranges::any_of(project->system.csp_blocks, ir::is_instantiations))
             result.push_back(fmt::format(
                 "{}the csp block Instantiations replaces that in the scripts, `--range` and `--const` change nothing "
                 "there; generated C++ and its comparison do not read it",

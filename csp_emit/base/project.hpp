@@ -7,6 +7,7 @@
 #include "csp_emit/base/emission.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
 
@@ -26,7 +27,7 @@ struct Project {
     /// Whether a CSP block replaces the generated carriers, constants and functions (semantics 3.13). RoboTool's
     /// documents write `Instantiations`, some models `instantiations`.
     [[nodiscard]] bool replaces_instantiations(const ir::CspBlock& block) const {
-        return (block.name == "Instantiations" || block.name == "instantiations") && block_applies(block);
+        return ir::is_instantiations(block) && block_applies(block);
     }
     /// Whether some CSP block replaces the generated instantiations.
     [[nodiscard]] bool instantiations_replaced() const;

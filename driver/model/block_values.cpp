@@ -94,9 +94,7 @@ std::vector<std::string> constants_unlike(const Project& project, const Definiti
 }  // namespace
 
 std::string values_unlike_blocks(const Project& project, const cspm::Script& without_blocks) {
-    const auto replaces = [](const ir::CspBlock& block) {
-        return block.timed && (block.name == "Instantiations" || block.name == "instantiations");
-    };
+    const auto replaces = [](const ir::CspBlock& block) { return block.timed && ir::is_instantiations(block); };
     const auto& blocks = project.system.csp_blocks;
     if (std::ranges::none_of(blocks, replaces)) return "";
     diagnostics::Diagnostics unread;  // findings in blocks are reported when assertions are decided

@@ -103,10 +103,6 @@ std::optional<std::int64_t> defined_number(const std::string& text, const std::s
     return std::nullopt;
 }
 
-bool is_instantiations(const CspBlock& block) {
-    return block.name == "Instantiations" || block.name == "instantiations";
-}
-
 /// The possible values of expressions without variables.
 class KnownValues {
 public:

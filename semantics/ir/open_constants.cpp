@@ -21,8 +21,7 @@ bool is_open(const System& system, const std::string& name) {
     const std::vector<NamedConstant> constants = named_constants(system);
     return std::ranges::none_of(constants, [&](const NamedConstant& constant) {
         const auto mentioned = [&](const CspBlock& block) {
-            return (block.name == "Instantiations" || block.name == "instantiations") &&
-                   block.text.find(constant.name) != std::string::npos;
+            return is_instantiations(block) && block.text.find(constant.name) != std::string::npos;
         };
         return ends(constant.path) && (constant.has_value || std::ranges::any_of(system.csp_blocks, mentioned));
     });

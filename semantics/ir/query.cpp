@@ -192,4 +192,8 @@ std::vector<NamedConstant> named_constants(const System& system) {
     return list.take_constants();
 }
 
+bool is_instantiations(const CspBlock& block) {
+    return block.name == "Instantiations" || block.name == "instantiations";
+}
+
 }  // namespace robochart::ir

@@ -65,4 +65,7 @@ struct NamedConstant {
 /// Whether a user may write `name` for the element with this path: the path itself, or its end after a `::`.
 [[nodiscard]] bool is_named_by(const std::string& path, const std::string& name);
 
+/// Whether the block replaces carriers, constants and functions of the scripts: `csp Instantiations`.
+[[nodiscard]] bool is_instantiations(const CspBlock&);
+
 }  // namespace robochart::ir
