@@ -3,24 +3,40 @@
 
 #include <algorithm>
 
+#include "semantics/ir/query.hpp"
+
 namespace robochart::driver {
 namespace {
 
 bool observes_values(const ir::Property& property) {
     return property.kind == ir::PropertyKind::refines || property.kind == ir::PropertyKind::equals ||
-           property.kind == ir::PropertyKind::conforms;
+           property.kind == ir::PropertyKind::conforms || property.subject.kind == ir::ComponentKind::process;
+}
+
+/// The system without the claims that observe values.
+ir::System without_observers(ir::System system) {
+    system.csp_blocks.clear();
+    std::erase_if(system.properties, observes_values);
+    return system;
 }
 
 }  // namespace
 
+bool has_observers(const ir::System& system) {
+    return !system.csp_blocks.empty() ||
+           std::ranges::any_of(system.properties, [](const auto& property) { return observes_values(property); });
+}
+
 ClassProject class_project(const Project& project, const Settings& settings) {
-    const bool observed = !project.system.csp_blocks.empty() || !settings.swarm.file.empty() ||
-                          std::ranges::any_of(project.system.properties, observes_values);
     const bool ranges_chosen =
         std::ranges::any_of(project.asked.ranges, [](const auto& range) { return range.first != "clock"; });
-    if (settings.claims.concrete || ranges_chosen || observed) return {};
-    auto replaced = ir::class_model(project.system, project.instantiation);
+    const bool instantiated = std::ranges::any_of(project.system.csp_blocks, ir::is_instantiations);
+    if (settings.claims.concrete || ranges_chosen || instantiated || !settings.swarm.file.empty()) return {};
+    auto replaced = ir::class_model(without_observers(project.system), project.instantiation);
     if (!replaced) return {};
+    const bool unlimited =
+        !replaced->small_carriers && std::ranges::any_of(replaced->data, &ir::ReplacedData::all_values);
+    if (!unlimited && has_observers(project.system)) return {};
     ClassProject result{with_data(project, std::move(replaced->system), std::move(replaced->instantiation)),
                         std::move(replaced->data), replaced->small_carriers};
     result.project->outputs_replaced = std::move(replaced->outputs_replaced);
@@ -34,8 +50,16 @@ bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obli
     return classes.outputs_replaced.contains(obligation.component.substr(machine.size()));
 }
 
-bool is_decided_in_carriers(const ClassProject& classes, const csp_emit::Obligation& obligation) {
-    return classes.project && classes.small_carriers && is_open_in_classes(*classes.project, obligation);
+bool observes_values(const ir::System& system, const csp_emit::Obligation& obligation) {
+    if (obligation.property == ir::no_id) return obligation.component.empty();
+    return observes_values(system.properties.at(obligation.property));
+}
+
+bool is_decided_in_carriers(const ClassProject& classes, const ir::System& system,
+                            const csp_emit::Obligation& obligation) {
+    if (!classes.project) return false;
+    return observes_values(system, obligation) ||
+           (classes.small_carriers && is_open_in_classes(*classes.project, obligation));
 }
 
 }  // namespace robochart::driver

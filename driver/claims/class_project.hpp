@@ -16,15 +16,20 @@ struct ClassProject {
     bool small_carriers = false;  ///< the replaced data have few values in the finite instantiation
 };
 
-/// The project with classes of values. Null if no data can be replaced, if claims observe values (CSP blocks, rules,
-/// comparisons of components), if a swarm is decided, or if the settings ask for the finite instantiation or choose
-/// ranges.
+/// The project with classes of values, without the claims that observe values. Null if no data can be replaced, if a
+/// CSP block replaces the instantiation, if a swarm is decided, or if the settings ask for the finite instantiation or
+/// choose ranges. Also null if there are claims that observe values, and the values are few or all occur in the model,
+/// because both sorts of claims then share the work on the components.
 [[nodiscard]] ClassProject class_project(const Project& project, const Settings& settings);
 
+/// Whether some claim may observe values of events: comparisons of components, rules, and CSP blocks.
+[[nodiscard]] bool has_observers(const ir::System& system);
 /// True for a claim of determinism about a component whose outputs have names of classes: if it holds with classes, it
 /// is open.
 [[nodiscard]] bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation);
-/// True for a claim that is open with classes and is decided in the finite instantiation instead.
-[[nodiscard]] bool is_decided_in_carriers(const ClassProject& classes, const csp_emit::Obligation& obligation);
+/// True for a claim of this system that observes values, or that is open with classes and is decided in the finite
+/// instantiation instead.
+[[nodiscard]] bool is_decided_in_carriers(const ClassProject& classes, const ir::System& system,
+                                          const csp_emit::Obligation& obligation);
 
 }  // namespace robochart::driver

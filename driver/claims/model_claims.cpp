@@ -405,15 +405,23 @@ void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds)
     }
 }
 
+/// The values that claims are about.
+enum class Values {
+    of_project,   ///< of all data of the project
+    of_carriers,  ///< of the finite instantiation, where other claims are about classes of values
+};
+
 /// Decides claims in one semantics, timed or untimed.
 class TimeClaims {
 public:
     /// Lists the claims that `takes` selects in the results.
-    TimeClaims(Project& project, const SearchContext& search, Time time, ClaimFilter takes, ClaimResults& results)
+    TimeClaims(Project& project, const SearchContext& search, Time time, ClaimFilter takes, Values values,
+               ClaimResults& results)
         : project_(project),
           search_(search),
           time_(time),
           takes_(std::move(takes)),
+          values_(values),
           emission_(emit_csp(project, search.settings.claims, search.settings.swarm, time)),
           results_(results),
           watch_(project, emission_, project.instantiation),
@@ -445,7 +453,10 @@ public:
         session_.reset();
     }
 
+    [[nodiscard]] bool is_in_carriers() const { return values_ == Values::of_carriers; }
+
     void measure_if_asked() {
+        if (is_in_carriers()) return;  // the sizes are those of the other claims
         if (search_.settings.claims.sizes && given_back_ && !session_) (void)open_session();
         if (session_ && search_.settings.claims.sizes)
             measure_sizes(project_, *session_, emission_, time_, search_, results_);
@@ -502,6 +513,13 @@ private:
         }
         premises_.apply_premise(context, obligation, one);
         second_look_->add_to(obligation, one);
+        if (is_in_carriers() && (one.answer == Answer::holds || one.answer == Answer::fails))
+            add(one.basis, {GroundKind::carriers,
+                            "this claim compares values, those of the finite instantiation",
+                            {},
+                            {},
+                            {},
+                            {}});
         add_bounds(reached_, watch_, obligation, one);
     }
 
@@ -521,6 +539,7 @@ private:
     SearchContext search_;
     Time time_;
     ClaimFilter takes_;
+    Values values_;
     const csp_emit::Emission& emission_;
     ClaimResults& results_;
     BoundWatch watch_;
@@ -553,6 +572,20 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
     }
 }
 
+/// Puts the claims of one semantics from `first` to `end` in the order of the project's script.
+void order_claims(const Project& project, const csp_emit::Emission& emission, std::size_t first, std::size_t end,
+                  std::vector<AssertionReport>& assertions) {
+    std::map<std::string, std::size_t> order;
+    for (const csp_emit::Obligation& obligation : emission.obligations)
+        order.emplace(project.label + obligation.title, order.size());
+    const auto at = assertions.begin();
+    std::ranges::stable_sort(at + static_cast<std::ptrdiff_t>(first), at + static_cast<std::ptrdiff_t>(end), {},
+                             [&](const AssertionReport& one) {
+                                 const auto found = order.find(one.title);
+                                 return found == order.end() ? order.size() : found->second;
+                             });
+}
+
 }  // namespace
 
 void check_assertions(Project& project, const SearchContext& search, ClaimResults& results) {
@@ -569,18 +602,27 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     Project& decided = classes.project ? *classes.project : project;
     results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
     std::vector<std::unique_ptr<TimeClaims>> times;
+    std::vector<std::function<void()>> orders;  // of claims that are decided in two projects
     for (const Time time : {Time::untimed, Time::timed}) {
         const bool left_out = search.settings.claims.times == (time == Time::timed ? Times::untimed : Times::timed);
         if (left_out || !project.diagnostics.ok() || !decided.diagnostics.ok()) continue;
-        const auto add = [&](Project& of, ClaimFilter takes) {
-            times.push_back(std::make_unique<TimeClaims>(of, search, time, std::move(takes), results));
+        const auto add = [&](Project& of, bool in_carriers, Values values) {
+            const auto takes = [&classes, &of, in_carriers](const csp_emit::Obligation& obligation) {
+                return is_decided_in_carriers(classes, of.system, obligation) == in_carriers;
+            };
+            times.push_back(std::make_unique<TimeClaims>(of, search, time, takes, values, results));
             times.back()->add_to(claims);
         };
-        const auto in_carriers = [&classes](const csp_emit::Obligation& obligation) {
-            return is_decided_in_carriers(classes, obligation);
-        };
-        add(decided, std::not_fn(in_carriers));
-        if (classes.small_carriers && !decided.outputs_replaced.empty()) add(project, in_carriers);
+        const std::size_t first = results.assertions.size();
+        add(decided, false, Values::of_project);
+        if (classes.project &&
+            (has_observers(project.system) || (classes.small_carriers && !decided.outputs_replaced.empty())))
+            add(project, true, Values::of_carriers);
+        if (times.back()->is_in_carriers())
+            orders.push_back([&, time, first, end = results.assertions.size()] {
+                const auto& emission = emit_csp(project, search.settings.claims, search.settings.swarm, time);
+                order_claims(project, emission, first, end, results.assertions);
+            });
     }
     if (&decided != &project) project.diagnostics.add(decided.diagnostics);
     if (probabilities) probabilities->add_to(claims);
@@ -590,6 +632,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         if (probabilities) probabilities->give_back();
     });
     for (const auto& time : times) time->measure_if_asked();
+    for (const auto& order : orders) order();
 }
 
 }  // namespace robochart::driver

@@ -10,8 +10,8 @@
 namespace robochart::driver {
 
 std::string_view name_of(GroundKind kind) {
-    constexpr std::array<std::string_view, 9> names{"guard",       "bound",      "noTime",   "timeStops", "ended",
-                                                    "neverAtRest", "neverAsked", "constant", "sampling"};
+    constexpr std::array<std::string_view, 10> names{"guard",       "bound",      "noTime",   "timeStops", "ended",
+                                                     "neverAtRest", "neverAsked", "constant", "sampling",  "carriers"};
     return names[static_cast<std::size_t>(kind)];
 }
 

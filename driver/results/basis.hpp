@@ -25,6 +25,7 @@ enum class GroundKind : unsigned char {
     never_asked,    ///< no run reaches the subject of the claim
     constant,       ///< probabilistic: a constant has a chosen value, because nothing gives it one
     sampling,       ///< probabilistic: random paths, not all states
+    carriers,       ///< the claim is about the values of carriers; other claims are about classes of values
 };
 
 /// The kind as a word in data formats: "guard", "noTime".

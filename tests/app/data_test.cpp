@@ -338,19 +338,29 @@ TEST(Shortcuts, ALoopBoundIsNoClass) {
     EXPECT_EQ(found.verdicts.at("state machine S divergence-free"), "holds") << found.text;
 }
 
-/// Claims that observe values are decided with values: the block sends what it has received.
+/// A claim that compares values is decided with values: the block sends what it has received, and the machine sends 1.
+/// The other claims of the model have classes. The report keeps the order of the claims.
 TEST(Shortcuts, ClaimsThatObserveValuesHaveNoClasses) {
     const testing::Folder folder(
         {{"m/m.rct",
           "stm S { event e : nat event out_ : nat var x : nat initial i state A { } state B { } "
-          "transition t0 { from i to A } transition t1 { from A to B trigger e ? x } "
+          "transition t0 { from i to A } transition t1 { from A to B trigger e ? x condition x < 70 } "
           "transition t2 { from B to A action out_ ! 1 } }"},
          {"m/m.assertions",
           "untimed csp Spec csp-begin Spec = S::e.in?v -> S::out_.out!v -> Spec csp-end "
-          "untimed assertion A : S refines Spec in the traces model"}});
-    const auto ran = run({"check", folder / "m", "--no-cache"});
+          "untimed assertion First : S refines Spec in the traces model "
+          "untimed assertion Second : S is deadlock-free "}});
+    const auto ran = run({"check", folder / "m", "--no-cache", "--format", "json"});
     EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, ::testing::Not(::testing::HasSubstr("any value")));
+    const Json json = Json::parse(ran.out, nullptr, false);
+    ASSERT_FALSE(json.is_discarded()) << ran.out << ran.err;
+    const Json& claims = json.at("assertions");
+    ASSERT_EQ(claims.size(), 2U);
+    EXPECT_EQ(claims[0].at("answer"), "fails");
+    EXPECT_EQ(claims[0].at("basis").at(0).at("kind"), "carriers");
+    EXPECT_EQ(claims[1].at("answer"), "holds");
+    EXPECT_FALSE(claims[1].contains("basis")) << ran.out;
+    EXPECT_EQ(json.at("data").size(), 2U) << ran.out;
 }
 
 /// RoboTool's carriers end at the greatest literal, so nothing is above it.

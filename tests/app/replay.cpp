@@ -412,12 +412,15 @@ void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum, bo
     if (!project->diagnostics.ok()) return;
     const json parsed = json::parse(render_json(report));
     const driver::ClassProject classes = driver::class_project(*project, options);
-    const auto in_carriers = [&](const csp_emit::Obligation& obligation) {
-        return !classes.project || driver::is_decided_in_carriers(classes, obligation);
+    const auto in_carriers = [&](const driver::Project& of, bool wanted) -> ClaimFilter {
+        return [&, wanted](const csp_emit::Obligation& obligation) {
+            return (!classes.project || driver::is_decided_in_carriers(classes, of.system, obligation)) == wanted;
+        };
     };
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
-        if (classes.project) replay_time(*classes.project, options, time, parsed, std::not_fn(in_carriers), sum);
-        replay_time(*project, options, time, parsed, in_carriers, sum);
+        if (classes.project)
+            replay_time(*classes.project, options, time, parsed, in_carriers(*classes.project, false), sum);
+        replay_time(*project, options, time, parsed, in_carriers(*project, true), sum);
     }
 } catch (const diagnostics::LimitReached&) {
     // The counterexamples that were compared before the limit count.
