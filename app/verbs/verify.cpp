@@ -244,9 +244,11 @@ bool write_csp(driver::Project& project, const Options& options, Report& report)
     bool written = write_scripts(exported, options.swarm.file.empty() ? project.name : project.name + "_swarm", {},
                                  options, report);
     const driver::ClassProject classes = driver::class_project(project, options);
-    if (written && classes.project)
+    if (written && classes.project) {
         written = write_scripts(*classes.project, project.name + "_classes",
                                 ir::describe_classes(classes.project->system), options, report);
+        if (!classes.project->diagnostics.ok()) project.diagnostics.add(classes.project->diagnostics);
+    }
     // A check has reported the findings of the script already.
     if (other && options.verb == Verb::emit_csp) project.diagnostics.add(exported.diagnostics);
     return written;
