@@ -128,7 +128,75 @@ private:
         const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
         if (!clock) mark_tested(expr->type);
         for (const ir::TypeId type : expr->bound_types) mark_enumerated(type);
-        for (const ir::ExprPtr& part : expr->args) mark_used(part);
+        const bool whole = depends_on_parts(expr->kind);
+        for (const ir::ExprPtr& part : expr->args) {
+            if (whole && part->type.is_valid()) mark_enumerated(part->type);
+            mark_used(part);
+        }
+    }
+
+    /// Whether the value of an expression of this kind may depend on all parts of its operands: `p == q` compares the
+    /// fields of p and q. The other kinds only select, build or store values.
+    static bool depends_on_parts(ir::ExprKind kind) {
+        switch (kind) {
+            case ir::ExprKind::boolean:
+            case ir::ExprKind::integer:
+            case ir::ExprKind::real:
+            case ir::ExprKind::string:
+            case ir::ExprKind::enum_literal:
+            case ir::ExprKind::variable:
+            case ir::ExprKind::trigger_value:
+            case ir::ExprKind::constant:
+            case ir::ExprKind::since:
+            case ir::ExprKind::since_entry:
+            case ir::ExprKind::bound:
+            case ir::ExprKind::function_value:
+            case ir::ExprKind::if_then_else:
+            case ir::ExprKind::tuple:
+            case ir::ExprKind::record:
+            case ir::ExprKind::sequence:
+            case ir::ExprKind::matrix:
+            case ir::ExprKind::member:
+            case ir::ExprKind::index:
+            case ir::ExprKind::concat:
+            case ir::ExprKind::transpose:
+                return false;
+            case ir::ExprKind::negate:
+            case ir::ExprKind::logical_not:
+            case ir::ExprKind::iff:
+            case ir::ExprKind::implies:
+            case ir::ExprKind::disjunction:
+            case ir::ExprKind::conjunction:
+            case ir::ExprKind::equal:
+            case ir::ExprKind::not_equal:
+            case ir::ExprKind::greater:
+            case ir::ExprKind::greater_equal:
+            case ir::ExprKind::less:
+            case ir::ExprKind::less_equal:
+            case ir::ExprKind::plus:
+            case ir::ExprKind::minus:
+            case ir::ExprKind::times:
+            case ir::ExprKind::divide:
+            case ir::ExprKind::modulus:
+            case ir::ExprKind::call:
+            case ir::ExprKind::apply:
+            case ir::ExprKind::set:
+            case ir::ExprKind::is_in:
+            case ir::ExprKind::set_range:
+            case ir::ExprKind::cast:
+            case ir::ExprKind::forall:
+            case ir::ExprKind::exists:
+            case ir::ExprKind::exists_unique:
+            case ir::ExprKind::lambda:
+            case ir::ExprKind::the:
+            case ir::ExprKind::set_comprehension:
+            case ir::ExprKind::let:
+            case ir::ExprKind::toolkit:
+            case ir::ExprKind::is_type:
+            case ir::ExprKind::range:
+                return true;
+        }
+        return true;
     }
 
     void visit_communication(const ir::Communication& communication) {

@@ -3,6 +3,7 @@
 // the values. Faults found with all values are also found with the representatives.
 #include "conformance/model/representatives.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -118,6 +119,24 @@ TEST(Representatives, OnlyOfWhatNothingDependsOn) {
           "action answer!(if b[1, 1] > 0 then b else c end)", "action b[1, 1] = 0; answer!b",
           "condition exists x : matrix(real, 3, 5) @ x == b action answer!b"})
         EXPECT_TRUE(choose_for_text(with_block(depends)).types.empty()) << depends;
+}
+
+/// A comparison of messages compares the scans in them. A test of one field does not.
+TEST(Representatives, AreNotPartsOfWhatIsCompared) {
+    const auto text = [](const char* condition) {
+        return fmt::format(
+            "record R {{ a : real b : real c : real d : real e : real f : real }}\n"
+            "record P {{ scan : R near : boolean }}\n"
+            "stm S {{ event all : P event one : R event answer : R event same var p : P var q : P var s : Set(P)\n"
+            "var x : R initial i state A {{ }} transition t0 {{ from i to A }}\n"
+            "transition t1 {{ from A to A trigger all?p condition {} action same; q = p }}\n"
+            "transition t2 {{ from A to A trigger one?x action answer!x }} }}\n",
+            condition);
+    };
+    EXPECT_FALSE(choose_for_text(text("p.near")).types.empty());
+    EXPECT_FALSE(choose_for_text(text("p.near == q.near")).types.empty());
+    for (const char* const compared : {"p == q", "not (p != q)", "s == {}", "p in s", "(|p, q|) == (|q, p|)"})
+        EXPECT_TRUE(choose_for_text(text(compared)).types.empty()) << compared;
 }
 
 /// The representatives include the constants to which variables are initialised.
