@@ -53,6 +53,7 @@ BENCHMARKS = {
                           ["benchmarks/diagrams.sh", str(KERNELS / "benchmark_diagrams"), str(SHARED)], ["benchmark_diagrams"]),
     "disk": Benchmark("searches with checkpoints and with states on disk", script("search_on_disk.py"),
                       default=[str(SHARED / "bench/models/phils8.csp:1"), str(SHARED / "bench/models/milner18.csp:1")]),
+    "events": Benchmark("conformance of a robot with more and more events", script("conform_events.py")),
     "figures": Benchmark("figures about the code base and its build", [sys.executable, "benchmarks/code_figures.py"]),
     "hvc": Benchmark("the high-voltage controller's assertions, compared with the recorded answers of FDR",
                      script("decide_hvc.py", "--folder", SHARED / "bench/hvc")),
