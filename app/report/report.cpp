@@ -234,9 +234,11 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     if (r.dispatched > 0)
         out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
                            with_commas(r.dispatched));
+    const bool for_all = r.outcome == conformance::Outcome::conforms;
     for (const conformance::FewValues& represented : r.represented)
-        out += fmt::format("               {} values of {} explored, which the component only passes on\n",
-                           represented.values, represented.type);
+        out +=
+            fmt::format("               values       {}: {}{} explored\n", represented.type,
+                        for_all ? "any value (nothing depends on it), " : "", count_text(represented.values, "value"));
     if (!r.reason.empty()) out += fmt::format("               {}{}\n", r.reason, code_of(r.explanation.rule));
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
     write_cycles(out, r.cycles);

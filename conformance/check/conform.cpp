@@ -10,8 +10,8 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/process/term_system.hpp"
 #include "conformance/check/conformance_check.hpp"
+#include "conformance/check/enough_names.hpp"
 #include "conformance/check/export.hpp"
-#include "conformance/check/open_choice.hpp"
 #include "conformance/check/partial_readings.hpp"
 #include "conformance/check/random_walk.hpp"
 #include "conformance/check/standstill.hpp"
@@ -24,7 +24,6 @@
 #include "conformance/model/provenance_text.hpp"
 #include "conformance/model/representatives.hpp"
 #include "counterexample/evaluation_failure.hpp"
-#include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
 
@@ -122,42 +121,6 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
     return combine_with_walks(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-/// For each output, the arguments whose values few values represent. Empty if there are no such arguments.
-using Represented = std::vector<std::vector<bool>>;
-
-Represented represented_arguments(const ir::System& system, const Representatives& few,
-                                  const cpp_emit::Component& component) {
-    Represented result;
-    if (few.types.empty()) return result;
-    for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(component)) {
-        std::vector<bool>& arguments = result.emplace_back();
-        for (const ir::TypeId type : output.types) arguments.push_back(is_represented(system, few, type));
-    }
-    return result;
-}
-
-/// The outcome for few values is the outcome for all values, unless the model chooses between values.
-void decide_for_all(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
-                    const Represented& represented, const Options& options) {
-    if (represented.empty() || result.outcome != Outcome::conforms) return;
-    std::string reason;
-    try {
-        const auto model = session.system(process, options.limits);
-        ModelGraph graph(*model, alphabet);
-        NormalFormSystem normal_form(graph, alphabet, options.cycle_length);
-        const auto found = open_choice(normal_form, alphabet, represented, options.limits);
-        if (!found) return;
-        reason = fmt::format(
-            "no difference for the few values explored, but they do not represent all values: after one trace the "
-            "model may make either of {} and {}",
-            found->one, found->other);
-    } catch (const process::Interrupted& limit) {
-        reason = fmt::format("it was not decided whether few values represent all values: {}", limit.what());
-    }
-    result.outcome = Outcome::inconclusive;
-    result.reason = std::move(reason);
-}
-
 /// If a limit ended the check, reports the inputs whose values cause the large number of cycles.
 void report_large_inputs(Result& result, const Interface& interface) {
     constexpr double many = 100;
@@ -210,8 +173,8 @@ void name_model_places(Result& result, const csp_emit::Provenance& provenance,
 /// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
 /// terms.
 Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
-                    const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
-                    const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
+                    const ir::ComponentRef& component, const rc_interface& code, const Options& options,
+                    const diagnostics::SourceManager* sources, const EventPlaces& places) {
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     Interface interface = interface_of(code);
@@ -232,7 +195,6 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
                                   *sources);
             }
         }
-        decide_for_all(result, session, process, alphabet, represented, options);
         report_large_inputs(result, interface);
         result.normal_form = normal_form_text(script, process, alphabet, options.cycle_length);
         if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
@@ -251,66 +213,17 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
     }
 }
 
-/// The model with which one component is compared if few values represent all.
-struct FewValuesModel {
-    ir::Instantiation instantiation;
-    csp_emit::Emission script;
-    Represented represented;
-    std::vector<FewValues> types;
-};
-
-/// Returns no value if all values of the component can be explored, or if the component does not only pass on values of
-/// any type.
-std::optional<FewValuesModel> few_values_model(const TimedModel& timed, const ir::ComponentRef& component,
-                                               diagnostics::Diagnostics& diagnostics) {
-    const RenamedSystem& model = timed.model;
-    diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
-    const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
-    if (!resolved) return std::nullopt;
-    Representatives few = choose_representatives(model.system, model.instantiation, *resolved);
-    if (few.types.empty()) return std::nullopt;
-    FewValuesModel result;
-    result.represented = represented_arguments(model.system, few, *resolved);
-    for (const RepresentedType& type : few.types) result.types.push_back({type.name, type.values});
-    result.script =
-        csp_emit::emit(model.system, few.instantiation, csp_emit::Time::timed, {}, *timed.sources, diagnostics);
-    result.instantiation = std::move(few.instantiation);
-    return result;
-}
-
-}  // namespace
-
-Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
-                  const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
-    return judge_script(script, system, instantiation, component, code, {}, options, nullptr, {});
-}
-
-TimedModel timed_model(const ir::System& system, const ir::Instantiation& instantiation,
-                       diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+/// Generates and compiles code for an instantiation and compares it with the script of this instantiation.
+Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, const ir::Instantiation& instantiation,
+                    const csp_emit::Emission& script, const Options& options, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.error_count();
-    TimedModel timed{renamed_system(system, instantiation, diagnostics), {}, &sources};
-    timed.script =
-        csp_emit::emit(timed.model.system, timed.model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
-    timed.sound = diagnostics.error_count() == errors;
-    return timed;
-}
-
-Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
-               diagnostics::Diagnostics& diagnostics) {
-    const std::size_t errors = diagnostics.error_count();
-    const RenamedSystem& model = timed.model;
-    const ir::ComponentRef component = renamed_component(model, named);
-    if (!timed.sound || !component_process(timed.script.definitions, component))
-        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
-    const std::optional<FewValuesModel> few = few_values_model(timed, component, diagnostics);
-    const ir::Instantiation& instantiation = few ? few->instantiation : model.instantiation;
-
+    const ir::System& system = timed.model.system;
     cpp_emit::Options generator = options.generator;
     generator.cycle_length = options.cycle_length;
     generator.sources = timed.sources;
-    const cpp_emit::Emission code = cpp_emit::emit(model.system, instantiation, component, generator, diagnostics);
+    const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, component, generator, diagnostics);
     if (diagnostics.error_count() != errors || code.shim.empty())
-        return not_generated(fmt::format("no C++ is generated for {}", named.path));
+        return not_generated(fmt::format("no C++ is generated for {}", component.path));
 
     std::string error;
     diagnostics::Budget own(options.limits);
@@ -329,11 +242,72 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
         return result;
     }
     if (!object) return not_generated(std::move(error));
-    Result result =
-        judge_script(few ? few->script : timed.script, model.system, instantiation, component, object->interface(),
-                     few ? few->represented : Represented(), options, timed.sources, code.event_places);
-    if (few) result.represented = few->types;
+    return judge_script(script, system, instantiation, component, object->interface(), options, timed.sources,
+                        code.event_places);
+}
+
+/// The check of a component for whose types few values may represent all.
+Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& component, const Representatives& few,
+                        const Options& options, diagnostics::Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.error_count();
+    const csp_emit::Emission script =
+        csp_emit::emit(timed.model.system, few.instantiation, csp_emit::Time::timed, {}, *timed.sources, diagnostics);
+    if (diagnostics.error_count() != errors)
+        return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
+    Result result = judge_values(timed, component, few.instantiation, script, options, diagnostics);
+    for (const RepresentedType& type : few.types) result.represented.push_back({type.name, type.values});
     return result;
+}
+
+/// Completes a result for the least number of names: if it is not the result for all values, finds out how many names
+/// are needed, and repeats the check with them. A difference is a difference for any number of names.
+Result decide_for_all(Result least, const TimedModel& timed, const ir::ComponentRef& component,
+                      const cpp_emit::Component& resolved, const Options& options) {
+    if (least.outcome != Outcome::conforms) return least;
+    const EnoughNames enough = enough_names(timed.model, component, resolved, options, *timed.sources);
+    if (enough.names == least_names) return least;
+    if (!enough.names) {
+        least.outcome = Outcome::inconclusive;
+        least.reason = enough.reason;
+        return least;
+    }
+    diagnostics::Diagnostics apart;  // discarded, because the first check has reported the same findings
+    return judge_few_values(
+        timed, component,
+        choose_representatives(timed.model.system, timed.model.instantiation, resolved, *enough.names), options, apart);
+}
+
+}  // namespace
+
+Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
+                  const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
+    return judge_script(script, system, instantiation, component, code, options, nullptr, {});
+}
+
+TimedModel timed_model(const ir::System& system, const ir::Instantiation& instantiation,
+                       diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.error_count();
+    TimedModel timed{renamed_system(system, instantiation, diagnostics), {}, &sources};
+    timed.script =
+        csp_emit::emit(timed.model.system, timed.model.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
+    timed.sound = diagnostics.error_count() == errors;
+    return timed;
+}
+
+Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
+               diagnostics::Diagnostics& diagnostics) {
+    const RenamedSystem& model = timed.model;
+    const ir::ComponentRef component = renamed_component(model, named);
+    if (!timed.sound || !component_process(timed.script.definitions, component))
+        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
+    diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
+    const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
+    Representatives few;
+    if (resolved) few = choose_representatives(model.system, model.instantiation, *resolved);
+    if (few.types.empty())
+        return judge_values(timed, component, model.instantiation, timed.script, options, diagnostics);
+    Result least = judge_few_values(timed, component, few, options, diagnostics);
+    return decide_for_all(std::move(least), timed, component, *resolved, options);
 }
 
 Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breadth-first search over the normalised specification: a node represents the states after a trace.
+// Breadth-first search over the normalised specification: a node represents the states after a trace. Nodes are
+// numbered in the order of their discovery.
 #include "conformance/check/open_choice.hpp"
 
-#include <deque>
 #include <map>
 
 #include "checker/refine/verdict/normal_form.hpp"
@@ -40,23 +40,12 @@ std::optional<OpenChoice> open_choice(lts::TransitionSystem& normal_form, const 
                                       const std::vector<std::vector<bool>>& represented, const refine::Limits& limits) {
     refine::Budget budget(limits);
     refine::NormalForm nodes(normal_form, budget);
-    std::deque<refine::NormalForm::Node> waiting{nodes.initial()};
-    std::vector<bool> seen(nodes.size(), false);
-    seen[waiting.front()] = true;
-    while (!waiting.empty()) {
-        const refine::NormalForm::Node node = waiting.front();
-        waiting.pop_front();
+    nodes.initial();
+    for (refine::NormalForm::Node node = 0; node < nodes.size(); ++node) {
         const process::EventSet possible = nodes.initials(node);
         if (auto found = find_choice_among(possible, alphabet, represented)) return found;
-        for (const process::Event event : possible) {
-            const auto next = nodes.node_after(node, event);
-            if (!next) continue;
-            if (*next >= seen.size()) seen.resize(nodes.size(), false);
-            if (seen[*next]) continue;
-            seen[*next] = true;
-            waiting.push_back(*next);
-            budget.states(nodes.size());
-        }
+        for (const process::Event event : possible) static_cast<void>(nodes.node_after(node, event));
+        budget.states(nodes.size());
     }
     return std::nullopt;
 }

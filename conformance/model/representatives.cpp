@@ -3,10 +3,13 @@
 #include "conformance/model/representatives.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "conformance/code/code_system.hpp"
 #include "conformance/model/data_independence.hpp"
@@ -24,13 +27,19 @@ namespace {
 
 /// The maximal number of attempts to find an unused value.
 constexpr std::size_t attempts = 64;
+/// The number of attempts after which the distance between the leaves of a value grows.
+constexpr std::size_t attempts_with_distance = 16;
 
-/// Makes values that differ in every part: each leaf gets the next value of its carrier. `shift` is the offset of the
-/// first value.
+/// Makes a value whose parts differ: each leaf gets the value of its carrier that is `distance` after that of the leaf
+/// before it. Two values with the same distance and different offsets differ in every part if the carriers are large
+/// enough.
 class Sample {
 public:
-    Sample(const ir::System& system, const ir::Instantiation& instantiation, std::size_t shift)
-        : system_(system), instantiation_(instantiation), next_(shift) {}
+    Sample(const ir::System& system, const ir::Instantiation& instantiation, std::size_t attempt)
+        : system_(system),
+          instantiation_(instantiation),
+          next_(attempt % attempts_with_distance),
+          distance_(1 + attempt / attempts_with_distance) {}
 
     /// A value of the type; no value for functions and relations, whose values have no fixed shape. Recursion depth:
     /// the depth of types.
@@ -64,7 +73,8 @@ public:
         }
         const std::vector<ir::Value> values = ir::carrier_values(system_, instantiation_, id);
         if (values.empty()) return std::nullopt;
-        return values[next_++ % values.size()];
+        const std::size_t at = std::exchange(next_, next_ + distance_);
+        return values[at % values.size()];
     }
 
 private:
@@ -92,12 +102,56 @@ private:
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
     std::size_t next_;
+    std::size_t distance_;
 };
+
+using TakePart = std::function<void(ir::TypeId, const ir::Value&)>;
+
+void for_each_element(ir::TypeId type, const ir::Value& value, const TakePart& take) {
+    for (const ir::Value& part : value.parts) take(type, part);
+}
+
+void for_each_field(const std::vector<ir::TypeId>& types, const ir::Value& value, const TakePart& take) {
+    for (std::size_t i = 0; i < types.size() && i < value.parts.size(); ++i) take(types[i], value.parts[i]);
+}
+
+/// Visits the parts of a value with their types.
+void for_each_part(const ir::Type& type, const ir::Value& value, const TakePart& take) {
+    switch (type.kind) {
+        case ir::TypeKind::boolean:
+        case ir::TypeKind::nat:
+        case ir::TypeKind::integer:
+        case ir::TypeKind::real:
+        case ir::TypeKind::string:
+        case ir::TypeKind::given:
+        case ir::TypeKind::unit:
+            return;
+        case ir::TypeKind::enumeration:
+            if (const auto literal = static_cast<std::size_t>(value.number); literal < type.literal_args.size())
+                for_each_field(type.literal_args[literal], value, take);
+            return;
+        case ir::TypeKind::sequence:
+        case ir::TypeKind::set:
+        case ir::TypeKind::vector:
+            return for_each_element(type.args.at(0), value, take);
+        case ir::TypeKind::matrix:
+            for (const ir::Value& row : value.parts) for_each_element(type.args.at(0), row, take);
+            return;
+        case ir::TypeKind::product:
+        case ir::TypeKind::record:
+            return for_each_field(type.args, value, take);
+        case ir::TypeKind::function:
+        case ir::TypeKind::relation:
+            for (const ir::Value& pair : value.parts) for_each_field(type.args, pair, take);
+            return;
+    }
+}
 
 class Chooser {
 public:
-    Chooser(const ir::System& system, const ir::Instantiation& instantiation, const cpp_emit::Component& component)
-        : system_(system), component_(component), result_{instantiation, {}} {
+    Chooser(const ir::System& system, const ir::Instantiation& instantiation, const cpp_emit::Component& component,
+            std::size_t names)
+        : system_(system), component_(component), names_(names), result_{instantiation, {}} {
         std::vector<ir::MachineId> machines;
         for (const cpp_emit::Unit& unit : component.units) machines.push_back(unit.id);
         independent_ = data_independence(system, machines);
@@ -151,17 +205,17 @@ private:
 
     bool represent_type(ir::TypeId id) {
         std::set<ir::Value> values = fixed_values(id);
-        const std::size_t all = values.size() + 2;
-        for (std::size_t shift = 0; shift < attempts && values.size() < all; ++shift) {
-            std::optional<ir::Value> value = Sample(system_, result_.instantiation, shift).sample_value(id);
+        std::vector<ir::Value> names;
+        for (std::size_t attempt = 0; attempt < attempts && names.size() < names_; ++attempt) {
+            std::optional<ir::Value> value = Sample(system_, result_.instantiation, attempt).sample_value(id);
             if (!value) return false;
-            values.insert(std::move(*value));
+            if (values.insert(*value).second) names.push_back(std::move(*value));
         }
-        if (values.size() < all) return false;
+        if (names.size() < names_) return false;
         const std::vector<ir::Value> chosen(values.begin(), values.end());
         for (std::uint32_t other = 0; other < system_.types.size(); ++other)
             if (same_type(system_, id, ir::TypeId{other})) result_.instantiation.representatives[other] = chosen;
-        result_.types.push_back({id, ir::type_text(system_, id), chosen.size()});
+        result_.types.push_back({id, ir::type_text(system_, id), chosen.size(), std::move(names)});
         return true;
     }
 
@@ -185,42 +239,42 @@ private:
         for (const cpp_emit::StoredVariable& stored : component_.variables) take(stored.variable->type, stored.initial);
     }
 
-    /// Represents a kind of numbers at the boundary by the initial and written numbers of the component and two further
-    /// numbers.
+    /// Represents a kind of numbers at the boundary by the initial and written numbers of the component and further
+    /// numbers as names.
     void represent_numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
         const bool used =
             std::ranges::any_of(seen_, [&](std::uint32_t index) { return system_.types[index].kind == kind; });
         if (!used || !independent_.is_independent(kind)) return;
         std::set<std::int64_t> component_numbers{0};
-        for_each_fixed([&](ir::TypeId type, const ir::Value& value) {
-            collect_numbers(system_.type(type), value, kind, component_numbers);
-        });
+        for_each_fixed(
+            [&](ir::TypeId type, const ir::Value& value) { collect_numbers(type, value, kind, component_numbers); });
         for (const cpp_emit::Unit& unit : component_.units) collect_literals(*unit.machine, component_numbers);
         std::vector<std::int64_t> chosen;
-        std::size_t more = 2;
-        for (const std::int64_t number : carrier)
-            if (component_numbers.count(number) > 0 || (more > 0 && more-- > 0)) chosen.push_back(number);
-        if (more > 0 || chosen.size() == carrier.size()) return;
+        std::vector<ir::Value> names;
+        for (const std::int64_t number : carrier) {
+            const bool fixed = component_numbers.contains(number);
+            if (!fixed && names.size() == names_) continue;
+            chosen.push_back(number);
+            if (!fixed) names.push_back({number, {}});
+        }
+        if (names.size() < names_ || chosen.size() == carrier.size()) return;
         carrier = std::move(chosen);
         for (std::uint32_t index = 0; index < system_.types.size(); ++index) {
             if (system_.types[index].kind != kind) continue;
-            result_.types.push_back({ir::TypeId{index}, ir::type_text(system_, ir::TypeId{index}), carrier.size()});
+            result_.types.push_back(
+                {ir::TypeId{index}, ir::type_text(system_, ir::TypeId{index}), carrier.size(), std::move(names)});
             break;
         }
     }
 
     /// The numbers of a kind in a value. Recursion depth: the depth of types.
-    void collect_numbers(const ir::Type& type, const ir::Value& value, ir::TypeKind kind,
+    void collect_numbers(ir::TypeId id, const ir::Value& value, ir::TypeKind kind,
                          std::set<std::int64_t>& found) const {
+        const ir::Type& type = system_.type(id);
         if (type.kind == kind) found.insert(value.number);
-        for (std::size_t i = 0; i < value.parts.size(); ++i) {
-            const bool literal = type.kind == ir::TypeKind::enumeration;
-            const std::vector<ir::TypeId>& args =
-                literal ? type.literal_args.at(static_cast<std::size_t>(value.number)) : type.args;
-            const bool row = args.empty();  // the row of a matrix, visited with the type of its elements
-            const std::size_t place = args.size() > 1 ? i : 0;
-            collect_numbers(row ? type : system_.type(args[place]), value.parts[i], kind, found);
-        }
+        for_each_part(type, value, [&](ir::TypeId part_type, const ir::Value& part) {
+            collect_numbers(part_type, part, kind, found);
+        });
     }
 
     /// Collects literals. Each literal is taken as a number of every kind.
@@ -238,6 +292,7 @@ private:
 
     const ir::System& system_;
     const cpp_emit::Component& component_;
+    std::size_t names_;
     Representatives result_;
     DataIndependence independent_;
     std::set<std::uint32_t> seen_;
@@ -255,9 +310,43 @@ bool is_represented(const ir::System& system, const Representatives& few, ir::Ty
            });
 }
 
+std::vector<NameSet> names_by_type(const Representatives& few) {
+    std::vector<NameSet> sets;
+    std::size_t bit = 0;
+    for (const RepresentedType& represented : few.types) {
+        NameSet names = 0;
+        for (std::size_t i = 0; i < represented.names.size(); ++i) names |= NameSet{1} << bit++;
+        assert(bit <= most_bits);
+        sets.push_back(names);
+    }
+    return sets;
+}
+
+RepresentedParts represented_parts(const ir::System& system, const Representatives& few, ir::TypeId id,
+                                   const ir::Value& value) {
+    RepresentedParts parts{0, std::vector<std::size_t>(few.types.size(), 0)};
+    std::size_t bit = 0;
+    for (std::size_t type = 0; type < few.types.size(); ++type) {
+        const std::vector<ir::Value>& names = few.types[type].names;
+        if (same_type(system, few.types[type].type, id)) {
+            const auto name = std::ranges::find(names, value);
+            if (name != names.end()) parts.names = NameSet{1} << (bit + static_cast<std::size_t>(name - names.begin()));
+            parts.counts[type] = 1;
+            return parts;
+        }
+        bit += names.size();
+    }
+    for_each_part(system.type(id), value, [&](ir::TypeId part_type, const ir::Value& part) {
+        const RepresentedParts inner = represented_parts(system, few, part_type, part);
+        parts.names |= inner.names;
+        for (std::size_t type = 0; type < parts.counts.size(); ++type) parts.counts[type] += inner.counts[type];
+    });
+    return parts;
+}
+
 Representatives choose_representatives(const ir::System& system, const ir::Instantiation& instantiation,
-                                       const cpp_emit::Component& component) {
-    return Chooser(system, instantiation, component).choose();
+                                       const cpp_emit::Component& component, std::size_t names) {
+    return Chooser(system, instantiation, component, names).choose();
 }
 
 }  // namespace robochart::conformance

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct RepresentedType {
     ir::TypeId type;
     std::string name;        ///< name in the model
     std::size_t values = 0;  ///< number of values that represent all
+    /// The values among them that are neither initial values nor values of constants. Each of them can stand for any
+    /// value of the type.
+    std::vector<ir::Value> names;
 };
 
 /// An instantiation with fewer values, and the types with fewer values. No types: all values are explored.
@@ -26,14 +30,34 @@ struct Representatives {
     std::vector<RepresentedType> types;
 };
 
+/// The least number of names of a represented type.
+inline constexpr std::size_t least_names = 2;
+
 /// Chooses representatives for a component whose inputs or outputs have more values than can be explored. For each data
-/// independent type, the representatives are the values of constants, the initial values, and two further values. The
-/// two further values differ from all others and from each other in every part. The parts of one value also differ from
-/// each other if the carriers allow it, so that lost or exchanged parts are detected.
+/// independent type, the representatives are the values of constants, the initial values, and `names` further values.
+/// The first two names differ from the other values and from each other in every part. The parts of one value also
+/// differ from each other if the carriers allow it, so that lost or exchanged parts are detected. A type that has too
+/// few values for the names is not represented.
 [[nodiscard]] Representatives choose_representatives(const ir::System&, const ir::Instantiation&,
-                                                     const cpp_emit::Component&);
+                                                     const cpp_emit::Component&, std::size_t names = least_names);
 
 /// Whether few values represent the type or one of its parts.
 [[nodiscard]] bool is_represented(const ir::System&, const Representatives&, ir::TypeId);
+
+/// A set of names: one bit for each name of Representatives::types, in their order.
+using NameSet = std::uint64_t;
+/// The number of names that a NameSet can contain.
+inline constexpr std::size_t most_bits = 64;
+
+/// For each represented type, the set of its names. Requires at most `most_bits` names of all types together.
+[[nodiscard]] std::vector<NameSet> names_by_type(const Representatives&);
+/// The parts of a value that have represented types.
+struct RepresentedParts {
+    NameSet names = 0;                ///< of these parts
+    std::vector<std::size_t> counts;  ///< for each represented type, the number of parts
+};
+/// Requires at most `most_bits` names of all types together.
+[[nodiscard]] RepresentedParts represented_parts(const ir::System&, const Representatives&, ir::TypeId,
+                                                 const ir::Value&);
 
 }  // namespace robochart::conformance
