@@ -51,8 +51,8 @@ private:
     [[nodiscard]] std::string shown_text(PlaceId flow, const ValueClasses& classes, std::size_t number) const;
     void rewrite_machine(MachineId id, Machine& machine);
     void rewrite_transition(Transition& transition);
-    void rewrite_communication(Communication& communication) const;
-    [[nodiscard]] StmtPtr rewritten(const StmtPtr& stmt) const;
+    void rewrite_communication(Communication& communication);
+    [[nodiscard]] StmtPtr rewritten(const StmtPtr& stmt);
     [[nodiscard]] ExprPtr rewritten(const ExprPtr& expr) const;
     [[nodiscard]] ExprPtr written(PlaceId target, const ExprPtr& expr) const;
     [[nodiscard]] ExprPtr test(PlaceId flow, const Expr& condition) const;
@@ -70,7 +70,7 @@ private:
     std::map<const Expr*, PlaceId> tested_;  ///< the flow class that a condition tests
     std::map<PlaceId, ClassTypes> types_;
     MachineId machine_;
-    PlaceId trigger_ = no_id;
+    PlaceId trigger_ = no_id;  ///< the place of the received value that guards and predicates read
 };
 
 /// A name that no type has.
@@ -171,12 +171,15 @@ ExprPtr Rewriter::written(PlaceId target, const ExprPtr& expr) const {
     return literal(places_.class_of(target), value ? classes->of_value.at(*value) : 0, expr->span);
 }
 
-void Rewriter::rewrite_communication(Communication& communication) const {
+void Rewriter::rewrite_communication(Communication& communication) {
+    const PlaceId carried = places_.event(machine_, communication.event);
+    trigger_ = carried;
     communication.predicate = rewritten(communication.predicate);
-    communication.value = written(places_.event(machine_, communication.event), communication.value);
+    trigger_ = no_id;
+    communication.value = written(carried, communication.value);
 }
 
-StmtPtr Rewriter::rewritten(const StmtPtr& stmt) const {
+StmtPtr Rewriter::rewritten(const StmtPtr& stmt) {
     if (!stmt) return stmt;
     Stmt result = *stmt;
     for (StmtPtr& part : result.body) part = rewritten(part);
@@ -190,11 +193,11 @@ StmtPtr Rewriter::rewritten(const StmtPtr& stmt) const {
 }
 
 void Rewriter::rewrite_transition(Transition& transition) {
-    trigger_ = places_.trigger(machine_, transition);
     if (transition.trigger) rewrite_communication(*transition.trigger);
+    trigger_ = places_.trigger(machine_, transition);
     transition.guard = rewritten(transition.guard);
-    transition.action = rewritten(transition.action);
     trigger_ = no_id;
+    transition.action = rewritten(transition.action);
 }
 
 void Rewriter::rewrite_machine(MachineId id, Machine& machine) {

@@ -63,7 +63,7 @@ private:
     const Sampling& sampling_;
     Places& places_;
     MachineId machine_;
-    PlaceId trigger_ = no_id;  ///< the place of the value of the transition's trigger
+    PlaceId trigger_ = no_id;  ///< the place of the received value that guards and predicates read
     std::map<PlaceId, Uses> uses_;
 };
 
@@ -127,8 +127,10 @@ void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& el
 }
 
 void Collector::collect_communication(const Communication& communication, const std::string& element) {
-    read_condition(communication.predicate, element);
     const PlaceId carried = places_.event(machine_, communication.event);
+    trigger_ = carried;
+    read_condition(communication.predicate, element);
+    trigger_ = no_id;
     if (carried == no_id) return;
     if (communication.variable.is_valid()) places_.unite(carried, places_.variable(machine_, communication.variable));
     write(carried, communication.value, element);
@@ -158,9 +160,9 @@ void Collector::collect_statement(const Stmt& stmt) {
 
 void Collector::collect_transition(const Transition& transition) {
     const std::string& element = transition.origin.element;
+    if (transition.trigger) collect_communication(*transition.trigger, element);
     trigger_ = places_.trigger(machine_, transition);
     if (transition.trigger) {
-        collect_communication(*transition.trigger, element);
         if (transition.trigger->variable.is_valid() && trigger_ != no_id) {
             const bool alone = transition.guard && places_read(*transition.guard) == std::set<PlaceId>{trigger_} &&
                                !reads_clock_somewhere(*transition.guard);
@@ -170,8 +172,8 @@ void Collector::collect_transition(const Transition& transition) {
     read_guard(transition.guard, element);
     read_values(transition.probability, element);
     read_values(transition.deadline, element);
-    if (transition.action) visit_statements(*transition.action, [&](const Stmt& stmt) { collect_statement(stmt); });
     trigger_ = no_id;
+    if (transition.action) visit_statements(*transition.action, [&](const Stmt& stmt) { collect_statement(stmt); });
 }
 
 void Collector::collect_machine(MachineId id) {

@@ -257,6 +257,20 @@ TEST(Classes, NumbersOfMillionsAreDecided) {
     EXPECT_THAT(kept.text, ::testing::HasSubstr("nat 6 values in 0..5000001"));
 }
 
+/// A predicate of an input in an action reads the received value.
+TEST(Classes, OfPredicatesInActionsAreThoseOfTheReceivedValue) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm S { event e : nat event f : nat var x : nat var y : nat initial i state A { entry e [| x > 3 |] ? x } "
+        "state B { } state C { } transition t0 { from i to A } "
+        "transition t1 { from A to B trigger f ? y condition x > 5 /\\ y > 7 action e [| x < 9 |] ? x } "
+        "transition t2 { from A to C condition x <= 3 } }");
+    const Answers found = answers_for(model.path());
+    EXPECT_EQ(found.verdicts.at("state machine S B is reachable"), "holds") << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S C is reachable"), "fails") << found.text;
+    EXPECT_EQ(found.classes.at("e"), 4U) << "0..3, 4..5, 6..8, and more";
+}
+
 TEST(Classes, AreTurnedOffByAnOptionAndByRanges) {
     const testing::TemporaryFile model(
         "m.rct",
