@@ -85,7 +85,7 @@ std::optional<Division::Answers> Division::answers_for(const Value& value) const
     Answers result;
     for (const Condition& condition : uses_.conditions) {
         sampling_.instantiation().poll();
-        const auto answer = sampling_.truth(condition.machine, *condition.expr, value);
+        const auto answer = sampling_.truth(condition.machine, *condition.body, value);
         if (!answer) return std::nullopt;
         result.push_back(*answer);
     }
@@ -104,7 +104,7 @@ std::vector<Value> Division::written_values() const {
 std::optional<std::vector<Value>> Division::linear_candidates() const {
     LinearConditions linear(system_, sampling_.instantiation());
     for (const Condition& condition : uses_.conditions)
-        if (!linear.add(*condition.expr, closed_of(condition.machine))) return std::nullopt;
+        if (!linear.add(*condition.body, closed_of(condition.machine))) return std::nullopt;
     const auto points = linear.points();
     if (!points) return std::nullopt;
     const Value standard = default_value(system_, sampling_.instantiation(), type_);
@@ -120,7 +120,7 @@ std::optional<std::vector<Value>> Division::linear_candidates() const {
 std::optional<std::vector<Value>> Division::sequence_candidates() const {
     SequenceConditions sequences(system_, sampling_.instantiation().scale);
     for (const Condition& condition : uses_.conditions)
-        if (!sequences.add(*condition.expr, closed_of(condition.machine))) return std::nullopt;
+        if (!sequences.add(*condition.body, closed_of(condition.machine))) return std::nullopt;
     const TypeId element = system_.type(type_).args.at(0);
     Value other = default_value(system_, sampling_.instantiation(), element);
     if (system_.type(element).kind == TypeKind::real) other.number = sampling_.instantiation().scale;

@@ -16,20 +16,9 @@ using Point = std::vector<std::int64_t>;
 __extension__ using Wide = __int128;
 
 constexpr std::size_t most_components = 3;
+constexpr std::size_t most_forms = 256;
 constexpr std::size_t most_means = 1'000'000;
-/// Constants and coordinates stay below 2^56 and coefficients below 2^20, so that determinants of three rows, which are
-/// sums of six products, and sums of three products fit into 128 bits.
-constexpr std::int64_t greatest_coordinate = std::int64_t{1} << 56U;
-constexpr std::int64_t greatest_coefficient = std::int64_t{1} << 20U;
-
-/// sum + number * factor; no value if it is not between -limit and limit.
-std::optional<std::int64_t> add_product(std::int64_t sum, std::int64_t number, std::int64_t factor,
-                                        std::int64_t limit) {
-    const auto product = checked_multiply(number, factor);
-    const auto total = product ? checked_add(sum, *product) : std::nullopt;
-    const bool fits = total && *total > -limit && *total < limit;
-    return fits ? total : std::nullopt;
-}
+constexpr std::int64_t most_turns = 16;  ///< of a remainder within a period
 
 /// The determinant of a matrix with at most three rows.
 Wide determinant(const std::vector<std::vector<Wide>>& m) {
@@ -67,7 +56,7 @@ bool too_many_choices(std::size_t size, std::size_t count) {
 }  // namespace
 
 bool LinearConditions::add(const Expr& condition, const ClosedValue& closed) {
-    closed_ = closed;
+    reader_.emplace(system_, scale_, closed, [this](const Expr& part) { return read_part(part); });
     return add_condition(condition);
 }
 
@@ -80,12 +69,20 @@ bool LinearConditions::add_condition(const Expr& condition) {
     return condition.kind == ExprKind::is_in && add_membership(condition);
 }
 
+void LinearConditions::add_form(const LinearForm& form) {
+    if (std::ranges::find(forms_, form) == forms_.end()) forms_.push_back(form);
+}
+
 bool LinearConditions::add_comparison(const Expr& left, const Expr& right) {
-    const auto a = read_form(left), b = read_form(right);
-    const auto difference = a && b ? combine(*a, *b, -1) : std::nullopt;
-    if (!difference) return false;
-    if (std::ranges::find(forms_, *difference) == forms_.end()) forms_.push_back(*difference);
-    return true;
+    const auto a = reader_->read(left), b = reader_->read(right);
+    if (!a || !b) return false;
+    for (const LinearForm& one : *a)
+        for (const LinearForm& other : *b) {
+            const auto difference = add_multiple(one, other, -1);
+            if (!difference) return false;
+            add_form(*difference);
+        }
+    return forms_.size() <= most_forms;
 }
 
 /// A set of numbers, or of all whole numbers between two bounds for a whole number.
@@ -98,31 +95,7 @@ bool LinearConditions::add_membership(const Expr& condition) {
                                [&](const ExprPtr& member) { return !member || add_comparison(number, *member); });
 }
 
-std::optional<LinearConditions::Form> LinearConditions::combine(const Form& a, const Form& b, std::int64_t factor) {
-    Form result = a;
-    const auto constant = add_product(a.constant, b.constant, factor, greatest_coordinate);
-    if (!constant) return std::nullopt;
-    result.constant = *constant;
-    for (const auto& [component, coefficient] : b.coefficients) {
-        const auto sum = add_product(result.coefficients[component], coefficient, factor, greatest_coefficient);
-        if (!sum) return std::nullopt;
-        result.coefficients[component] = *sum;
-        if (*sum == 0) result.coefficients.erase(component);
-    }
-    return result;
-}
-
-std::optional<LinearConditions::Form> LinearConditions::read_closed(const Expr& expr) const {
-    const TypeKind kind = system_.type(expr.type).kind;
-    if (kind != TypeKind::real && kind != TypeKind::integer && kind != TypeKind::nat) return std::nullopt;
-    const auto value = closed_(expr);
-    if (!value) return std::nullopt;
-    const auto units = kind == TypeKind::real ? std::optional(value->number) : checked_multiply(value->number, scale_);
-    if (!units || *units >= greatest_coordinate || *units <= -greatest_coordinate) return std::nullopt;
-    return Form{{}, *units};
-}
-
-std::optional<LinearConditions::Form> LinearConditions::read_component(const Expr& expr) {
+LinearReader::Forms LinearConditions::read_component(const Expr& expr) {
     Component component;
     component.kind = system_.type(expr.type).kind;
     if (component.kind != TypeKind::real && component.kind != TypeKind::integer && component.kind != TypeKind::nat)
@@ -133,37 +106,67 @@ std::optional<LinearConditions::Form> LinearConditions::read_component(const Exp
         component.path.insert(component.path.begin(), static_cast<std::size_t>(at->number) - (record ? 0 : 1));
     }
     if (at->kind != ExprKind::variable && at->kind != ExprKind::trigger_value) return std::nullopt;
+    is_periodic_ = is_periodic_ && remainders_open_ > 0;
     auto found = std::ranges::find(components_, component);
     if (found == components_.end()) found = components_.insert(components_.end(), component);
-    return Form{{{static_cast<std::size_t>(found - components_.begin()), 1}}, 0};
+    return std::set{LinearForm{{{static_cast<std::size_t>(found - components_.begin()), 1}}, 0}};
 }
 
-std::optional<LinearConditions::Form> LinearConditions::read_form(const Expr& expr) {
-    if (auto closed = read_closed(expr)) return closed;
-    const auto operand = [&](std::size_t i) { return read_form(*expr.args.at(i)); };
-    const auto combined = [&](std::int64_t factor) -> std::optional<Form> {
-        const auto a = operand(0), b = operand(1);
-        return a && b ? combine(*a, *b, factor) : std::nullopt;
-    };
-    if (expr.kind == ExprKind::plus) return combined(1);
-    if (expr.kind == ExprKind::minus) return combined(-1);
-    if (expr.kind == ExprKind::negate) {
-        const auto a = operand(0);
-        return a ? combine({}, *a, -1) : std::nullopt;
+LinearReader::Forms LinearConditions::read_choice(const Expr& expr) {
+    if (!add_condition(*expr.args.at(0))) return std::nullopt;
+    auto result = reader_->read(*expr.args.at(1));
+    const auto otherwise = reader_->read(*expr.args.at(2));
+    if (!result || !otherwise) return std::nullopt;
+    result->insert(otherwise->begin(), otherwise->end());
+    return result;
+}
+
+/// The remainders of a form of the number x where 0 <= x < period. They start again at the multiples of the period.
+LinearReader::Forms LinearConditions::remainders(const LinearForm& dividend) {
+    if (dividend.coefficients.size() > 1) return std::nullopt;
+    std::int64_t coefficient = 0;
+    if (!dividend.coefficients.empty()) coefficient = dividend.coefficients.begin()->second;
+    const auto turns = floor_divide(dividend.constant, *period_);
+    if (!turns || coefficient > most_turns || coefficient < -most_turns) return std::nullopt;
+    std::set<LinearForm> result;
+    const std::int64_t first = *turns + std::min<std::int64_t>(coefficient, 0);
+    const std::int64_t last = *turns + std::max<std::int64_t>(coefficient, 0) + 1;
+    for (std::int64_t turn = first; turn <= last; ++turn) {
+        const auto form = add_multiple(dividend, {{}, *period_}, -turn);
+        if (!form) return std::nullopt;
+        add_form(*form);
+        result.insert(*form);
     }
-    if (expr.kind == ExprKind::cast && system_.type(expr.type).kind == TypeKind::real) return operand(0);
-    if (expr.kind != ExprKind::times) return read_component(expr);
-    for (const std::size_t side : {0U, 1U}) {
-        const auto factor = read_closed(*expr.args.at(side));
-        const auto other = factor ? operand(1 - side) : std::nullopt;
-        if (other && factor->constant % scale_ == 0) return combine({}, *other, factor->constant / scale_);
+    return result;
+}
+
+LinearReader::Forms LinearConditions::read_remainder(const Expr& expr) {
+    const auto divisor = reader_->read_closed(*expr.args.at(1));
+    if (!divisor || divisor->constant <= 0 || system_.type(expr.type).kind == TypeKind::nat) return std::nullopt;
+    if (period_ && *period_ != divisor->constant) return std::nullopt;
+    period_ = divisor->constant;
+    ++remainders_open_;
+    const auto dividends = reader_->read(*expr.args.at(0));
+    --remainders_open_;
+    if (!dividends) return std::nullopt;
+    std::set<LinearForm> result;
+    for (const LinearForm& dividend : *dividends) {
+        const auto forms = remainders(dividend);
+        if (!forms) return std::nullopt;
+        result.insert(forms->begin(), forms->end());
     }
-    return std::nullopt;
+    return result;
+}
+
+LinearReader::Forms LinearConditions::read_part(const Expr& expr) {
+    if (expr.kind == ExprKind::if_then_else) return read_choice(expr);
+    if (expr.kind == ExprKind::modulus) return read_remainder(expr);
+    return read_component(expr);
 }
 
 std::vector<int> LinearConditions::signs(const Point& point) const {
     std::vector<int> result;
-    for (const Form& form : forms_) {
+    for (const LinearForm& form : forms_) {
         Wide sum = form.constant;
         for (const auto& [component, coefficient] : form.coefficients)
             sum += static_cast<Wide>(coefficient) * point[component];
@@ -173,7 +176,7 @@ std::vector<int> LinearConditions::signs(const Point& point) const {
 }
 
 /// The intersections of as many hyperplanes as there are components.
-std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<Form>& forms) const {
+std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<LinearForm>& forms) const {
     const std::size_t n = components_.size();
     if (too_many_choices(forms.size(), n)) return std::nullopt;
     std::set<Point> found;
@@ -201,11 +204,11 @@ std::optional<std::vector<Point>> LinearConditions::vertices(const std::vector<F
 }
 
 /// The hyperplanes of the conditions, and those of a box around all their intersections.
-std::optional<std::vector<LinearConditions::Form>> LinearConditions::with_box() const {
-    std::vector<Form> forms;
-    for (const Form& form : forms_)
+std::optional<std::vector<LinearForm>> LinearConditions::with_box() const {
+    std::vector<LinearForm> forms;
+    for (const LinearForm& form : forms_)
         if (!form.coefficients.empty()) forms.push_back(form);
-    std::vector<Form> axes = forms;
+    std::vector<LinearForm> axes = forms;
     for (std::size_t i = 0; i < components_.size(); ++i) axes.push_back({{{i, 1}}, 0});
     const auto inside = vertices(axes);
     if (!inside) return std::nullopt;
@@ -251,7 +254,7 @@ std::optional<std::vector<Point>> LinearConditions::real_points() const {
 std::optional<std::vector<Point>> LinearConditions::whole_points() const {
     if (components_.size() != 1) return std::nullopt;
     std::set<std::int64_t> numbers{0};
-    for (const Form& form : forms_) {
+    for (const LinearForm& form : forms_) {
         if (form.coefficients.empty()) continue;
         const auto down = floor_divide(-form.constant, form.coefficients.begin()->second);
         if (!down) return std::nullopt;
@@ -269,12 +272,30 @@ std::optional<std::vector<Point>> LinearConditions::whole_points() const {
     return result;
 }
 
-std::optional<std::vector<Point>> LinearConditions::points() const {
+std::optional<std::vector<Point>> LinearConditions::all_points() const {
     if (components_.size() > most_components) return std::nullopt;
     if (components_.empty()) return std::vector<Point>{{}};
     const bool whole =
         std::ranges::any_of(components_, [](const Component& component) { return component.kind != TypeKind::real; });
     return whole ? whole_points() : real_points();
+}
+
+std::optional<std::vector<Point>> LinearConditions::points() const {
+    if (!period_) return all_points();
+    if (components_.size() != 1 || !is_periodic_) return std::nullopt;
+    std::int64_t unit = scale_;
+    if (components_[0].kind == TypeKind::real) unit = 1;
+    if (*period_ % unit != 0) return std::nullopt;  // no whole number of steps
+    LinearConditions within = *this;
+    within.add_form({{{0, 1}}, 0});
+    within.add_form({{{0, 1}}, -*period_});
+    auto result = within.all_points();
+    if (!result) return result;
+    std::vector<Point> small;  // the first point of a region is shown
+    for (std::int64_t number = 0; number < 10; ++number) small.push_back({number * (scale_ / unit)});
+    result->insert(result->begin(), small.begin(), small.end());
+    std::erase_if(*result, [&](const Point& point) { return point[0] < 0 || point[0] >= *period_ / unit; });
+    return result;
 }
 
 }  // namespace robochart::ir

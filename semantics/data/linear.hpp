@@ -7,22 +7,23 @@
 // weighted mean, with positive weights, of d + 1 vertices that are affinely independent; every vertex is an
 // intersection of n hyperplanes of the conditions and of the box (Ziegler, Lectures on Polytopes, 1995, chapter 2). The
 // candidates are the means of all choices of n + 1 vertices.
+//
+// `if c then a else b` is one of two forms, and the condition c divides the space, too. `a % c` with a constant c > 0
+// is a - q*c for a whole number q. If one number is read, inside remainders by one constant c only, the conditions have
+// the period c in it, because coefficients are whole numbers. The candidates are then those in 0 <= x < c, where
+// finitely many q occur: the thresholds are those of all forms, and the numbers at which a remainder starts again.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
 #include <vector>
 
+#include "semantics/data/linear_form.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::ir {
-
-/// The value of an expression without variables, in units of the sampling scale; no value if it has none.
-using ClosedValue = std::function<std::optional<Value>(const Expr&)>;
 
 /// A number in a place: the place itself, or a part of its value.
 struct Component {
@@ -31,14 +32,15 @@ struct Component {
     friend auto operator<=>(const Component&, const Component&) = default;
 };
 
-/// Linear conditions about the value of one place.
+/// Piecewise linear conditions about the value of one place.
 class LinearConditions {
 public:
     /// The instantiation has the scale, and the budget, which long searches for points poll.
     LinearConditions(const System& system, const Instantiation& instantiation)
         : system_(system), instantiation_(instantiation), scale_(instantiation.scale) {}
 
-    /// Adds a condition that reads only one place. False if it is not a Boolean combination of linear comparisons.
+    /// Adds a condition that reads only one place. False if it is not a Boolean combination of comparisons of linear
+    /// terms, of choices between them and of their remainders.
     /// `closed` evaluates expressions without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
     /// The numbers that the conditions read.
@@ -48,34 +50,34 @@ public:
     [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points() const;
 
 private:
-    [[nodiscard]] bool add_condition(const Expr& condition);
     __extension__ using Wide = __int128;
     using Point = std::vector<std::int64_t>;
-    /// The sum of coefficient times component, plus the constant, in units.
-    struct Form {
-        std::map<std::size_t, std::int64_t> coefficients;
-        std::int64_t constant = 0;
-        friend auto operator<=>(const Form&, const Form&) = default;
-    };
 
+    [[nodiscard]] bool add_condition(const Expr& condition);
     [[nodiscard]] bool add_comparison(const Expr& left, const Expr& right);
     [[nodiscard]] bool add_membership(const Expr& condition);
-    [[nodiscard]] std::optional<Form> read_form(const Expr& expr);
-    [[nodiscard]] std::optional<Form> read_closed(const Expr& expr) const;
-    [[nodiscard]] std::optional<Form> read_component(const Expr& expr);
-    [[nodiscard]] static std::optional<Form> combine(const Form& a, const Form& b, std::int64_t factor);
+    void add_form(const LinearForm& form);
+    [[nodiscard]] LinearReader::Forms read_part(const Expr& expr);
+    [[nodiscard]] LinearReader::Forms read_component(const Expr& expr);
+    [[nodiscard]] LinearReader::Forms read_choice(const Expr& expr);
+    [[nodiscard]] LinearReader::Forms read_remainder(const Expr& expr);
+    [[nodiscard]] LinearReader::Forms remainders(const LinearForm& dividend);
+    [[nodiscard]] std::optional<std::vector<Point>> all_points() const;
     [[nodiscard]] std::optional<std::vector<Point>> real_points() const;
     [[nodiscard]] std::optional<std::vector<Point>> whole_points() const;
-    [[nodiscard]] std::optional<std::vector<Form>> with_box() const;
-    [[nodiscard]] std::optional<std::vector<Point>> vertices(const std::vector<Form>& forms) const;
+    [[nodiscard]] std::optional<std::vector<LinearForm>> with_box() const;
+    [[nodiscard]] std::optional<std::vector<Point>> vertices(const std::vector<LinearForm>& forms) const;
     [[nodiscard]] std::vector<int> signs(const Point& point) const;
 
     const System& system_;
     const Instantiation& instantiation_;
-    std::int64_t scale_;  ///< units of one
-    ClosedValue closed_;  ///< of the condition that is added
+    std::int64_t scale_;                  ///< units of one
+    std::optional<LinearReader> reader_;  ///< of the condition that is added
     std::vector<Component> components_;
-    std::vector<Form> forms_;
+    std::vector<LinearForm> forms_;
+    std::optional<std::int64_t> period_;  ///< the divisor of all remainders, in units
+    int remainders_open_ = 0;             ///< the number of remainders around the part that is read
+    bool is_periodic_ = true;             ///< numbers are read inside remainders only
 };
 
 }  // namespace robochart::ir

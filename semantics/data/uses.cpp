@@ -4,24 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "semantics/data/inlining.hpp"
 #include "semantics/evaluate/toolkit.hpp"
 #include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
 namespace {
-
-/// True if a call in the expression may be undefined.
-bool may_be_undefined(const System& system, const Expr& root) {
-    bool result = false;
-    visit_operands(root, [&](const Expr& expr) {
-        result = result || (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) ||
-                 expr.kind == ExprKind::apply || expr.kind == ExprKind::index || expr.kind == ExprKind::divide ||
-                 expr.kind == ExprKind::modulus || expr.kind == ExprKind::the ||
-                 (expr.kind == ExprKind::call && expr.function.is_valid() &&
-                  !system.functions.at(expr.function.index).preconditions.empty());
-    });
-    return result;
-}
 
 bool reads_clock_somewhere(const Expr& root) {
     bool result = false;
@@ -56,6 +44,7 @@ private:
         if (uses_[place].needs_values.empty()) uses_[place].needs_values = element;
     }
     [[nodiscard]] std::set<PlaceId> places_read(const Expr& expr) const;
+    [[nodiscard]] bool may_be_undefined(const ExprPtr& expr) const;
     [[nodiscard]] PlaceId place_of(const Expr& expr) const { return places_.read_by(machine_, trigger_, expr); }
     static void merge(Uses& all, Uses&& more);
 
@@ -82,6 +71,21 @@ std::set<PlaceId> Collector::places_read(const Expr& root) const {
     return result;
 }
 
+/// True if a call or a division in the expression may be undefined.
+bool Collector::may_be_undefined(const ExprPtr& root) const {
+    bool result = false;
+    visit_operands(*inline_calls(system_, root), [&](const Expr& expr) {
+        result = result || (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) ||
+                 expr.kind == ExprKind::apply || expr.kind == ExprKind::index || expr.kind == ExprKind::the ||
+                 (expr.kind == ExprKind::call && expr.function.is_valid() &&
+                  !system_.functions.at(expr.function.index).preconditions.empty());
+        if (result || (expr.kind != ExprKind::divide && expr.kind != ExprKind::modulus)) return;
+        const auto divisor = sampling_.closed_value(machine_, *expr.args.at(1));
+        result = !divisor || divisor->number == 0;
+    });
+    return result;
+}
+
 void Collector::read_values(const ExprPtr& expr, const std::string& element) {
     if (!expr) return;
     for (const PlaceId place : places_read(*expr)) needs_values(place, element);
@@ -89,7 +93,7 @@ void Collector::read_values(const ExprPtr& expr, const std::string& element) {
 
 /// Other conditions than guards stop the machine where they are undefined.
 void Collector::read_condition(const ExprPtr& expr, const std::string& element) {
-    if (expr && may_be_undefined(system_, *expr))
+    if (expr && may_be_undefined(expr))
         read_values(expr, element);
     else
         read_guard(expr, element);
@@ -105,10 +109,10 @@ void Collector::read_guard(const ExprPtr& expr, const std::string& element) {
         // `condition else` shares the conditions of the other transitions.
         std::vector<Condition>& conditions = uses_[*read.begin()].conditions;
         if (std::ranges::find(conditions, expr.get(), &Condition::expr) == conditions.end())
-            conditions.push_back({expr.get(), machine_});
+            conditions.push_back({expr.get(), machine_, inline_calls(system_, expr)});
         return;
     }
-    if (!is_connective(expr->kind) || may_be_undefined(system_, *expr)) return read_values(expr, element);
+    if (!is_connective(expr->kind) || may_be_undefined(expr)) return read_values(expr, element);
     for (const ExprPtr& part : expr->args) read_guard(part, element);
 }
 
@@ -121,8 +125,7 @@ void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& el
     if (system_.type(expr->type).kind == TypeKind::boolean) return read_condition(expr, element);
     Written written{expr.get(), machine_, sampling_.closed_value(machine_, *expr).has_value(), {}};
     if (!written.closed) written.reads = places_read(*expr);
-    if (!written.closed && (may_be_undefined(system_, *expr) || reads_clock_somewhere(*expr)))
-        needs_values(target, element);
+    if (!written.closed && (may_be_undefined(expr) || reads_clock_somewhere(*expr))) needs_values(target, element);
     uses_[target].writes.push_back(std::move(written));
 }
 

@@ -16,6 +16,7 @@ namespace robochart::ir {
 struct Condition {
     const Expr* expr = nullptr;
     MachineId machine;
+    ExprPtr body;  ///< the condition with calls replaced by the bodies of functions
 };
 
 /// A value that is stored or sent, other than a copy of a place.

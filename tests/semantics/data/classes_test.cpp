@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <random>
 #include <set>
@@ -239,6 +240,76 @@ TEST(Classes, AGuardThatIsUndefinedIsNotItsNegation) {
     const std::string dump = dump_text(model->system);
     EXPECT_THAT(dump, HasSubstr("g0 k -> A when (x in set(c2))"));
     EXPECT_THAT(dump, HasSubstr("g1 k -> A when (x in set(c3))"));
+}
+
+// ---------------------------------------------------------------- remainders
+
+/// The remainder of a division by a positive number: at least 0 and less than the divisor (semantics/evaluate).
+double remainder_of(double dividend, double divisor) {
+    return dividend - divisor * std::floor(dividend / divisor);
+}
+
+/// `(p * x + q) % c REL r`
+struct RemainderTest {
+    int p = 1, q = 0, c = 1, relation = 0, r = 0;
+
+    [[nodiscard]] std::string text() const {
+        return fmt::format("({} * x + {}) % {} {} {}", p, q, c, relations[relation], r);
+    }
+    [[nodiscard]] bool holds(double x) const { return related(relation, remainder_of(p * x + q, c), r); }
+};
+
+TEST(Classes, OfRemaindersAreTheCombinationsThatExistInOnePeriod) {
+    Random random(38);
+    for (std::size_t round = 0; round < tests::rounds(40); ++round) {
+        const bool whole = round % 2 == 0;
+        const int divisor = draw(random, 1, 5);
+        std::vector<RemainderTest> guards;
+        std::vector<std::string> texts;
+        for (int g = draw(random, 1, 3); g > 0; --g) {
+            guards.push_back({draw(random, 0, 1) == 0 ? -draw(random, 1, 2) : draw(random, 1, 2), draw(random, -3, 3),
+                              divisor, draw(random, 0, 5), draw(random, 0, 4)});
+            texts.push_back(guards.back().text());
+        }
+        std::set<std::vector<bool>> answers;
+        const double step = whole ? 1 : 0.25;
+        for (double x = -20; x <= 20; x += step) {
+            std::vector<bool> of_number;
+            for (const RemainderTest& guard : guards) of_number.push_back(guard.holds(x));
+            answers.insert(of_number);
+        }
+        const std::string text = reading(whole ? "int" : "real", texts);
+        EXPECT_EQ(only_data(text).classes, answers.size()) << text;
+    }
+}
+
+TEST(Classes, OfRemaindersNeedOnePeriod) {
+    const auto classes = [](const std::vector<std::string>& guards) {
+        const auto model = classes_of(reading("real", guards));
+        return model ? model->data.front().classes : 0;
+    };
+    EXPECT_EQ(classes({"x % 2 < 0"}), 1U) << "a remainder is never negative, also that of a negative number";
+    EXPECT_EQ(classes({"(-1.5) % 2 == 0.5 /\\ x % 2 < 1"}), 2U);
+    EXPECT_EQ(classes({"(if x % 4 >= 2 then x % 4 - 2 else 2 - x % 4 end) >= 1"}), 2U) << "1 < x % 4 < 3, or not";
+    EXPECT_EQ(classes({"x % 2 < 1", "x % 3 < 1"}), 0U) << "two periods";
+    EXPECT_EQ(classes({"x % 2 < 1", "x < 1"}), 0U) << "the number itself has no period";
+    EXPECT_EQ(classes({"x % 0 < 1"}), 0U) << "the remainder has no value";
+    EXPECT_EQ(classes({"x % (-2) < 1"}), 0U);
+}
+
+// ---------------------------------------------------------------- functions
+
+TEST(Classes, OfConditionsWithFunctionsAreThoseOfTheirBodies) {
+    const auto classes = [](const std::string& contract, const std::string& guard) {
+        const auto model =
+            classes_of(reading("real", {guard}) + "function f(a : real, b : real) : real { " + contract + " }\n");
+        return model ? model->data.front().classes : 0;
+    };
+    EXPECT_EQ(classes("postcondition result == if a < b then b else a end", "f(x, 2) > 3"), 2U);
+    EXPECT_EQ(classes("postcondition a - b == result", "f(2, x) == 0"), 2U);
+    EXPECT_EQ(classes("postcondition result >= a", "f(x, 2) > 3"), 0U) << "many results";
+    EXPECT_EQ(classes("precondition b > 1 postcondition result == a", "f(x, 2) > 3"), 0U);
+    EXPECT_EQ(classes("postcondition result == a", "f(x, 1 / (x - x)) > 3"), 0U) << "the argument has no value";
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads numeric expressions as linear forms. Private to this component.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+/// The value of an expression without variables, in units of the sampling scale; no value if it has none.
+using ClosedValue = std::function<std::optional<Value>(const Expr&)>;
+
+/// The sum of coefficient times component, plus the constant. Numbers are in units of the sampling scale. Constants
+/// stay below 2^56 and coefficients below 2^20, so that determinants of three rows, which are sums of six products, and
+/// sums of three products fit into 128 bits.
+struct LinearForm {
+    std::map<std::size_t, std::int64_t> coefficients;  ///< by the number of the component; no coefficient is 0
+    std::int64_t constant = 0;
+    friend auto operator<=>(const LinearForm&, const LinearForm&) = default;
+};
+
+inline constexpr std::int64_t greatest_coordinate = std::int64_t{1} << 56U;
+inline constexpr std::int64_t greatest_coefficient = std::int64_t{1} << 20U;
+
+/// a + factor * b. No value beyond the limits.
+[[nodiscard]] std::optional<LinearForm> add_multiple(const LinearForm& a, const LinearForm& b, std::int64_t factor);
+
+/// Reads sums, differences and multiples of parts that another function reads.
+class LinearReader {
+public:
+    /// A set of forms of which one, for each value of the components, is the value of the expression. No value if the
+    /// expression has no such set.
+    using Forms = std::optional<std::set<LinearForm>>;
+    using ReadPart = std::function<Forms(const Expr&)>;
+
+    /// `closed` evaluates expressions without variables. `read_part` reads expressions with another operator.
+    LinearReader(const System& system, std::int64_t scale, ClosedValue closed, ReadPart read_part)
+        : system_(system), scale_(scale), closed_(std::move(closed)), read_part_(std::move(read_part)) {}
+
+    [[nodiscard]] Forms read(const Expr& expr) const;
+    /// The form of a number without variables.
+    [[nodiscard]] std::optional<LinearForm> read_closed(const Expr& expr) const;
+
+private:
+    [[nodiscard]] Forms read_sum(const Expr& expr, std::int64_t factor) const;
+    [[nodiscard]] Forms read_multiple(const Expr& expr) const;
+
+    const System& system_;
+    std::int64_t scale_;  ///< units of one
+    ClosedValue closed_;
+    ReadPart read_part_;
+};
+
+}  // namespace robochart::ir
