@@ -488,8 +488,10 @@ std::string data_text(const ir::ReplacedData& data) {
     const std::string names = fmt::format("{}", fmt::join(data.places, ", "));
     if (!data.all_values) return fmt::format("{}: {} (all that occur)", names, count_text(data.classes, "value"));
     if (data.nothing_tested) return fmt::format("{}: any value (nothing depends on it)", names);
+    std::string conditions = count_text(data.conditions, "condition");
+    if (!data.term.empty()) conditions += " on " + data.term;
     return fmt::format("{}: {} {} by {} (all values)", names, data.classes, data.classes == 1 ? "class" : "classes",
-                       count_text(data.conditions, "condition"));
+                       conditions);
 }
 
 /// The data that classes replace in the claims above.

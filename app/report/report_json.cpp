@@ -158,12 +158,14 @@ std::string render_json(const Report& report) {
     json["bounds"] = Json::array();
     for (const driver::BoundReport& b : report.bounds)
         json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
-    for (const ir::ReplacedData& data : report.data)
+    for (const ir::ReplacedData& data : report.data) {
         json["data"].push_back({{"places", data.places},
                                 {"classes", data.classes},
                                 {"conditions", data.conditions},
                                 {"allValues", data.all_values},
                                 {"tested", !data.nothing_tested}});
+        if (!data.term.empty()) json["data"].back()["term"] = data.term;
+    }
     if (!report.sizes.empty()) json["sizes"] = Json::array();
     for (const driver::SizeReport& s : report.sizes)
         json["sizes"].push_back({{"component", s.component},

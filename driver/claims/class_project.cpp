@@ -20,6 +20,13 @@ ir::System without_observers(ir::System system) {
     return system;
 }
 
+/// True if the component is one of the machines or may contain one.
+bool concerns(const csp_emit::Obligation& obligation, const std::set<std::string>& machines) {
+    constexpr std::string_view machine = "state machine ";
+    if (!obligation.component.starts_with(machine)) return !machines.empty();
+    return machines.contains(obligation.component.substr(machine.size()));
+}
+
 }  // namespace
 
 bool has_observers(const ir::System& system) {
@@ -40,14 +47,15 @@ ClassProject class_project(const Project& project, const Settings& settings) {
     ClassProject result{with_data(project, std::move(replaced->system), std::move(replaced->instantiation)),
                         std::move(replaced->data), replaced->small_carriers};
     result.project->outputs_replaced = std::move(replaced->outputs_replaced);
+    result.project->related = std::move(replaced->related);
     return result;
 }
 
-bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation) {
-    constexpr std::string_view machine = "state machine ";
+bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation, Answer found) {
     if (obligation.kind != ir::PropertyKind::deterministic) return false;
-    if (!obligation.component.starts_with(machine)) return !classes.outputs_replaced.empty();
-    return classes.outputs_replaced.contains(obligation.component.substr(machine.size()));
+    std::set<std::string> machines;
+    for (const ir::RelatedVariables& variables : classes.related) machines.insert(variables.machine);
+    return concerns(obligation, machines) || (found == Answer::holds && concerns(obligation, classes.outputs_replaced));
 }
 
 bool observes_values(const ir::System& system, const csp_emit::Obligation& obligation) {
@@ -59,7 +67,7 @@ bool is_decided_in_carriers(const ClassProject& classes, const ir::System& syste
                             const csp_emit::Obligation& obligation) {
     if (!classes.project) return false;
     return observes_values(system, obligation) ||
-           (classes.small_carriers && is_open_in_classes(*classes.project, obligation));
+           (classes.small_carriers && is_open_in_classes(*classes.project, obligation, Answer::holds));
 }
 
 }  // namespace robochart::driver

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "driver/model/pipeline.hpp"
+#include "driver/results/results.hpp"
 #include "semantics/data/class_model.hpp"
 
 namespace robochart::driver {
@@ -24,10 +26,10 @@ struct ClassProject {
 
 /// Whether some claim may observe values of events: comparisons of components, rules, and CSP blocks.
 [[nodiscard]] bool has_observers(const ir::System& system);
-/// True for a claim of determinism about a component whose outputs have names of classes: if it holds with classes, it
-/// is open.
-[[nodiscard]] bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation);
-/// True for a claim of this system that observes values, or that is open with classes and is decided in the finite
+/// True for a claim of determinism that this answer with classes leaves open: if it holds and outputs have names of
+/// classes, and whatever the answer if conditions relate variables (semantics/data/class_model.hpp).
+[[nodiscard]] bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation, Answer found);
+/// True for a claim of this system that observes values, or that may be open with classes and is decided in the finite
 /// instantiation instead.
 [[nodiscard]] bool is_decided_in_carriers(const ClassProject& classes, const ir::System& system,
                                           const csp_emit::Obligation& obligation);

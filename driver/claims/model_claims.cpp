@@ -24,6 +24,7 @@
 #include "driver/claims/causes.hpp"
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/probability_claims.hpp"
+#include "driver/claims/related_values.hpp"
 #include "driver/claims/second_look.hpp"
 #include "driver/claims/sizes.hpp"
 #include "driver/claims/taken_guards.hpp"
@@ -77,6 +78,7 @@ void add_verdict(const Context& context, const csp_emit::Obligation& obligation,
         report.answer = Answer::fails;
         if (!verdict.counterexample) return;
         report.run = runs::interpret_counterexample(reading_context(context), obligation, *verdict.counterexample);
+        show_related_values(*report.run, context.project.related);
         if (!verdict.counterexample->shortest) report.reason = not_shortest;
     }
 }
@@ -507,9 +509,11 @@ private:
             one.reason.clear();
             decide_recurrence(context, obligation, one);
         }
-        if (one.answer == Answer::holds && is_open_in_classes(project_, obligation)) {
+        const bool decided = one.answer == Answer::holds || one.answer == Answer::fails;
+        if (decided && is_open_in_classes(project_, obligation, one.answer)) {
             one.answer = Answer::inconclusive;
-            one.reason = "outputs of different values have one name here; --concrete decides it for finite carriers";
+            one.reason =
+                "inputs or outputs of different values have one name here; --concrete decides it for finite carriers";
         }
         premises_.apply_premise(context, obligation, one);
         second_look_->add_to(obligation, one);
@@ -615,8 +619,8 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         };
         const std::size_t first = results.assertions.size();
         add(decided, false, Values::of_project);
-        if (classes.project &&
-            (has_observers(project.system) || (classes.small_carriers && !decided.outputs_replaced.empty())))
+        const bool open = !(decided.outputs_replaced.empty() && decided.related.empty());
+        if (classes.project && (has_observers(project.system) || (classes.small_carriers && open)))
             add(project, true, Values::of_carriers);
         if (times.back()->is_in_carriers())
             orders.push_back([&, time, first, end = results.assertions.size()] {

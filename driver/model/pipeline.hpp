@@ -14,6 +14,7 @@
 #include "csp_emit/emit.hpp"
 #include "driver/settings/settings.hpp"
 #include "frontend/syntax/ast.hpp"
+#include "semantics/data/class_model.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -35,9 +36,10 @@ struct Project {
     ir::System system;
     ir::InstantiationOptions asked;  ///< options for its instantiation
     ir::Instantiation instantiation;
-    std::set<std::string> outputs_replaced;  ///< as in semantics/data/class_model.hpp
-    std::set<std::string> shared_names;      ///< names that components of one kind in several of its packages share
-    double seconds = 0;                      ///< time for reading, resolving and lowering
+    std::set<std::string> outputs_replaced;     ///< as in semantics/data/class_model.hpp
+    std::vector<ir::RelatedVariables> related;  ///< as in semantics/data/class_model.hpp
+    std::set<std::string> shared_names;         ///< names that components of one kind in several of its packages share
+    double seconds = 0;                         ///< time for reading, resolving and lowering
     std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts that were requested (emit_csp)
 };
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "semantics/data/classes.hpp"
+#include "semantics/data/relations.hpp"
 #include "semantics/data/value_text.hpp"
 #include "semantics/evaluate/carrier.hpp"
 #include "semantics/ir/dump_expressions.hpp"
@@ -24,8 +25,8 @@ namespace {
 class Rewriter {
 public:
     Rewriter(const System& system, const Sampling& sampling, const Places& places,
-             const std::map<PlaceId, ValueClasses>& classes)
-        : system_(system), sampling_(sampling), places_(places), classes_(classes) {
+             const std::map<PlaceId, ValueClasses>& classes, const std::map<PlaceId, std::string>& terms)
+        : system_(system), sampling_(sampling), places_(places), classes_(classes), terms_(terms) {
         for (const auto& [flow, divided] : classes)
             for (const auto& [condition, answers] : divided.answers) tested_.emplace(condition, flow);
     }
@@ -67,6 +68,7 @@ private:
     const Sampling& sampling_;
     const Places& places_;
     const std::map<PlaceId, ValueClasses>& classes_;
+    const std::map<PlaceId, std::string>& terms_;
     std::map<const Expr*, PlaceId> tested_;  ///< the flow class that a condition tests
     std::map<PlaceId, ClassTypes> types_;
     MachineId machine_;
@@ -80,11 +82,21 @@ std::string unused_name(const System& system, std::string name) {
     return name;
 }
 
+/// A class of values of a term: "d - l = 1".
+std::string term_value_text(const System& system, std::int64_t scale, const std::string& term, TypeId type,
+                            const Value& witness) {
+    return term + " = " + value_text(system, scale, type, witness);
+}
+
 /// A value of the class. If nothing depends on the values, the last class stands for all that the model does not write.
 std::string Rewriter::shown_text(PlaceId flow, const ValueClasses& classes, std::size_t number) const {
     if (classes.nothing_tested && classes.witnesses.size() == 1) return "any value";
     if (classes.nothing_tested && number + 1 == classes.witnesses.size()) return "any other value";
-    return value_text(system_, sampling_.instantiation().scale, places_[flow].type, classes.witnesses[number]);
+    const std::int64_t scale = sampling_.instantiation().scale;
+    const TypeId type = places_[flow].type;
+    const auto term = terms_.find(flow);
+    if (term == terms_.end()) return value_text(system_, scale, type, classes.witnesses[number]);
+    return term_value_text(system_, scale, term->second, type, classes.witnesses[number]);
 }
 
 void Rewriter::add_types(System& result, PlaceId flow, const ValueClasses& classes) {
@@ -221,6 +233,10 @@ bool have_small_carriers(const System& system, const Instantiation& instantiatio
     return true;
 }
 
+std::string name_of(const Machine& machine) {
+    return machine.package.empty() ? machine.path : machine.package + "::" + machine.path;
+}
+
 std::set<std::string> outputs_replaced(const System& system, const Places& places,
                                        const std::map<PlaceId, ValueClasses>& classes) {
     std::set<std::string> result;
@@ -228,8 +244,7 @@ std::set<std::string> outputs_replaced(const System& system, const Places& place
         const Machine& machine = system.machines[m];
         const auto note = [&](PlaceId place) {
             const auto found = classes.find(places.class_of(place));
-            if (found != classes.end() && !found->second.exact_outputs)
-                result.insert(machine.package.empty() ? machine.path : machine.package + "::" + machine.path);
+            if (found != classes.end() && !found->second.exact_outputs) result.insert(name_of(machine));
         };
         for (std::uint32_t e = 0; e < machine.events.size(); ++e)
             if (machine.events[e].output && machine.events[e].type) note(places.event(MachineId{m}, EventId{e}));
@@ -250,24 +265,107 @@ std::vector<std::string> names_in(const Places& places, PlaceId flow) {
     return {names.begin(), names.end()};
 }
 
+/// Classes for the system in which holders replace all groups of related variables but those that are refused.
+class Attempt {
+public:
+    Attempt(const System& original, const Instantiation& instantiation, const std::set<GroupId>& refused)
+        : instantiation_(instantiation),
+          related_(relate(original, instantiation, refused)),
+          sampling_(related_.system, instantiation),
+          places_(related_.system) {
+        for (const Relation& relation : related_.relations)
+            for (const auto& [variable, coefficient] : relation.term.coefficients)
+                places_.unite(holder_of(relation),
+                              places_.variable(relation.group.first, VariableId{static_cast<std::uint32_t>(variable)}));
+        uses_ = collect_uses(related_.system, sampling_, places_);
+        classes_ = divide_values(related_.system, sampling_, places_, uses_);
+        for (const Relation& relation : related_.relations)
+            terms_[places_.class_of(holder_of(relation))] = relation.text;
+    }
+
+    /// A relation whose holder has no classes.
+    [[nodiscard]] std::optional<GroupId> relation_without_classes() const {
+        for (const Relation& relation : related_.relations)
+            if (!classes_.contains(places_.class_of(holder_of(relation)))) return relation.group;
+        return std::nullopt;
+    }
+    /// No value if no data are replaced.
+    [[nodiscard]] std::optional<ClassModel> result() const;
+
+private:
+    static RelatedSystem relate(const System& system, const Instantiation& instantiation,
+                                const std::set<GroupId>& refused) {
+        const Sampling sampling(system, instantiation);
+        Places places(system);
+        (void)collect_uses(system, sampling, places);  // unites the places that values are copied between
+        return relate_variables(system, sampling, places, refused);
+    }
+    [[nodiscard]] RelatedVariables described(const Relation& relation) const;
+    [[nodiscard]] PlaceId holder_of(const Relation& relation) const {
+        return places_.variable(relation.group.first, relation.group.second);
+    }
+
+    const Instantiation& instantiation_;
+    RelatedSystem related_;
+    Sampling sampling_;
+    Places places_;
+    std::map<PlaceId, Uses> uses_;
+    std::map<PlaceId, ValueClasses> classes_;
+    std::map<PlaceId, std::string> terms_;  ///< of flow classes of holders
+};
+
+RelatedVariables Attempt::described(const Relation& relation) const {
+    const Machine& machine = related_.system.machine(relation.group.first);
+    const auto name = [&](std::size_t variable) { return machine.variables.at(variable).name; };
+    const TypeId type = machine.variables.at(relation.group.second.index).type;
+    RelatedVariables result;
+    result.machine = name_of(machine);
+    result.holder = name(relation.group.second.index);
+    result.scale = sampling_.instantiation().scale;
+    result.whole = related_.system.type(type).kind == TypeKind::integer;
+    result.assigned = relation.assigned;
+    for (const auto& [variable, coefficient] : relation.term.coefficients)
+        result.variables.push_back(
+            {name(variable), coefficient, relation.initial.at(VariableId{static_cast<std::uint32_t>(variable)})});
+    for (const auto& [element, variable] : relation.stored_by) result.stored_by[element] = name(variable.index);
+    for (const Value& witness : classes_.at(places_.class_of(holder_of(relation))).witnesses) {
+        std::int64_t units = witness.number;
+        if (result.whole) units *= result.scale;
+        result.term_values[term_value_text(related_.system, result.scale, relation.text, type, witness)] = units;
+    }
+    return result;
+}
+
+std::optional<ClassModel> Attempt::result() const {
+    if (classes_.empty()) return std::nullopt;
+    const System& system = related_.system;
+    ClassModel result{Rewriter(system, sampling_, places_, classes_, terms_).rewrite(),
+                      instantiation_,
+                      {},
+                      have_small_carriers(system, instantiation_, places_, classes_),
+                      outputs_replaced(system, places_, classes_),
+                      {}};
+    for (const auto& [flow, divided] : classes_) {
+        const auto term = terms_.find(flow);
+        std::string term_text;
+        if (term != terms_.end()) term_text = term->second;
+        result.data.push_back({names_in(places_, flow), std::move(term_text), divided.witnesses.size(),
+                               uses_.at(flow).conditions.size(), divided.all_values, divided.nothing_tested});
+    }
+    for (const Relation& relation : related_.relations) result.related.push_back(described(relation));
+    return result;
+}
+
 }  // namespace
 
 std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation) {
-    const Sampling sampling(system, instantiation);
-    Places places(system);
-    const std::map<PlaceId, Uses> uses = collect_uses(system, sampling, places);
-    const std::map<PlaceId, ValueClasses> classes = divide_values(system, sampling, places, uses);
-    if (classes.empty()) return std::nullopt;
-    ClassModel result{Rewriter(system, sampling, places, classes).rewrite(),
-                      instantiation,
-                      {},
-                      have_small_carriers(system, instantiation, places, classes),
-                      outputs_replaced(system, places, classes)};
-    for (const auto& [flow, divided] : classes) {
-        result.data.push_back({names_in(places, flow), divided.witnesses.size(), uses.at(flow).conditions.size(),
-                               divided.all_values, divided.nothing_tested});
+    std::set<GroupId> refused;
+    for (;;) {
+        Attempt attempt(system, instantiation, refused);
+        const auto kept = attempt.relation_without_classes();
+        if (!kept) return attempt.result();
+        refused.insert(*kept);
     }
-    return result;
 }
 
 std::vector<std::string> describe_classes(const System& class_model) {

@@ -3,6 +3,8 @@
 // carriers. docs/data.md explains it. The result is an ordinary system: classes are enumerations.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,10 +18,32 @@ namespace robochart::ir {
 /// Data that classes replace.
 struct ReplacedData {
     std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
+    std::string term;                 ///< the term of variables that the conditions read, "d - l"; "" for values
     std::size_t classes = 0;
     std::size_t conditions = 0;
     bool all_values = false;      ///< otherwise, the classes are the values that occur
     bool nothing_tested = false;  ///< no condition reads the values
+};
+
+/// A variable of a group that conditions relate.
+struct RelatedVariable {
+    std::string name;
+    std::int64_t coefficient = 1;  ///< in the term; not 0
+    std::int64_t initial = 0;      ///< the initial value, in units
+};
+
+/// Variables that the class model replaces by one variable, which holds the class of a linear term of their values
+/// (docs/data.md, "Relations of variables").
+struct RelatedVariables {
+    std::string machine;  ///< "P::S"
+    std::string holder;   ///< the name of the variable that holds the class, one of those below
+    std::vector<RelatedVariable> variables;
+    std::int64_t scale = 1;                           ///< units of one
+    bool whole = false;                               ///< the variables have the type int; otherwise real
+    std::map<std::string, std::int64_t> term_values;  ///< text of a class -> a value of the term in it, in units
+    /// The qualified name of a transition or a statement -> the variable that stores its input.
+    std::map<std::string, std::string> stored_by;
+    bool assigned = false;  ///< the machine also changes these variables without an input
 };
 
 struct ClassModel {
@@ -30,6 +54,9 @@ struct ClassModel {
     /// The machines ("P::S") for which classes replace values of outputs and calls. Two outputs of different values may
     /// then have one name, so that a nondeterministic machine may have a deterministic class model.
     std::set<std::string> outputs_replaced;
+    /// Names of inputs of related variables depend on the values of the other variables, so that a class model may be
+    /// deterministic although a machine is not, and the reverse.
+    std::vector<RelatedVariables> related;
 };
 
 /// Replaces all data that can be replaced. No value if there are none. Properties of the system must not observe values

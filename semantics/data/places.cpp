@@ -40,7 +40,9 @@ Places::Places(const System& system) {
 }
 
 void Places::number_places(const System& system) {
+    std::uint32_t owner = no_id;
     const auto add = [&](Place place) {
+        place.machine = owner;
         places_.push_back(std::move(place));
         return static_cast<PlaceId>(places_.size() - 1);
     };
@@ -48,20 +50,29 @@ void Places::number_places(const System& system) {
         MachinePlaces numbers;
         numbers.variables = static_cast<PlaceId>(places_.size());
         for (const Variable& variable : component.variables)
-            add({variable.type, variable.name, false, shared(variable), !machine && variable.initial != nullptr});
+            add({.type = variable.type,
+                 .name = variable.name,
+                 .shared = shared(variable),
+                 .opaque = !machine && variable.initial != nullptr,
+                 .variable = true});
         for (const Event& event : component.events)
-            numbers.events.push_back(event.type ? add({*event.type, event.name, event.input}) : no_id);
+            numbers.events.push_back(event.type ? add({.type = *event.type, .name = event.name, .input = event.input})
+                                                : no_id);
         for (const OperationSignature& operation : component.operations) {
             numbers.operations.push_back(static_cast<PlaceId>(places_.size()));
             for (std::size_t i = 0; i < operation.parameters.size(); ++i)
-                add({operation.parameters[i], operation.parameter_names.at(i)});
+                add({.type = operation.parameters[i], .name = operation.parameter_names.at(i)});
         }
         return numbers;
     };
     const auto always = [](const Variable&) { return true; };
-    for (const Machine& machine : system.machines)
+    for (std::uint32_t m = 0; m < system.machines.size(); ++m) {
+        const Machine& machine = system.machines[m];
+        owner = m;
         machines_.push_back(add_component(
             machine, [&](const Variable& variable) { return is_shared(machine, variable); }, true));
+    }
+    owner = no_id;
     for (const Controller& controller : system.controllers)
         controllers_.push_back(add_component(controller, always, false));
     for (const Module& module : system.modules) platforms_.push_back(add_component(module.platform, always, false));
@@ -78,6 +89,7 @@ void Places::unite(PlaceId a, PlaceId b) {
     all.opaque = all.opaque || places_[other].opaque || all.type != places_[other].type;
     all.input = all.input || places_[other].input;
     all.shared = all.shared || places_[other].shared;
+    all.internal = all.internal || places_[other].internal;
     parents_[other] = least;
 }
 
@@ -143,7 +155,11 @@ void Places::unite_connections(const System& system) {
     const auto unite_ends = [&](const std::vector<Connection>& connections, const auto& end) {
         for (const Connection& connection : connections) {
             const PlaceId from = end(connection.from), to = end(connection.to);
-            if (from != no_id && to != no_id) unite(from, to);
+            if (from == no_id || to == no_id) continue;
+            unite(from, to);
+            Place& all = places_[class_of(from)];
+            all.internal =
+                all.internal || (connection.from.kind == EndKind::part && connection.to.kind == EndKind::part);
         }
     };
     for (std::size_t c = 0; c < system.controllers.size(); ++c) {

@@ -20,10 +20,13 @@ using PlaceId = std::uint32_t;
 /// A place that holds values.
 struct Place {
     TypeId type;
-    std::string name;     ///< as in the model
-    bool input = false;   ///< the value of an event that a component receives
-    bool shared = false;  ///< a variable that components share, or a parameter of an operation with a body
-    bool opaque = false;  ///< copied to a place of another type, or initialised outside machines
+    std::string name;               ///< as in the model
+    bool input = false;             ///< the value of an event that a component receives
+    bool shared = false;            ///< a variable that components share, or a parameter of an operation with a body
+    bool opaque = false;            ///< copied to a place of another type, or initialised outside machines
+    bool internal = false;          ///< a connection between two components carries the values
+    bool variable = false;          ///< a variable, not an event or a parameter of an operation that is called
+    std::uint32_t machine = no_id;  ///< the machine that has the place; no_id: a controller or a platform
 };
 
 /// All places of a system, divided into flow classes.

@@ -211,7 +211,7 @@ TEST(Classes, AreNotMadeWhereValuesAreNeeded) {
     const auto with = [&](const std::string& transition) {
         return data_of(fmt::format(fmt::runtime(machine), transition));
     };
-    EXPECT_THAT(with("condition x < y"), IsEmpty()) << "two places in one comparison";
+    EXPECT_THAT(with("condition x < y * y"), IsEmpty()) << "two places in one comparison that is not linear";
     EXPECT_THAT(with("condition since(T) > x").size(), 1U) << "x is a time; y is read by nothing";
     EXPECT_THAT(with("condition x > 3 action x = x + 1").size(), 1U) << "a computed value is compared";
     EXPECT_THAT(with("action out ! (x + y)").size(), 3U) << "out has one value; x and y, which nothing else reads, too";
@@ -310,6 +310,93 @@ TEST(Classes, OfConditionsWithFunctionsAreThoseOfTheirBodies) {
     EXPECT_EQ(classes("postcondition result >= a", "f(x, 2) > 3"), 0U) << "many results";
     EXPECT_EQ(classes("precondition b > 1 postcondition result == a", "f(x, 2) > 3"), 0U);
     EXPECT_EQ(classes("postcondition result == a", "f(x, 1 / (x - x)) > 3"), 0U) << "the argument has no value";
+}
+
+// ---------------------------------------------------------------- relations
+
+/// A machine that reads two values of this type into `x` and `y` and goes on by the guards, with more transitions.
+std::string relating(const std::string& type, const std::vector<std::string>& guards, const std::string& more = "") {
+    std::string text = fmt::format(
+        "package p\nstm S {{\n event e : {0}\n event f : {0}\n event out : {0}\n event go\n var x : {0}, y : {0}\n"
+        " initial i\n state A {{ }}\n junction k\n transition t0 {{ from i to A }}\n"
+        " transition t1 {{ from A to A trigger e ? x }}\n transition t2 {{ from A to A trigger f ? y }}\n"
+        " transition t3 {{ from A to k trigger go }}\n{1}",
+        type, more);
+    for (std::size_t g = 0; g < guards.size(); ++g)
+        text += fmt::format(" transition g{} {{ from k to A condition {} }}\n", g, guards[g]);
+    return text + "}\n";
+}
+
+/// "term, classes, conditions" for the related data; "": there are none.
+std::string relation_of(const std::string& text) {
+    const auto model = classes_of(text);
+    if (!model) return "";
+    for (const ReplacedData& data : model->data)
+        if (!data.term.empty()) return fmt::format("{}, {}, {}", data.term, data.classes, data.conditions);
+    return "";
+}
+
+TEST(Relations, AreConditionsOnOneLinearTerm) {
+    EXPECT_EQ(relation_of(relating("int", {"x > y", "x <= y"})), "x - y, 2, 2");
+    EXPECT_EQ(relation_of(relating("int", {"x > y + 1", "y < x"})), "x - y, 3, 2") << "at most 0, 1, at least 2";
+    EXPECT_EQ(relation_of(relating("real", {"x + y > 1", "2 * x + 2 * y < 2", "x == 1 - y"})), "x + y, 3, 3");
+    EXPECT_EQ(relation_of(relating("real", {"2 * x > 4 * y"})), "x - 2 * y, 2, 1");
+    EXPECT_EQ(relation_of(relating("real", {"(x - y + 180) % 360 - 180 > 90"})), "x - y, 2, 1");
+    EXPECT_EQ(relation_of(relating("int", {"(x - y) % 3 == 1", "(y - x) % 3 == 1"})), "x - y, 3, 2");
+    EXPECT_EQ(relation_of(relating("int", {"x in {y, y + 2}"})), "");
+    EXPECT_EQ(relation_of(relating("int", {"x - y in {0, 2}"})), "x - y, 2, 1");
+}
+
+/// Inputs reach every class only if the term takes every value, whatever the values of the other variables are.
+TEST(Relations, AreNotMadeWhereAnInputMayNotReachEveryClass) {
+    EXPECT_EQ(relation_of(relating("nat", {"x > y"})), "") << "no x is less than y = 0";
+    EXPECT_EQ(relation_of(relating("int", {"x > 2 * y"})), "") << "2 * y is even";
+    EXPECT_EQ(relation_of(relating("real", {"x > 2 * y"})), "x - 2 * y, 2, 1");
+    EXPECT_EQ(relation_of(relating("int", {"x > y", "x > 5"})), "") << "two terms";
+    EXPECT_EQ(relation_of(relating("int", {"x > y", "x + y > 5"})), "") << "two terms";
+    EXPECT_EQ(relation_of(relating("int", {"x * y > 5"})), "") << "not linear";
+    EXPECT_EQ(relation_of(relating("real", {"(x - y) % 3 > 1", "x - y > 1"})), "") << "no period";
+}
+
+/// The class of the term must be known after each statement.
+TEST(Relations, FollowAssignmentsThatTheTermDetermines) {
+    const auto with = [](const std::string& action) {
+        return relation_of(
+            relating("int", {"x > y"}, " transition a { from A to A trigger go action " + action + " }\n"));
+    };
+    EXPECT_EQ(with("x = y"), "x - y, 2, 1") << "the term is 0";
+    EXPECT_EQ(with("x = y + 3"), "x - y, 2, 1") << "the term is 3";
+    EXPECT_EQ(with("x = 0"), "") << "the term is -y";
+    EXPECT_EQ(with("x = x + 1"), "") << "a sum is compared";
+    EXPECT_EQ(with("x = y * y"), "");
+    EXPECT_EQ(with("out ! x"), "x - y, 2, 1") << "a copy that leaves the machine";
+    EXPECT_EQ(with("out ! (x + 1)"), "");
+}
+
+/// Guards of triggers read the new value of their variable, so that the class in the event is the new one.
+TEST(Relations, OfGuardsReadTheReceivedClass) {
+    const auto model = classes_of(relating("int", {"x > y"},
+                                           " transition b { from A to k trigger e ? x condition x > y }\n"
+                                           " transition c { from A to k trigger f ? y condition x > y }\n"));
+    ASSERT_TRUE(model);
+    const std::string dump = dump_text(model->system);
+    EXPECT_THAT(dump, HasSubstr("b A -> k on e?x when (received in set(c2))"));
+    EXPECT_THAT(dump, HasSubstr("c A -> k on f?x when (received in set(c2))"));
+    EXPECT_THAT(dump, HasSubstr("g0 k -> A when (x in set(c2))"));
+}
+
+/// Values that another component sends, or that several machines receive, may depend on each other.
+TEST(Relations, NeedInputsOfThePlatformThatOneMachineReceives) {
+    const auto controller = [](const std::string& parts) {
+        const std::string sending = " transition a { from A to A trigger go action out ! x }\n";
+        return relating("int", {"x > y"}, sending) +
+               "controller C { event e : int event f : int event g : int event go sref s = S "
+               "connection C on e to s on e connection C on go to s on go " +
+               parts + " }\n";
+    };
+    EXPECT_EQ(relation_of(controller("connection C on f to s on f")), "x - y, 2, 1");
+    EXPECT_EQ(relation_of(controller("connection s on out to s on f")), "") << "an output comes back";
+    EXPECT_EQ(relation_of(controller("connection C on f to s on f sref t = S connection C on g to t on e")), "");
 }
 
 }  // namespace

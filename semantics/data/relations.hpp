@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Conditions that relate variables of a machine, such as `d > l` or `(now - start) % 360 < 90`. Private to this
+// component.
+//
+// A group of variables that conditions relate is replaced by one variable, the holder, if all conditions read the group
+// through one linear term t, here d - l. The holder holds the value of t. A statement that stores an input in a
+// variable of the group receives the new value of t instead. Statement: the two systems are bisimilar if values of
+// inputs are renamed. Reason: for all values of the other variables, t takes every value of its type as the variable
+// takes every value of its type: a linear form with a coefficient other than 0 maps the reals onto the reals, and one
+// with a coefficient of 1 or -1 maps the integers onto the integers. This is the condition of homogeneity: it is wrong
+// for nat and for all types with bounds (docs/data.md, "Relations of variables").
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "semantics/data/linear_form.hpp"
+#include "semantics/data/places.hpp"
+#include "semantics/data/sampling.hpp"
+
+namespace robochart::ir {
+
+/// A group of variables of one machine: the machine and the least variable.
+using GroupId = std::pair<MachineId, VariableId>;
+
+/// A group that a holder replaces.
+struct Relation {
+    GroupId group;  ///< its variable is the holder
+    /// The term: components are variables by VariableId. The constant is 0.
+    LinearForm term;
+    std::string text;                            ///< "d - l"
+    std::map<VariableId, std::int64_t> initial;  ///< of each variable of the group, in units of the sampling scale
+    /// The qualified name of a transition or a statement -> the variable that stores its input.
+    std::map<std::string, VariableId> stored_by;
+    bool assigned = false;  ///< an assignment changes a variable of the group
+};
+
+/// A system in which holders replace groups. The other variables of a group are not used, and have the type and the
+/// initial value of the holder.
+struct RelatedSystem {
+    System system;
+    std::vector<Relation> relations;
+};
+
+/// Replaces all groups that can be replaced, except `refused`. `places`: after collect_uses.
+[[nodiscard]] RelatedSystem relate_variables(const System& system, const Sampling& sampling, const Places& places,
+                                             std::set<GroupId> refused);
+
+}  // namespace robochart::ir
