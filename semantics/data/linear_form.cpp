@@ -76,6 +76,8 @@ LinearReader::Forms LinearReader::read_multiple(const Expr& expr) const {
 /// Recursion depth: the depth of the expression.
 LinearReader::Forms LinearReader::read(const Expr& expr) const {
     if (const auto closed = read_closed(expr)) return std::set{*closed};
+    const bool natural = system_.type(expr.type).kind == TypeKind::nat;
+    if (natural && expr.kind == ExprKind::minus) return std::nullopt;  // a negative difference is another number
     if (expr.kind == ExprKind::plus) return read_sum(expr, 1);
     if (expr.kind == ExprKind::minus) return read_sum(expr, -1);
     if (expr.kind == ExprKind::times) return read_multiple(expr);
