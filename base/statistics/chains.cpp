@@ -2,7 +2,6 @@
 #include "base/statistics/chains.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -163,16 +162,6 @@ std::optional<OrderContradiction> order_contradiction(const std::vector<StateSeq
         }
     }
     return worst;
-}
-
-double weissman_radius(std::size_t values, std::uint64_t draws, double error) {
-    if (values < 2) return 0;
-    if (draws == 0) return 2;
-    const auto count = static_cast<double>(values);
-    // ln(2^values - 2), also if 2^values exceeds the range of double.
-    const double sets = values > 60 ? count * std::log(2.0) : std::log(std::exp2(count) - 2);
-    const double radius = std::sqrt(2 * (sets - std::log(error)) / static_cast<double>(draws));
-    return std::min(2.0, radius * (1 + 1e-12));
 }
 
 bool contradicts_prediction(std::uint64_t successes, std::uint64_t trials, double error, const Interval& predicted) {

@@ -58,12 +58,6 @@ using Permitted = std::vector<std::vector<bool>>;
 [[nodiscard]] std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts&, const Permitted&,
                                                                       double error);
 
-/// The radius of a ball around the observed frequencies, in the sum of absolute differences. The ball misses the
-/// distribution on `values` values with a chance of at most `error` after `draws` draws (Weissman, Ordentlich,
-/// Seroussi, Verdu and Weinberger, HPL-2003-97): sqrt(2 ln((2^values - 2) / error) / draws), at most 2. 0 for one
-/// value.
-[[nodiscard]] double weissman_radius(std::size_t values, std::uint64_t draws, double error);
-
 /// A state whose next state depends on the state before it: the intervals for two different states before it are
 /// disjoint.
 struct OrderContradiction {

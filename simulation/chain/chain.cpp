@@ -179,7 +179,7 @@ public:
         for (const auto& row : intervals) {
             markov::UncertainRow& added = chain_.emplace_back();
             for (markov::State to = 0; to < row.size(); ++to)
-                if (row[to].high > 0) added.branches.push_back({to, row[to].low, row[to].high});
+                if (row[to].high > 0) added.push_back({to, row[to].low, row[to].high});
         }
     }
 
@@ -219,7 +219,7 @@ private:
     /// Chains with more transitions get fewer rounds; a bound is correct even if it has not converged.
     [[nodiscard]] std::uint64_t most_rounds() const {
         std::uint64_t transitions = 0;
-        for (const markov::UncertainRow& row : chain_) transitions += row.branches.size();
+        for (const markov::UncertainRow& row : chain_) transitions += row.size();
         return std::clamp<std::uint64_t>(500'000'000 / transitions, 1'000, 100'000);
     }
 

@@ -14,11 +14,10 @@ namespace {
 
 /// Returns the branches, sorted by the worth of their targets, best first.
 std::vector<std::size_t> by_worth(const UncertainRow& row, const std::vector<double>& worth) {
-    std::vector<std::size_t> order(row.branches.size());
+    std::vector<std::size_t> order(row.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-        return worth[row.branches[a].target] > worth[row.branches[b].target];
-    });
+    std::ranges::stable_sort(order,
+                             [&](std::size_t a, std::size_t b) { return worth[row[a].target] > worth[row[b].target]; });
     return order;
 }
 
@@ -36,46 +35,24 @@ Interval remaining_mass(const Interval& whole, const Interval& part) {
 
 /// An upper bound on the greatest expectation of `worth`: every branch gets its least probability, and the rest is
 /// assigned to the best branches, each up to its greatest probability.
-double within_bounds(const UncertainRow& row, const std::vector<double>& worth) {
+double expectation(const UncertainRow& row, const std::vector<double>& worth) {
+    if (row.empty()) throw std::invalid_argument("a state leads nowhere");
     Interval sum = point(0);
     Interval left = point(1);
-    for (const UncertainBranch& branch : row.branches) {
+    for (const UncertainBranch& branch : row) {
         sum += point(branch.low) * point(worth[branch.target]);
         left = left - point(branch.low);
     }
     if (left.high < 0) throw std::invalid_argument("the least probabilities of a state are more than 1 together");
     left = remaining_mass(left, point(0));
     for (const std::size_t at : by_worth(row, worth)) {
-        const UncertainBranch& branch = row.branches[at];
+        const UncertainBranch& branch = row[at];
         const Interval more = lesser_bounds(left, point(branch.high) - point(branch.low));
         sum += more * point(worth[branch.target]);
         left = remaining_mass(left, more);
     }
     if (left.low() > 0) throw std::invalid_argument("the greatest probabilities of a state are less than 1 together");
     return sum.high;
-}
-
-/// An upper bound on the greatest expectation within the ball: up to half of the radius is moved from the worst
-/// branches to the best one (Strehl and Littman, JCSS 74, 2008).
-double within_ball(const UncertainRow& row, const std::vector<double>& worth) {
-    const std::vector<std::size_t> order = by_worth(row, worth);
-    Interval sum = point(0);
-    for (std::size_t at = 0; at < row.branches.size(); ++at)
-        sum += point(row.centre[at]) * point(worth[row.branches[at].target]);
-    const double best = worth[row.branches[order.front()].target];
-    Interval moved = lesser_bounds(point(row.radius / 2), remaining_mass(point(1), point(row.centre[order.front()])));
-    for (std::size_t k = order.size(); k-- > 1;) {
-        const std::size_t at = order[k];
-        const Interval taken = lesser_bounds(moved, point(row.centre[at]));
-        sum += taken * (point(best) - point(worth[row.branches[at].target]));
-        moved = remaining_mass(moved, taken);
-    }
-    return sum.high;
-}
-
-double expectation(const UncertainRow& row, const std::vector<double>& worth) {
-    if (row.branches.empty()) throw std::invalid_argument("a state leads nowhere");
-    return row.centre.empty() ? within_bounds(row, worth) : within_ball(row, worth);
 }
 
 /// A lower bound of a minimum is the negative of an upper bound of the maximum of the negated worths.
@@ -157,8 +134,8 @@ StateSet reachable(const UncertainChain& chain, State from) {
     while (!open.empty()) {
         const UncertainRow& row = chain[open.back()];
         open.pop_back();
-        for (const UncertainBranch& branch : row.branches)
-            if ((!row.centre.empty() || branch.high > 0) && !found[branch.target]) {
+        for (const UncertainBranch& branch : row)
+            if (branch.high > 0 && !found[branch.target]) {
                 found[branch.target] = true;
                 open.push_back(branch.target);
             }

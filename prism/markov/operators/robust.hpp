@@ -20,21 +20,17 @@ struct UncertainBranch {
     double high = 1;
 };
 
-/// The branches of a state: all vectors of probabilities within the bounds whose distance from `centre`, the sum of
-/// absolute differences, is at most `radius`. At least one such vector exists.
-struct UncertainRow {
-    std::vector<UncertainBranch> branches;  ///< targets ascend
-    std::vector<double> centre;             ///< by branch; empty: no such condition
-    double radius = 2;
-};
+/// The branches of a state, with ascending targets. They stand for all vectors of probabilities within the bounds; at
+/// least one such vector exists.
+using UncertainRow = std::vector<UncertainBranch>;
 
 /// A chain, with one row for each state.
 using UncertainChain = std::vector<UncertainRow>;
 
 /// Bounds, for each state, on the probability to reach `goal` within 0, 1, ... `steps` steps, for every chain within
 /// the bounds: with `minimum`, no probability is below; with `maximum`, none is above. Rounding can only loosen the
-/// bounds. `result[k][s]` is for k steps from s. If a row has both kinds of conditions, only the ball is used. Throws
-/// std::invalid_argument if a row contains no vector of probabilities.
+/// bounds. `result[k][s]` is for k steps from s. Throws std::invalid_argument if a row contains no vector of
+/// probabilities.
 [[nodiscard]] std::vector<std::vector<double>> reach_bounds(const UncertainChain& chain, const StateSet& goal,
                                                             std::uint64_t steps, Direction direction,
                                                             diagnostics::Budget* budget = nullptr);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts by hand, intervals compared with Clopper and Pearson's, the radius compared with its formula, and coverage.
+// Counts by hand, intervals compared with Clopper and Pearson's, and coverage.
 #include "base/statistics/chains.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 #include <stdexcept>
 
@@ -60,29 +59,6 @@ TEST(TransitionIntervals, WhatTheModelForbidsIsExcluded) {
     counts.add({1, 1});
     EXPECT_THROW((void)transition_intervals(counts, {{true, false}, {true, true}}, 0.04), std::invalid_argument);
     EXPECT_THROW((void)transition_intervals(counts, {{false, false}, {true, true}}, 0.04), std::invalid_argument);
-}
-
-TEST(Weissman, IsTheFormula) {
-    EXPECT_EQ(weissman_radius(1, 10, 0.05), 0);
-    EXPECT_EQ(weissman_radius(3, 0, 0.05), 2);
-    EXPECT_NEAR(weissman_radius(2, 200, 0.05), std::sqrt(2 * std::log(2 / 0.05) / 200), 1e-9);
-    EXPECT_NEAR(weissman_radius(4, 1000, 0.01), std::sqrt(2 * std::log(14 / 0.01) / 1000), 1e-9);
-    EXPECT_EQ(weissman_radius(4, 1, 0.01), 2);
-}
-
-/// The share of repetitions in which the ball misses the distribution is at most the error.
-TEST(Weissman, Covers) {
-    std::mt19937_64 random(1);
-    std::discrete_distribution<std::size_t> draw{0.5, 0.3, 0.2};
-    int missed = 0;
-    constexpr int repetitions = 1000;
-    for (int i = 0; i < repetitions; ++i) {
-        std::vector<double> seen(3);
-        for (int k = 0; k < 100; ++k) seen[draw(random)] += 0.01;
-        const double away = std::abs(seen[0] - 0.5) + std::abs(seen[1] - 0.3) + std::abs(seen[2] - 0.2);
-        if (away > weissman_radius(3, 100, 0.1)) ++missed;
-    }
-    EXPECT_LE(missed, repetitions / 10);
 }
 
 TEST(Validation, CanFail) {
