@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "conformance/check/batch.hpp"
 #include "conformance/check/conform.hpp"
 #include "conformance/check/conformance_check.hpp"
 #include "conformance/check/cycle_schedule.hpp"
@@ -18,6 +17,7 @@
 #include "conformance/code/cycle_graph.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/conformance/batches/batch.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/random/random_shapes.hpp"
 #include "tests/conformance/support.hpp"

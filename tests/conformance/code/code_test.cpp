@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"
-#include "conformance/code/code_batch.hpp"
-#include "conformance/code/code_equality.hpp"
 #include "conformance/code/cycle_log.hpp"
 #include "conformance/code/watchdog.hpp"
+#include "tests/conformance/batches/code_batch.hpp"
+#include "tests/conformance/batches/code_equality.hpp"
 #include "tests/conformance/bench.hpp"
 #include "tests/conformance/support.hpp"
 

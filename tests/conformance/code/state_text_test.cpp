@@ -6,10 +6,10 @@
 
 #include <vector>
 
-#include "conformance/check/batch.hpp"
 #include "conformance/check/conform.hpp"
 #include "conformance/code/code_system.hpp"
 #include "conformance/code/cycle_log.hpp"
+#include "tests/conformance/batches/batch.hpp"
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance {

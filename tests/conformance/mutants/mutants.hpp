@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "conformance/code/code_batch.hpp"
-#include "conformance/code/code_equality.hpp"
 #include "semantics/ir/ir.hpp"
+#include "tests/conformance/batches/code_batch.hpp"
+#include "tests/conformance/batches/code_equality.hpp"
 #include "tests/conformance/bench.hpp"
 
 namespace robochart::conformance::test {

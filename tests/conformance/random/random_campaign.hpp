@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/check/batch.hpp"
+#include "tests/conformance/batches/batch.hpp"
 #include "tests/random_models/models/project.hpp"
 #include "tests/random_models/models/shape.hpp"
 

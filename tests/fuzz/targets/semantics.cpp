@@ -9,7 +9,6 @@
 #include "base/diagnostics/budget.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/types/type_check.hpp"
-#include "conformance/check/batch.hpp"
 #include "cpp_emit/emit.hpp"
 #include "csp_emit/emit.hpp"
 #include "frontend/project/project.hpp"
@@ -17,6 +16,7 @@
 #include "frontend/toolkits/toolkits.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/lower/lower.hpp"
+#include "tests/conformance/batches/batch.hpp"
 #include "tests/fuzz/targets/findings.hpp"
 #include "tests/fuzz/targets/targets.hpp"
 

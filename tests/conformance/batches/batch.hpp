@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "conformance/check/conform.hpp"
-#include "conformance/code/code_batch.hpp"
 #include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
+#include "tests/conformance/batches/code_batch.hpp"
 
 namespace robochart::conformance {
 

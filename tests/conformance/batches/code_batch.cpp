@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/code/code_batch.hpp"
+#include "tests/conformance/batches/code_batch.hpp"
 
 #include <fmt/format.h>
 

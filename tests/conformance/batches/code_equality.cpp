@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/code/code_equality.hpp"
+#include "tests/conformance/batches/code_equality.hpp"
 
 #include <algorithm>
 

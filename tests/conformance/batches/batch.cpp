@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/check/batch.hpp"
+#include "tests/conformance/batches/batch.hpp"
 
 #include "conformance/check/conformance_check.hpp"
 #include "conformance/model/component.hpp"
