@@ -24,7 +24,7 @@ using namespace robochart;
 struct Study {
     std::unique_ptr<app::Simulation> loaded;
     std::unique_ptr<simulation::Controller> controller;
-    std::unique_ptr<app::Monitors> monitors;
+    std::unique_ptr<simulation::Guard> guard;
 };
 
 double median(std::vector<double> values) {
@@ -39,7 +39,7 @@ public:
     Side(const Study& study, const simulation::Scenario& scenario, bool watched)
         : plan_(simulation::bind_scenario(scenario, study.loaded->emission, diagnostics_)),
           stage_(simulation::embedded_stage(scenario, 0, diagnostics_)),
-          trace_(watched ? study.monitors->make_observer({})(0) : nullptr) {
+          trace_(watched ? study.guard->make_observer({})(0) : nullptr) {
         if (stage_ == nullptr) return;
         options_.record = false;
         options_.trace = trace_.get();
@@ -113,6 +113,7 @@ bool load(const char* path, Study& study) {
     app::set_verb(options, app::Verb::simulate);
     options.load.inputs = {path};
     options.output.quiet = true;
+    options.simulate.monitor = true;
     app::Run run(options);
     options.run = &run;
     study.loaded = app::load_simulation(options);
@@ -120,8 +121,8 @@ bool load(const char* path, Study& study) {
     if (study.loaded->project->diagnostics.ok())
         study.controller = simulation::Controller::build(study.loaded->emission, "", error);
     const double begin = thread_cpu_seconds();
-    if (study.controller != nullptr) study.monitors = app::make_monitors(*study.loaded, options);
-    if (study.monitors == nullptr) {
+    if (study.controller != nullptr) study.guard = app::make_guard(*study.loaded, options);
+    if (study.guard == nullptr) {
         app::show_diagnostics(*study.loaded->project, options);
         fmt::print(stderr, "{}: {}\n", path, error);
         return false;

@@ -5,8 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <mutex>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/base/numbers.hpp"
 #include "app/command/findings.hpp"
@@ -20,6 +24,8 @@
 #include "app/verbs/write_files.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "checker/process/term.hpp"
+#include "conformance/monitor/cycle_cache.hpp"
+#include "conformance/monitor/monitor.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "driver/model/places.hpp"
 #include "driver/settings/rules.hpp"
@@ -57,7 +63,29 @@ std::unique_ptr<conformance::MonitorBuild> build_monitor(driver::Project& projec
     }
 }
 
-}  // namespace
+/// The monitors of the robots of one kind.
+class Monitors final : public simulation::Guard {
+public:
+    Monitors(std::unique_ptr<conformance::MonitorBuild> build, const cpp_emit::DriveEmission& emission)
+        : build_(std::move(build)), emission_(emission) {}
+    [[nodiscard]] Maker make_observer(Maker other) override;
+    [[nodiscard]] std::string summary_lines() const override;
+
+private:
+    class Watch;
+
+    [[nodiscard]] std::unique_ptr<conformance::CycleCache> borrow_cache();
+    void give_back(std::unique_ptr<conformance::CycleCache>);
+
+    std::unique_ptr<conformance::MonitorBuild> build_;
+    const cpp_emit::DriveEmission& emission_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<conformance::CycleCache>>
+        idle_;  ///< caches of finished trials, which later trials reuse
+    std::atomic<std::uint64_t> robots_ = 0;
+    /// Number of monitors that stopped because their robot left the finite instantiation.
+    std::atomic<std::uint64_t> lost_ = 0;
+};
 
 /// The monitors of one trial.
 class Monitors::Watch final : public simulation::Trace {
@@ -143,14 +171,6 @@ std::string Monitors::summary_lines() const {
             fmt::format(", {} of them not to the end: they left the finite instantiation of the model", lost_.load());
     return text + "\n";
 }
-
-std::unique_ptr<Monitors> make_monitors(Simulation& simulation, const Options& options) {
-    const auto components = driver::code_components(simulation.project->system, simulation.scenario.component.text);
-    auto made = build_monitor(*simulation.project, options, components.front(), simulation.scenario.units_per_step);
-    return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), simulation.emission);
-}
-
-namespace {
 
 /// The guards of all kinds of robots. The environment has no guard.
 class KindGuards final : public simulation::Guard {

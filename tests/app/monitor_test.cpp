@@ -21,11 +21,12 @@ public:
         set_verb(options_, Verb::simulate);
         options_.load.inputs = {testing::repository("corpus/" + study + "/" + study + ".scenario")};
         options_.simulate.trials = 1;
+        options_.simulate.monitor = true;
         run_ = std::make_unique<Run>(options_);
         options_.run = run_.get();
         simulation_ = load_simulation(options_);
-        monitors_ = make_monitors(*simulation_, options_);
-        EXPECT_NE(monitors_, nullptr);
+        guard_ = make_guard(*simulation_, options_);
+        EXPECT_NE(guard_, nullptr);
     }
 
     /// Runs one trial with the controller of a generator with this fault; returns the stop, if any.
@@ -44,7 +45,7 @@ public:
         EXPECT_NE(controller, nullptr) << error;
         simulation::RunOptions options;
         options.record = false;
-        options.trace = monitors_->make_observer({});
+        options.trace = guard_->make_observer({});
         diagnostics::Diagnostics found;
         return simulation::run_trials(simulation_->plan, controller->drive(), options, found).trials.at(0).stop;
     }
@@ -53,7 +54,7 @@ private:
     Options options_;
     std::unique_ptr<Run> run_;
     std::unique_ptr<Simulation> simulation_;
-    std::unique_ptr<Monitors> monitors_;
+    std::unique_ptr<simulation::Guard> guard_;
 };
 
 TEST(Monitors, StopFaultyControllersWithTheElement) {
