@@ -60,9 +60,6 @@ struct Expr {
     bool braced = false;     ///< a name in braces, as LEGOS writes measures
     bool bracketed = false;  ///< the expression is in parentheses
 };
-/// True if operators, names and literals are equal; places and superfluous parentheses are ignored.
-[[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
-
 enum class Unit : std::uint8_t { seconds, minutes, hours, days };
 /// "seconds", ...
 [[nodiscard]] const char* unit_name(Unit unit);
@@ -171,8 +168,5 @@ struct RuleFile {
     std::vector<Property> concerns;
     std::vector<Property> purposes;
 };
-
-/// True if the declarations, rules, concerns and purposes are equal, in the same order.
-[[nodiscard]] bool same_file(const RuleFile& a, const RuleFile& b);
 
 }  // namespace robochart::sleec

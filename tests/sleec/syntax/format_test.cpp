@@ -9,6 +9,7 @@
 #include "tests/contents.hpp"
 #include "tests/shared_folder.hpp"
 #include "tests/sleec/support.hpp"
+#include "tests/sleec/syntax/same_file.hpp"
 
 namespace robochart::sleec {
 namespace {
@@ -101,7 +102,7 @@ TEST(SleecFormat, ASecondTimeNothingChanges) {
         ++files;
         EXPECT_EQ(formatted(once), once);
         testing::Read before(tests::read_contents(entry.path())), after(once);
-        EXPECT_TRUE(same_file(before.file, after.file));
+        EXPECT_TRUE(testing::same_file(before.file, after.file));
     }
     EXPECT_GT(files, 30U);
 }
