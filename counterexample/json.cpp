@@ -2,12 +2,13 @@
 // Empty values are omitted, except for lists that readers always iterate over.
 #include "counterexample/json.hpp"
 
-#include <nlohmann/json.hpp>
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::runs {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using diagnostics::Json;
+using diagnostics::json_array;
 
 const char* json_word(Kind kind) {
     switch (kind) {
@@ -102,13 +103,6 @@ void add_text(Json& json, const char* key, const std::string& text) {
     if (!text.empty()) json[key] = text;
 }
 
-template <class Item, class Write>
-Json json_array(const std::vector<Item>& items, const Write& write) {
-    Json list = Json::array();
-    for (const Item& item : items) list.push_back(write(item));
-    return list;
-}
-
 Json value_json(const Value& value) {
     Json json{{"value", value.text}};
     add_text(json, "type", value.type);
@@ -138,7 +132,7 @@ Json events_json(const std::vector<Event>& list) {
 Json variable_json(const Variable& variable) {
     Json json{{"name", variable.name}, {"kind", json_word(variable.kind)}};
     add_text(json, "type", variable.type);
-    json["value"] = variable.value ? Json(*variable.value) : Json(nullptr);
+    json["value"] = diagnostics::json_or_null(variable.value);
     add_text(json, "deadline", variable.deadline);
     return json;
 }
@@ -155,7 +149,7 @@ Json machine_json(const Machine& machine) {
 
 Json change(const Change& change) {
     Json json{{"component", change.component}, {"name", change.name}};
-    json["before"] = change.before ? Json(*change.before) : Json(nullptr);
+    json["before"] = diagnostics::json_or_null(change.before);
     json["after"] = change.after;
     return json;
 }

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/command/option_table.hpp"
@@ -24,6 +25,10 @@ void output_document(const Options& options, const std::function<std::string(For
     };
     if (options.output.format != Format::text) print_exact(complete(options.output.format));
     for (const auto& [format, path] : options.output.files) options.run->keep_for(path, complete(format));
+}
+
+void output_json(const Options& options, const diagnostics::Json& document) {
+    output_document(options, [&](Format) { return diagnostics::json_text(document) + "\n"; });
 }
 
 bool is_requested(const Options& options, Format format) {

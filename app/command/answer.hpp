@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/command/options.hpp"
+#include "base/diagnostics/json.hpp"
 #include "base/diagnostics/render.hpp"
 
 namespace robochart::app {
@@ -14,6 +15,9 @@ namespace robochart::app {
 /// Outputs the document in each requested format; the record of the run is added to JSON documents. Files are written
 /// when the run ends. If the function is called again, the new document is appended.
 void output_document(const Options&, const std::function<std::string(Format)>& document);
+
+/// Outputs a document that exists only in JSON.
+void output_json(const Options&, const diagnostics::Json& document);
 
 /// True if the options request the result in this format, for standard output or a file.
 [[nodiscard]] bool is_requested(const Options&, Format);

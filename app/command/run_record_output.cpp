@@ -4,15 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/command/run_record.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::app {
 namespace {
 
 using diagnostics::Json;
+using diagnostics::json_array;
+using diagnostics::json_or_null;
 
 constexpr const char* program_name = "robochart-verify";
 
@@ -38,13 +40,8 @@ const char* key_of(ValueSource source) {
     return "";
 }
 
-template <typename T>
-Json optional_json(const std::optional<T>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
 /// Writes whole numbers without a decimal point.
-Json number_json(double number) {
+Json bound_json(double number) {
     constexpr double exact = 9007199254740992.0;  // 2^53
     if (std::trunc(number) == number && std::abs(number) < exact) return Json(static_cast<std::int64_t>(number));
     return Json(number);
@@ -88,37 +85,39 @@ std::string command_text(const std::vector<std::string>& words) {
     return text;
 }
 
+Json input_json(const RecordedInput& input) {
+    return {{"path", input.path}, {"sha256", input.sha256}};
+}
+
+Json constant_json(const RecordedConstant& constant) {
+    return {{"model", constant.model},
+            {"name", constant.name},
+            {"value", constant.value},
+            {"source", key_of(constant.source)}};
+}
+
+Json range_json(const RecordedRange& range) {
+    return {{"model", range.model},           {"type", range.type},     {"low", bound_json(range.low)},
+            {"high", bound_json(range.high)}, {"values", range.values}, {"source", key_of(range.source)}};
+}
+
 }  // namespace
 
 Json run_json(const RunRecord& record) {
-    Json inputs = Json::array(), constants = Json::array(), ranges = Json::array();
-    for (const RecordedInput& input : record.inputs) inputs.push_back({{"path", input.path}, {"sha256", input.sha256}});
-    for (const RecordedConstant& constant : record.constants)
-        constants.push_back({{"model", constant.model},
-                             {"name", constant.name},
-                             {"value", constant.value},
-                             {"source", key_of(constant.source)}});
-    for (const RecordedRange& range : record.ranges)
-        ranges.push_back({{"model", range.model},
-                          {"type", range.type},
-                          {"low", number_json(range.low)},
-                          {"high", number_json(range.high)},
-                          {"values", range.values},
-                          {"source", key_of(range.source)}});
     return {{"program", program_json(record.version, record.commit)},
             {"command", record.command},
-            {"inputs", std::move(inputs)},
-            {"constants", std::move(constants)},
-            {"ranges", std::move(ranges)},
-            {"seed", optional_json(record.seed)},
+            {"inputs", json_array(record.inputs, input_json)},
+            {"constants", json_array(record.constants, constant_json)},
+            {"ranges", json_array(record.ranges, range_json)},
+            {"seed", json_or_null(record.seed)},
             {"limits",
              {{"memoryBytes", record.memory_bytes},
-              {"seconds", optional_json(record.seconds)},
-              {"assertionSeconds", optional_json(record.assertion_seconds)},
-              {"states", optional_json(record.states)}}},
-            {"reduction", optional_json(record.reduction)},
-            {"threads", optional_json(record.threads)},
-            {"peakMemoryBytes", optional_json(record.peak_memory_bytes)}};
+              {"seconds", json_or_null(record.seconds)},
+              {"assertionSeconds", json_or_null(record.assertion_seconds)},
+              {"states", json_or_null(record.states)}}},
+            {"reduction", json_or_null(record.reduction)},
+            {"threads", json_or_null(record.threads)},
+            {"peakMemoryBytes", json_or_null(record.peak_memory_bytes)}};
 }
 
 std::string with_run(std::string document, const RunRecord& record) {

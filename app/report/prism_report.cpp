@@ -3,17 +3,17 @@
 
 #include <fmt/format.h>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 #include "base/diagnostics/escape.hpp"
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::app {
 namespace {
 
 using diagnostics::Json;
+using diagnostics::json_array;
 using Kind = prism::Result::Kind;
 
 /// A bound or value as a JSON number, or "Infinity".
@@ -225,42 +225,34 @@ const char* answer_word(const PrismAnswer& answer) {
     return "not decided";
 }
 
-Json constants_json(const NamedValues& constants) {
-    Json json = Json::object();
-    for (const auto& [name, value] : constants) json[name] = value;
-    return json;
-}
-
 Json move_json(const prism::Move& move, const diagnostics::SourceManager& sources) {
-    Json json{{"action", move.action}, {"commands", Json::array()}};
-    for (const prism::Move::Part& part : move.parts)
-        json["commands"].push_back(
-            {{"module", part.module}, {"line", sources.position(part.command.source, part.command.begin).line}});
-    return json;
+    const auto command = [&](const prism::Move::Part& part) -> Json {
+        return {{"module", part.module}, {"line", sources.position(part.command.source, part.command.begin).line}};
+    };
+    return {{"action", move.action}, {"commands", json_array(move.parts, command)}};
 }
 
 Json path_json(const prism::ProbablePath& path, const diagnostics::SourceManager& sources) {
-    Json json{{"low", path.probability.low}, {"high", path.probability.high}, {"from", path.from}};
-    json["steps"] = Json::array();
-    for (const prism::ProbablePath::Step& step : path.steps) {
-        Json by = Json::array();
-        for (const prism::Move& move : step.by) by.push_back(move_json(move, sources));
-        json["steps"].push_back({{"by", std::move(by)}, {"state", step.state}});
-    }
-    return json;
+    const auto move = [&](const prism::Move& by) { return move_json(by, sources); };
+    const auto step = [&](const prism::ProbablePath::Step& taken) -> Json {
+        return {{"by", json_array(taken.by, move)}, {"state", taken.state}};
+    };
+    return {{"low", path.probability.low},
+            {"high", path.probability.high},
+            {"from", path.from},
+            {"steps", json_array(path.steps, step)}};
 }
 
 Json counterexample_json(const prism::Counterexample& found, const diagnostics::SourceManager& sources) {
-    Json json{{"formulaHolds", found.holds}, {"whateverFollows", found.never}, {"oneScheduler", found.scheduled},
-              {"count", found.count},        {"low", found.total.low},         {"high", found.total.high},
-              {"bound", found.bound.text()}, {"enough", found.enough},         {"paths", Json::array()}};
-    for (const prism::ProbablePath& path : found.paths) json["paths"].push_back(path_json(path, sources));
-    return json;
+    const auto path = [&](const prism::ProbablePath& probable) { return path_json(probable, sources); };
+    return {{"formulaHolds", found.holds}, {"whateverFollows", found.never}, {"oneScheduler", found.scheduled},
+            {"count", found.count},        {"low", found.total.low},         {"high", found.total.high},
+            {"bound", found.bound.text()}, {"enough", found.enough},         {"paths", json_array(found.paths, path)}};
 }
 
 Json answer_json(const PrismReport& report, const PrismAnswer& answer) {
     Json json{{"property", answer.property + 1}, {"answer", answer_word(answer)}};
-    if (!answer.constants.empty()) json["constants"] = constants_json(answer.constants);
+    if (!answer.constants.empty()) json["constants"] = diagnostics::json_object(answer.constants);
     const prism::Result& result = answer.result;
     if (!answer.error.empty()) {
         json["reason"] = answer.error;
@@ -280,6 +272,19 @@ Json answer_json(const PrismReport& report, const PrismAnswer& answer) {
     if (!result.reason.empty()) json["reason"] = result.reason;
     for (const auto& [state, value] : result.printed) json["printed"].push_back({{"state", state}, {"value", value}});
     if (answer.counterexample) json["counterexample"] = counterexample_json(*answer.counterexample, *report.sources);
+    return json;
+}
+
+Json run_json(const PrismReport& report, const PrismRun& run) {
+    Json json{{"constants", diagnostics::json_object(run.constants)}};
+    if (run.explored)
+        json.update({{"states", run.states},
+                     {"initial", run.initial},
+                     {"choices", run.choices},
+                     {"transitions", run.transitions},
+                     {"deadlocks", run.deadlocks},
+                     {"seconds", diagnostics::round_to_places(run.seconds, 3)}});
+    json["answers"] = json_array(run.answers, [&](const PrismAnswer& answer) { return answer_json(report, answer); });
     return json;
 }
 
@@ -374,24 +379,10 @@ std::string prism_json(const PrismReport& report) {
     Json json{{"schema", "robochart-verify/prism/1"}, {"model", report.model}};
     if (report.kind) json["kind"] = report.kind == prism::ModelKind::mdp ? "mdp" : "dtmc";
     if (!report.scheduler.empty()) json["scheduler"] = report.scheduler;
-    json["properties"] = Json::array();
-    for (const PrismProperty& property : report.properties)
-        json["properties"].push_back({{"name", property.name}, {"text", property.text}});
-    json["runs"] = Json::array();
-    for (const PrismRun& run : report.runs) {
-        Json one{{"constants", constants_json(run.constants)}};
-        if (run.explored) {
-            one["states"] = run.states;
-            one["initial"] = run.initial;
-            one["choices"] = run.choices;
-            one["transitions"] = run.transitions;
-            one["deadlocks"] = run.deadlocks;
-            one["seconds"] = diagnostics::round_to_places(run.seconds, 3);
-        }
-        one["answers"] = Json::array();
-        for (const PrismAnswer& answer : run.answers) one["answers"].push_back(answer_json(report, answer));
-        json["runs"].push_back(std::move(one));
-    }
+    json["properties"] = json_array(report.properties, [](const PrismProperty& property) {
+        return Json{{"name", property.name}, {"text", property.text}};
+    });
+    json["runs"] = json_array(report.runs, [&](const PrismRun& run) { return run_json(report, run); });
     if (!report.errors.empty()) json["errors"] = report.errors;
     if (!report.limit.empty()) json["limit"] = report.limit;
     return diagnostics::json_text(json) + "\n";

@@ -5,14 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/report/prism_report.hpp"
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::app {
 namespace {
 
 using diagnostics::Json;
+using diagnostics::json_array;
 using probability::Row;
 using Kind = prism::Result::Kind;
 
@@ -51,19 +52,18 @@ const char* word_of(const Row& row) {
 }
 
 Json path_json(const probability::Path& path) {
-    Json json{{"from", path.begin}, {"steps", Json::array()}, {"deadlock", path.deadlock}};
-    for (const probability::Path::Step& step : path.steps)
-        json["steps"].push_back({{"by", step.by}, {"changes", step.changes}});
-    return json;
+    const auto step = [](const probability::Path::Step& taken) -> Json {
+        return {{"by", taken.by}, {"changes", taken.changes}};
+    };
+    return {{"from", path.begin}, {"steps", json_array(path.steps, step)}, {"deadlock", path.deadlock}};
 }
 
 Json row_json(const Row& row) {
-    Json json{{"constants", Json::object()},
+    Json json{{"constants", diagnostics::json_object(row.constants)},
               {"answer", word_of(row)},
               {"states", row.states},
               {"transitions", row.transitions},
               {"seconds", diagnostics::round_to_places(row.seconds, 3)}};
-    for (const auto& [name, value] : row.constants) json["constants"][name] = value;
     if (!row.error.empty()) json["reason"] = row.error;
     if (row.path) json["path"] = path_json(*row.path);
     for (const prism::Result& result : row.results) {
@@ -153,9 +153,8 @@ std::string probability_text(const driver::ProbabilityReport& report, const std:
 }
 
 Json probability_json(const driver::ProbabilityReport& report) {
-    Json json{{"encoding", report.encoding}, {"rows", Json::array()}};
+    Json json{{"encoding", report.encoding}, {"rows", json_array(report.rows, row_json)}};
     if (!report.scheduler.empty()) json["scheduler"] = report.scheduler;
-    for (const Row& row : report.rows) json["rows"].push_back(row_json(row));
     return json;
 }
 

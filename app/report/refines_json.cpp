@@ -4,16 +4,16 @@
 // entry for every step of its parent's trace.
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/report/script_report.hpp"
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::app {
 namespace {
 
 using diagnostics::Json;
+using diagnostics::json_array;
 using process::Event;
 using refine::ViolationKind;
 
@@ -27,9 +27,7 @@ public:
     }
     template <class Events>
     Json event_numbers(const Events& events) {
-        Json list = Json::array();
-        for (const Event event : events) list.push_back(event_number(event));
-        return list;
+        return json_array(events, [&](Event event) { return event_number(event); });
     }
     [[nodiscard]] const std::vector<Event>& used_events() const { return used_; }
 
@@ -110,15 +108,13 @@ public:
         for (const refine::Step& step : counterexample_.steps)
             if (step.event != process::tau) trace.push_back(step.event);
         if (counterexample_.kind == ViolationKind::trace && !trace.empty()) trace.pop_back();
-        Json json{{"machine_name", name},
-                  {"type", "trace"},
-                  {"error_event", 0},
-                  {"trace", events_.event_numbers(trace)},
-                  {"states", Json::array({name})}};
-        json["allowed"] = Json::array();
-        for (const process::EventSet& event_set : counterexample_.required)
-            json["allowed"].push_back(events_.event_numbers(event_set));
-        return json;
+        const auto event_set = [&](const process::EventSet& set) { return events_.event_numbers(set); };
+        return {{"machine_name", name},
+                {"type", "trace"},
+                {"error_event", 0},
+                {"trace", events_.event_numbers(trace)},
+                {"states", Json::array({name})},
+                {"allowed", json_array(counterexample_.required, event_set)}};
     }
 
 private:
@@ -149,9 +145,9 @@ private:
     }
     void add_children(Json& json, const process::Behaviour& behaviour, Offence offence) {
         if (behaviour.parts.empty()) return;
-        json["child_behaviours"] = Json::array();
-        for (const process::Behaviour& part : behaviour.parts)
-            json["child_behaviours"].push_back(part_json(part, offence_of(part, behaviour, offence)));
+        json["child_behaviours"] = json_array(behaviour.parts, [&](const process::Behaviour& part) {
+            return part_json(part, offence_of(part, behaviour, offence));
+        });
     }
     [[nodiscard]] const char* behaviour_type() const {
         switch (counterexample_.kind) {
@@ -248,6 +244,11 @@ Json script_result_json(const ScriptAssertion& a, EventMap& events, const Option
     return json;
 }
 
+Json print_json(const ScriptPrint& statement) {
+    const Json errors = statement.error.empty() ? Json::array() : Json::array({statement.error});
+    return {{"print_statement", statement.expression}, {"result", statement.value}, {"errors", errors}};
+}
+
 }  // namespace
 
 void name_events(ScriptAssertion& assertion, const process::EventTable& table, const Options& options) {
@@ -258,19 +259,14 @@ void name_events(ScriptAssertion& assertion, const process::EventTable& table, c
 
 std::string refines_json(const ScriptReport& report, const Options& options) {
     EventMap events;
-    Json results = Json::array();
-    for (const ScriptAssertion& assertion : report.assertions)
-        results.push_back(script_result_json(assertion, events, options));
-    Json prints = Json::array();
-    for (const ScriptPrint& statement : report.prints) {
-        const Json errors = statement.error.empty() ? Json::array() : Json::array({statement.error});
-        prints.push_back({{"print_statement", statement.expression}, {"result", statement.value}, {"errors", errors}});
-    }
+    const auto result = [&](const ScriptAssertion& assertion) {
+        return script_result_json(assertion, events, options);
+    };
     Json json{{"schema", "robochart-verify/refines/1"},
               {"copyright_notice", std::string("robochart-verify ") + program_version},
               {"license_type", "Apache License 2.0"},
-              {"results", std::move(results)},
-              {"print_statement_results", std::move(prints)},
+              {"results", json_array(report.assertions, result)},
+              {"print_statement_results", json_array(report.prints, print_json)},
               {"file_name", report.path},
               {"event_map", event_map(report.assertions)},
               {"warnings", report.warnings},

@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // Renders the report for programs as JSON. docs/cli.md contains the schema.
-#include <nlohmann/json.hpp>
-
 #include "app/report/probability_report.hpp"
 #include "app/report/report.hpp"
 #include "app/report/script_report.hpp"
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "conformance/model/rules.hpp"
 #include "counterexample/json.hpp"
 #include "counterexample/text.hpp"
 
 namespace robochart::app {
 
-diagnostics::Json grounds_json(const driver::Basis& basis) {
-    diagnostics::Json json = diagnostics::Json::array();
-    for (const driver::Ground& ground : basis) {
-        diagnostics::Json& one =
-            json.emplace_back(diagnostics::Json{{"kind", name_of(ground.kind)}, {"text", ground.text}});
-        if (!ground.element.empty()) one["element"] = ground.element;
-        if (!ground.place.empty()) one["place"] = ground.place;
-        if (!ground.remedy.empty()) one["remedy"] = ground.remedy;
-    }
-    return json;
-}
-
 namespace {
 
 using diagnostics::Json;
+using diagnostics::json_array;
+
+Json ground_json(const driver::Ground& ground) {
+    Json json{{"kind", name_of(ground.kind)}, {"text", ground.text}};
+    if (!ground.element.empty()) json["element"] = ground.element;
+    if (!ground.place.empty()) json["place"] = ground.place;
+    if (!ground.remedy.empty()) json["remedy"] = ground.remedy;
+    return json;
+}
 
 Json statistics_json(const refine::Statistics& s) {
     return {{"states", s.states},        {"transitions", s.transitions}, {"depth", s.depth},
@@ -65,31 +60,29 @@ Json behaviour_json(const conformance::Behaviour& b) {
     return {{"outputs", b.outputs}, {"ends", b.ends}, {"state", b.state}};
 }
 
-Json cycles_json(const std::vector<conformance::Cycle>& list) {
-    Json json = Json::array();
-    for (const conformance::Cycle& cycle : list)
-        json.push_back({{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}});
-    return json;
+Json cycle_json(const conformance::Cycle& cycle) {
+    return {{"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"state", cycle.state}};
 }
 
 Json aside_json(const conformance::Aside& a) {
     if (a.holds) return {{"holds", true}};
-    Json json{{"holds", false}, {"reason", a.reason}, {"cycles", cycles_json(a.cycles)}};
+    Json json{{"holds", false}, {"reason", a.reason}, {"cycles", json_array(a.cycles, cycle_json)}};
     if (a.rule != nullptr) json.update({{"code", a.rule->code}, {"meaning", conformance::meaning_of(a)}});
     if (a.run) json["run"] = runs::run_json(*a.run);
     return json;
 }
 
+Json reason_json(const conformance::MissedEvent::Reason& reason) {
+    return {{"while", reason.why == conformance::MissedWhile::busy ? "busy" : "condition"},
+            {"cycles", diagnostics::json_or_null(reason.cycles)},
+            {"places", reason.places}};
+}
+
 Json missed_json(const conformance::MissedEvent& m) {
-    const auto number = [](const std::optional<std::uint64_t>& cycles) {
-        return cycles ? Json(*cycles) : Json(nullptr);
-    };
-    Json json{{"event", m.event}, {"code", conformance::rules::event_missed.code}, {"cycles", number(m.cycles)}};
-    for (const conformance::MissedEvent::Reason& reason : m.reasons)
-        json["reasons"].push_back({{"while", reason.why == conformance::MissedWhile::busy ? "busy" : "condition"},
-                                   {"cycles", number(reason.cycles)},
-                                   {"places", reason.places}});
-    return json;
+    return {{"event", m.event},
+            {"code", conformance::rules::event_missed.code},
+            {"cycles", diagnostics::json_or_null(m.cycles)},
+            {"reasons", json_array(m.reasons, reason_json)}};
 }
 
 Json overtaken_json(const conformance::OvertakenEvent& found) {
@@ -100,14 +93,17 @@ Json overtaken_json(const conformance::OvertakenEvent& found) {
             {"places", found.places}};
 }
 
+Json represented_json(const conformance::FewValues& represented) {
+    return {{"type", represented.type}, {"values", represented.values}};
+}
+
 Json conformance_json(const ConformanceReport& c) {
     const conformance::Result& r = c.result;
     Json json{{"component", c.component},    {"outcome", name_of(r.outcome)},
               {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
               {"dispatched", r.dispatched},  {"statistics", statistics_json(r.product)},
               {"seconds", c.seconds}};
-    for (const conformance::FewValues& represented : r.represented)
-        json["represented"].push_back({{"type", represented.type}, {"values", represented.values}});
+    if (!r.represented.empty()) json["represented"] = json_array(r.represented, represented_json);
     if (!r.reason.empty()) json["reason"] = r.reason;
     if (const conformance::Explanation& e = r.explanation; e.rule != nullptr) {
         json["code"] = e.rule->code;
@@ -122,27 +118,53 @@ Json conformance_json(const ConformanceReport& c) {
                                  {"dispatch", behaviour_json(r.api_difference->dispatched)}};
     if (r.register_cycles) json["registerCycles"] = aside_json(*r.register_cycles);
     if (r.deadlines) json["deadlinesMet"] = aside_json(*r.deadlines);
-    for (const conformance::MissedEvent& missed : r.missed) json["missedEvents"].push_back(missed_json(missed));
-    for (const conformance::OvertakenEvent& overtaken : r.overtaken)
-        json["overtakenEvents"].push_back(overtaken_json(overtaken));
+    if (!r.missed.empty()) json["missedEvents"] = json_array(r.missed, missed_json);
+    if (!r.overtaken.empty()) json["overtakenEvents"] = json_array(r.overtaken, overtaken_json);
     if (r.cycles.empty()) return json;
-    json["cycles"] = cycles_json(r.cycles);
+    json["cycles"] = json_array(r.cycles, cycle_json);
     json["expected"] = r.expected;
     json["events"] = r.raw;
     return json;
 }
 
-Json size(const driver::SizeReport::Size& size) {
-    return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}};
+Json bound_json(const driver::BoundReport& bound) {
+    return {{"element", bound.element}, {"place", bound.place}, {"text", bound.text}, {"time", bound.time}};
 }
 
-Json files_json(const std::vector<FileReport>& list) {
-    Json json = Json::array();
-    for (const FileReport& file : list) json.push_back({{"path", file.path}, {"bytes", file.bytes}});
+Json data_json(const ir::ReplacedData& data) {
+    Json json{{"places", data.places},
+              {"classes", data.classes},
+              {"conditions", data.conditions},
+              {"allValues", data.all_values},
+              {"tested", !data.nothing_tested}};
+    if (!data.term.empty()) json["term"] = data.term;
     return json;
 }
 
+Json size_json(const driver::SizeReport::Size& size) {
+    return {{"states", size.states}, {"transitions", size.transitions}, {"whole", size.whole}};
+}
+
+Json sizes_json(const driver::SizeReport& sizes) {
+    return {{"component", sizes.component},
+            {"time", sizes.time},
+            {"process", size_json(sizes.process)},
+            {"compressed", size_json(sizes.compressed)}};
+}
+
+Json file_json(const FileReport& file) {
+    return {{"path", file.path}, {"bytes", file.bytes}};
+}
+
+Json refused_json(const RefusedReport& refused) {
+    return {{"model", refused.model}, {"diagnostics", Json::parse(refused.diagnostics, nullptr, false)}};
+}
+
 }  // namespace
+
+Json grounds_json(const driver::Basis& basis) {
+    return json_array(basis, ground_json);
+}
 
 std::string render_json(const Report& report) {
     Json json{{"schema", "robochart-verify/report/1"},
@@ -153,36 +175,18 @@ std::string render_json(const Report& report) {
     if (!report.unclaimed.empty()) json["unclaimed"] = report.unclaimed;
     if (!report.limit.empty()) json["limit"] = report.limit;
     if (const std::string advice = report.limit_advice(); !advice.empty()) json["advice"] = advice;
-    json["assertions"] = Json::array();
-    for (const driver::AssertionReport& a : report.assertions) json["assertions"].push_back(assertion_json(a));
-    json["bounds"] = Json::array();
-    for (const driver::BoundReport& b : report.bounds)
-        json["bounds"].push_back({{"element", b.element}, {"place", b.place}, {"text", b.text}, {"time", b.time}});
-    for (const ir::ReplacedData& data : report.data) {
-        json["data"].push_back({{"places", data.places},
-                                {"classes", data.classes},
-                                {"conditions", data.conditions},
-                                {"allValues", data.all_values},
-                                {"tested", !data.nothing_tested}});
-        if (!data.term.empty()) json["data"].back()["term"] = data.term;
-    }
-    if (!report.sizes.empty()) json["sizes"] = Json::array();
-    for (const driver::SizeReport& s : report.sizes)
-        json["sizes"].push_back({{"component", s.component},
-                                 {"time", s.time},
-                                 {"process", size(s.process)},
-                                 {"compressed", size(s.compressed)}});
-    json["conformance"] = Json::array();
-    for (const ConformanceReport& c : report.conformance) json["conformance"].push_back(conformance_json(c));
-    json["cspFiles"] = files_json(report.csp_files);
-    json["cppFiles"] = files_json(report.cpp_files);
-    if (!report.prism_files.empty()) json["prismFiles"] = files_json(report.prism_files);
-    if (!report.monitor_files.empty()) json["monitorFiles"] = files_json(report.monitor_files);
-    if (!report.test_files.empty()) json["testFiles"] = files_json(report.test_files);
+    json["assertions"] = json_array(report.assertions, assertion_json);
+    json["bounds"] = json_array(report.bounds, bound_json);
+    if (!report.data.empty()) json["data"] = json_array(report.data, data_json);
+    if (!report.sizes.empty()) json["sizes"] = json_array(report.sizes, sizes_json);
+    json["conformance"] = json_array(report.conformance, conformance_json);
+    json["cspFiles"] = json_array(report.csp_files, file_json);
+    json["cppFiles"] = json_array(report.cpp_files, file_json);
+    if (!report.prism_files.empty()) json["prismFiles"] = json_array(report.prism_files, file_json);
+    if (!report.monitor_files.empty()) json["monitorFiles"] = json_array(report.monitor_files, file_json);
+    if (!report.test_files.empty()) json["testFiles"] = json_array(report.test_files, file_json);
     if (!report.remarks.empty()) json["remarks"] = report.remarks;
-    for (const RefusedReport& refused : report.refused)
-        json["refused"].push_back(
-            {{"model", refused.model}, {"diagnostics", Json::parse(refused.diagnostics, nullptr, false)}});
+    if (!report.refused.empty()) json["refused"] = json_array(report.refused, refused_json);
     // json_text replaces bytes that are not UTF-8, which names of files may contain.
     return diagnostics::json_text(json, 2) + "\n";
 }

@@ -2,16 +2,17 @@
 #include "app/report/rules_report.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::app {
 namespace {
 
 using diagnostics::Json;
+using diagnostics::json_array;
+using diagnostics::json_or_null;
 
 std::string rule_names(const RulesReport& report, const std::vector<std::size_t>& rules) {
     std::string text;
@@ -167,21 +168,21 @@ Json verdict_json(const RulesReport& report, const driver::RuleVerdict& verdict)
     return json;
 }
 
-Json answer_json(const std::optional<bool>& answer) {
-    return answer ? Json(*answer) : Json(nullptr);
+/// The names of rules.
+Json names_json(const RulesReport& report, const std::vector<std::size_t>& rules) {
+    return json_array(rules, [&](std::size_t rule) { return report.rules[rule].name; });
 }
 
 Json pair_json(const RulesReport& report, const ComparedPair& pair) {
-    return {{"rules", {report.rules[pair.first].name, report.rules[pair.second].name}},
-            {"deadlineMissed", answer_json(pair.deadline_missed)},
-            {"onlyTimePasses", answer_json(pair.only_time_passes)},
-            {"firstRedundant", answer_json(pair.first_redundant)},
-            {"secondRedundant", answer_json(pair.second_redundant)}};
+    return {{"rules", names_json(report, {pair.first, pair.second})},
+            {"deadlineMissed", json_or_null(pair.deadline_missed)},
+            {"onlyTimePasses", json_or_null(pair.only_time_passes)},
+            {"firstRedundant", json_or_null(pair.first_redundant)},
+            {"secondRedundant", json_or_null(pair.second_redundant)}};
 }
 
 Json conflict_json(const RulesReport& report, const RuleConflict& conflict) {
-    Json json{{"rules", Json::array()}, {"decided", conflict.decided}};
-    for (const std::size_t rule : conflict.rules) json["rules"].push_back(report.rules[rule].name);
+    Json json{{"rules", names_json(report, conflict.rules)}, {"decided", conflict.decided}};
     if (!conflict.decided) json["reason"] = conflict.reason;
     if (conflict.decided) json["situation"] = conflict.lines;
     if (!conflict.suggested.empty()) json["suggested"] = conflict.suggested;
@@ -201,10 +202,7 @@ Json property_json(const RulesReport& report, const RuleProperty& property) {
               {"verdict", verdict_word(property)}};
     if (!property.decided) json["reason"] = property.reason;
     if (!property.lines.empty()) json["history"] = property.lines;
-    if (property.decided && !property.concern) {
-        json["excludedBy"] = Json::array();
-        for (const std::size_t rule : property.excluded) json["excludedBy"].push_back(report.rules[rule].name);
-    }
+    if (property.decided && !property.concern) json["excludedBy"] = names_json(report, property.excluded);
     return json;
 }
 
@@ -249,8 +247,9 @@ std::string rules_text(const RulesReport& report, const Options& options) {
 }
 
 Json redundant_json(const RulesReport& report, const RedundantRule& found) {
-    Json json{{"rule", report.rules[found.rule].name}, {"decided", found.reason.empty()}, {"by", Json::array()}};
-    for (const std::size_t implying_rule : found.by) json["by"].push_back(report.rules[implying_rule].name);
+    Json json{{"rule", report.rules[found.rule].name},
+              {"decided", found.reason.empty()},
+              {"by", names_json(report, found.by)}};
     if (!found.reason.empty()) json["reason"] = found.reason;
     return json;
 }
@@ -259,36 +258,31 @@ std::string rules_json(const RulesReport& report) {
     Json json{{"schema", "robochart-verify/rules/1"}, {"file", report.file}, {"dialect", report.dialect}};
     json["semantics"] = report.as_sleec_tk ? "SLEEC-TK" : "default";
     if (!report.as_sleec_tk) json["withoutLimit"] = report.without_limit;
-    json["rules"] = Json::array();
-    for (const RuleName& rule : report.rules) json["rules"].push_back({{"name", rule.name}, {"place", rule.place}});
+    json["rules"] = json_array(report.rules, [](const RuleName& rule) {
+        return Json{{"name", rule.name}, {"place", rule.place}};
+    });
+    // The functions also need the names of the rules.
+    const auto listed = [&](const auto& entries, const auto& entry_json) {
+        return json_array(entries, [&](const auto& entry) { return entry_json(report, entry); });
+    };
     if (!report.model.empty()) {
         json["model"] = report.model;
-        json["verdicts"] = Json::array();
-        for (const driver::RuleVerdict& verdict : report.verdicts)
-            json["verdicts"].push_back(verdict_json(report, verdict));
+        json["verdicts"] = listed(report.verdicts, verdict_json);
         json["timeStops"] = report.time_stops;
         if (!report.time_open.empty()) json["timeNotDecided"] = report.time_open;
         json["inputsCount"] = "taken";
     } else if (report.as_sleec_tk) {
         json["numericValues"] = report.ranges;
-        json["pairs"] = Json::array();
-        for (const ComparedPair& pair : report.pairs) json["pairs"].push_back(pair_json(report, pair));
+        json["pairs"] = listed(report.pairs, pair_json);
         if (!report.not_read.empty()) json["notRead"] = report.not_read;
     } else {
         json["questions"] = report.questions;
-        json["conflicts"] = Json::array();
-        for (const RuleConflict& conflict : report.conflicts)
-            json["conflicts"].push_back(conflict_json(report, conflict));
-        json["redundant"] = Json::array();
-        for (const RedundantRule& redundant_rule : report.redundant)
-            json["redundant"].push_back(redundant_json(report, redundant_rule));
-        json["askingNothing"] = Json::array();
-        for (const std::size_t rule : report.asking_nothing) json["askingNothing"].push_back(report.rules[rule].name);
+        json["conflicts"] = listed(report.conflicts, conflict_json);
+        json["redundant"] = listed(report.redundant, redundant_json);
+        json["askingNothing"] = names_json(report, report.asking_nothing);
         json["concerns"] = report.concerns;
         json["purposes"] = report.purposes;
-        json["properties"] = Json::array();
-        for (const RuleProperty& property : report.properties)
-            json["properties"].push_back(property_json(report, property));
+        json["properties"] = listed(report.properties, property_json);
     }
     if (!report.errors.empty()) json["errors"] = report.errors;
     if (!report.limit.empty()) json["limit"] = report.limit;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
@@ -17,7 +16,7 @@
 #include "app/pages/part_diagrams.hpp"
 #include "base/diagnostics/budget.hpp"
 #include "base/diagnostics/escape.hpp"
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "base/diagnostics/text.hpp"
 #include "counterexample/text.hpp"
 
@@ -25,6 +24,7 @@ namespace robochart::app {
 namespace {
 
 using diagnostics::Json;
+using diagnostics::json_array;
 using diagnostics::xml_text;
 using runs::Exploration;
 
@@ -70,22 +70,17 @@ public:
         : space_(space), stepped_(stepped), instances_(instances), diagrams_(diagrams) {}
 
     Json write() {
-        const auto listed = [](const auto& items, const auto& one) {
-            Json list = Json::array();
-            for (const auto& item : items) list.push_back(one(item));
-            return list;
-        };
         Json json{{"timed", stepped_.time == csp_emit::Time::timed},
                   {"log", stepped_.project == nullptr ? Json(nullptr) : Json(log_head(stepped_))},
                   {"limit", space_.limit},
                   {"instances",
-                   listed(instances_, [&](const Instance& instance) { return text_number(instance.component); })},
-                  {"machines", listed(space_.machines, [&](const auto& machine) { return machine_json(machine); })},
-                  {"labels", listed(space_.labels, [&](const auto& label) { return label_json(label); })},
-                  {"absences", listed(space_.absences, [&](const auto& absence) { return absence_json(absence); })},
-                  {"parts", listed(space_.parts, [&](const auto& part) { return part_json(part); })},
-                  {"states", listed(space_.states, [&](const auto& state) { return state_json(state); })},
-                  {"structures", listed(space_.states, [&](const auto& state) {
+                   json_array(instances_, [&](const Instance& instance) { return text_number(instance.component); })},
+                  {"machines", json_array(space_.machines, [&](const auto& machine) { return machine_json(machine); })},
+                  {"labels", json_array(space_.labels, [&](const auto& label) { return label_json(label); })},
+                  {"absences", json_array(space_.absences, [&](const auto& absence) { return absence_json(absence); })},
+                  {"parts", json_array(space_.parts, [&](const auto& part) { return part_json(part); })},
+                  {"states", json_array(space_.states, [&](const auto& state) { return state_json(state); })},
+                  {"structures", json_array(space_.states, [&](const auto& state) {
                        return state.structure ? Json(*state.structure) : Json(-1);
                    })}};
         json["texts"] = strings_.string_list();

@@ -2,7 +2,6 @@
 // The verb `cspm`: decides the assertions of a CSPM script, like FDR's `refines`.
 #include <fmt/format.h>
 #include <unistd.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +20,7 @@
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "base/diagnostics/render.hpp"
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -36,11 +35,9 @@ namespace {
 std::string types_json(const std::string& path, const LoadedScript& loaded, const std::string& limit = "") {
     diagnostics::Json json{{"schema", "robochart-verify/types/1"}, {"script", path}};
     if (!limit.empty()) json["limit"] = limit;
-    diagnostics::Json& names = json["names"] = diagnostics::Json::array();
-    for (const cspm::NamedType& named_type : loaded.types)
-        names.push_back({{"name", named_type.name},
-                         {"type", named_type.type},
-                         {"place", loaded.sources.path_and_line(named_type.span)}});
+    json["names"] = diagnostics::json_array(loaded.types, [&](const cspm::NamedType& named) -> diagnostics::Json {
+        return {{"name", named.name}, {"type", named.type}, {"place", loaded.sources.path_and_line(named.span)}};
+    });
     return diagnostics::json_text(json) + "\n";
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/base/numbers.hpp"
@@ -18,7 +17,7 @@
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "driver/rules/rule_claims.hpp"
 #include "driver/rules/rule_run.hpp"
@@ -201,24 +200,26 @@ void print_logs(const RuleLogReport& report) {
           with_commas(report.broken), with_commas(report.open));
 }
 
+diagnostics::Json logged_json(const LoggedRun& logged) {
+    return {{"log", logged.log},
+            {"line", logged.line},
+            {"run", logged.run},
+            {"verdict", logged.broken ? "broken" : "inconclusive"},
+            {"lines", logged.lines}};
+}
+
 std::string logs_json(const RuleLogReport& report) {
-    diagnostics::Json json{{"schema", "robochart-verify/rule-traces/1"},
-                           {"logs", report.logs},
-                           {"runs", report.runs},
-                           {"seconds", report.seconds},
-                           {"accepted", report.accepted},
-                           {"broken", report.broken},
-                           {"inconclusive", report.open},
-                           {"inputsCount", "raised"},
-                           {"errors", report.errors},
-                           {"exit", static_cast<int>(exit_of(report))}};
-    diagnostics::Json& reported = json["reported"] = diagnostics::Json::array();
-    for (const LoggedRun& logged : report.reported)
-        reported.push_back({{"log", logged.log},
-                            {"line", logged.line},
-                            {"run", logged.run},
-                            {"verdict", logged.broken ? "broken" : "inconclusive"},
-                            {"lines", logged.lines}});
+    const diagnostics::Json json{{"schema", "robochart-verify/rule-traces/1"},
+                                 {"logs", report.logs},
+                                 {"runs", report.runs},
+                                 {"seconds", report.seconds},
+                                 {"accepted", report.accepted},
+                                 {"broken", report.broken},
+                                 {"inconclusive", report.open},
+                                 {"inputsCount", "raised"},
+                                 {"errors", report.errors},
+                                 {"exit", static_cast<int>(exit_of(report))},
+                                 {"reported", diagnostics::json_array(report.reported, logged_json)}};
     return diagnostics::json_text(json) + "\n";
 }
 

@@ -218,17 +218,14 @@ Exit exit_of(const simulation::RunResult& result) {
 Exit before_trials(const Options& options, const std::string& why) {
     const std::string text = fmt::format("{} before the trials had ended: the bands are not judged\n", why);
     const diagnostics::Json none = diagnostics::Json::array();
-    output_document(options, [&](Format) {
-        return diagnostics::json_text({{"schema", "robochart-verify/simulation/1"},
-                                       {"scenario", options.load.inputs.front()},
-                                       {"trials", none},
-                                       {"interrupted", true},
-                                       {"limit", why},
-                                       {"bands", none},
-                                       {"files", none},
-                                       {"exit", static_cast<int>(Exit::inconclusive)}}) +
-               "\n";
-    });
+    output_json(options, {{"schema", "robochart-verify/simulation/1"},
+                          {"scenario", options.load.inputs.front()},
+                          {"trials", none},
+                          {"interrupted", true},
+                          {"limit", why},
+                          {"bands", none},
+                          {"files", none},
+                          {"exit", static_cast<int>(Exit::inconclusive)}});
     if (options.output.format == Format::json) {
         print_error_text(text);
     } else {

@@ -2,7 +2,6 @@
 // `conform MODEL --traces FILE`: checks logs of runs against the model (docs/traces.md).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -23,7 +22,7 @@
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "conformance/model/rules.hpp"
 #include "conformance/traces/trace_check.hpp"
 #include "counterexample/evaluation_failure.hpp"
@@ -283,7 +282,7 @@ void print_totals(const Totals& totals, const Options& options) {
           with_commas(totals.rejected), with_commas(totals.inconclusive), totals.seconds);
 }
 
-diagnostics::Json run_json(const ReportedRun& reported) {
+diagnostics::Json reported_json(const ReportedRun& reported) {
     const conformance::RunReport& run = reported.run;
     return {{"log", reported.path},    {"line", run.at_line},
             {"run", run.name},         {"verdict", run.verdict == RunVerdict::rejected ? "rejected" : "inconclusive"},
@@ -294,19 +293,18 @@ diagnostics::Json run_json(const ReportedRun& reported) {
 }
 
 std::string totals_json(const Totals& totals, Exit exit) {
-    diagnostics::Json json{{"schema", "robochart-verify/traces/1"},
-                           {"logs", totals.logs},
-                           {"runs", totals.runs},
-                           {"cycles", totals.cycles},
-                           {"accepted", totals.accepted},
-                           {"rejected", totals.rejected},
-                           {"inconclusive", totals.inconclusive},
-                           {"replacedValues", totals.replaced},
-                           {"limit", totals.limit},
-                           {"seconds", diagnostics::round_to_places(totals.seconds, 3)},
-                           {"exit", static_cast<int>(exit)}};
-    diagnostics::Json& runs = json["reported"] = diagnostics::Json::array();
-    for (const ReportedRun& reported : totals.reported) runs.push_back(run_json(reported));
+    const diagnostics::Json json{{"schema", "robochart-verify/traces/1"},
+                                 {"logs", totals.logs},
+                                 {"runs", totals.runs},
+                                 {"cycles", totals.cycles},
+                                 {"accepted", totals.accepted},
+                                 {"rejected", totals.rejected},
+                                 {"inconclusive", totals.inconclusive},
+                                 {"replacedValues", totals.replaced},
+                                 {"limit", totals.limit},
+                                 {"seconds", diagnostics::round_to_places(totals.seconds, 3)},
+                                 {"exit", static_cast<int>(exit)},
+                                 {"reported", diagnostics::json_array(totals.reported, reported_json)}};
     return diagnostics::json_text(json) + "\n";
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
@@ -20,6 +19,7 @@
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "driver/settings/rules.hpp"
 #include "semantics/instantiate/given_constants.hpp"
 #include "semantics/ir/query.hpp"
@@ -511,37 +511,29 @@ private:
     void print_json(const simulation::Race& race, const std::string& certificate, Exit exit,
                     const std::vector<std::string>& reasons = {}) const {
         using diagnostics::Json;
-        Json elites = Json::array();
-        for (const std::size_t elite : race.elites()) {
+        const auto elite_json = [&](std::size_t elite) -> Json {
             const simulation::RaceEntry& entry = race.entries()[elite];
             Json constants = Json::object();
             for (std::size_t p = 0; p < parameters_.size(); ++p)
                 constants[parameters_[p].name] = parameters_[p].value_text(entry.candidate[p]);
-            elites.push_back({{"constants", constants}, {"trials", entry.trial_count()}, {"cost", entry.mean_cost()}});
-        }
-        Json iterations = Json::array();
-        for (const simulation::RaceIteration& iteration : race.iterations())
-            iterations.push_back({{"fresh", iteration.fresh},
-                                  {"unusable", iteration.unusable},
-                                  {"seeds", iteration.seeds},
-                                  {"trials", iteration.trials},
-                                  {"left", iteration.left},
-                                  {"refused", iteration.refused}});
+            return {{"constants", constants}, {"trials", entry.trial_count()}, {"cost", entry.mean_cost()}};
+        };
+        const auto iteration_json = [](const simulation::RaceIteration& iteration) -> Json {
+            return {{"fresh", iteration.fresh},   {"unusable", iteration.unusable}, {"seeds", iteration.seeds},
+                    {"trials", iteration.trials}, {"left", iteration.left},         {"refused", iteration.refused}};
+        };
         const Json decided = certificate.empty() ? Json() : Json::parse(certificate_text(certificate_));
-        output_document(options_, [&](Format) {
-            return diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
-                                           {"scenario", scenario_.name.text},
-                                           {"trials", race.trial_count()},
-                                           {"seeds", race.seed_count()},
-                                           {"iterations", iterations},
-                                           {"elites", elites},
-                                           {"reasons", reasons},
-                                           {"limit", limit_},
-                                           {"file", certificate},
-                                           {"certificate", decided},
-                                           {"exit", static_cast<int>(exit)}}) +
-                   "\n";
-        });
+        output_json(options_, {{"schema", "robochart-verify/tuning/1"},
+                               {"scenario", scenario_.name.text},
+                               {"trials", race.trial_count()},
+                               {"seeds", race.seed_count()},
+                               {"iterations", diagnostics::json_array(race.iterations(), iteration_json)},
+                               {"elites", diagnostics::json_array(race.elites(), elite_json)},
+                               {"reasons", reasons},
+                               {"limit", limit_},
+                               {"file", certificate},
+                               {"certificate", decided},
+                               {"exit", static_cast<int>(exit)}});
     }
 
     // ------------------------------------------------------------ --verify-certificate
@@ -576,19 +568,16 @@ private:
     Exit print_comparison(const driver::Certificate& certified) const {
         const std::vector<std::string> lines = evidence_differences(certified.evidence, certificate_.evidence);
         const Exit exit = lines.empty() ? exit_of(certificate_.evidence) : Exit::failed;
-        output_document(options_, [&](Format) {
-            diagnostics::Json constants = diagnostics::Json::array();
-            for (const auto& [name, value] : certified.constants)
-                constants.push_back({{"name", name}, {"value", value}});
-            return diagnostics::json_text({{"schema", "robochart-verify/certified/1"},
-                                           {"scenario", scenario_.name.text},
-                                           {"program", certified.program},
-                                           {"constants", constants},
-                                           {"ranges", certified.ranges},
-                                           {"differences", lines},
-                                           {"exit", static_cast<int>(exit)}}) +
-                   "\n";
-        });
+        const auto constant_json = [](const auto& constant) -> diagnostics::Json {
+            return {{"name", constant.first}, {"value", constant.second}};
+        };
+        output_json(options_, {{"schema", "robochart-verify/certified/1"},
+                               {"scenario", scenario_.name.text},
+                               {"program", certified.program},
+                               {"constants", diagnostics::json_array(certified.constants, constant_json)},
+                               {"ranges", certified.ranges},
+                               {"differences", lines},
+                               {"exit", static_cast<int>(exit)}});
         if (options_.output.format == Format::json) return exit;
         if (!options_.output.quiet) {
             print("certificate of {}: {}\n", scenario_.name.text, with_constants(certified.constants));
@@ -621,12 +610,9 @@ private:
 
 Exit run_tune(const Options& options) {
     options.run->last_word([&options](const std::string& why) {
-        output_document(options, [&](Format) {
-            return diagnostics::json_text({{"schema", "robochart-verify/tuning/1"},
-                                           {"limit", why},
-                                           {"exit", static_cast<int>(Exit::inconclusive)}}) +
-                   "\n";
-        });
+        output_json(
+            options,
+            {{"schema", "robochart-verify/tuning/1"}, {"limit", why}, {"exit", static_cast<int>(Exit::inconclusive)}});
         if (options.output.format == Format::text) print_text(why + "\n");
         return Exit::inconclusive;
     });

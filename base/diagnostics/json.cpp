@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON values as text, and diagnostics as JSON for programs.
+// JSON values as text, numbers as JSON, and diagnostics as JSON for programs.
 #include "base/diagnostics/json.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/diagnostics/fixes.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "base/diagnostics/render.hpp"
 
 namespace robochart::diagnostics {
@@ -53,10 +55,8 @@ Json diagnostic_json(const SourceManager& sources, const Diagnostic& diagnostic)
               {"severity", severity_name(diagnostic.rule->severity)},
               {"message", diagnostic.message()}};
     add_place(json, sources, diagnostic.span);
-    Json& notes = json["notes"] = Json::array();
-    for (const Note& note : diagnostic.notes) notes.push_back(note_json(sources, note));
-    Json& fixes = json["fixes"] = Json::array();
-    for (const FixIt& fix : diagnostic.fixes) fixes.push_back(fix_json(sources, fix));
+    json["notes"] = json_array(diagnostic.notes, [&](const Note& note) { return note_json(sources, note); });
+    json["fixes"] = json_array(diagnostic.fixes, [&](const FixIt& fix) { return fix_json(sources, fix); });
     return json;
 }
 
@@ -64,6 +64,11 @@ Json diagnostic_json(const SourceManager& sources, const Diagnostic& diagnostic)
 
 std::string json_text(const Json& value, int indent) {
     return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+Json json_number(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    return Json::parse(fmt::format("{:.6g}", value));
 }
 
 double round_to_places(double value, int places) {
@@ -77,8 +82,8 @@ std::string render_json(const SourceManager& sources, const Diagnostics& diagnos
               {"warnings", diagnostics.warning_count()},
               {"dropped", diagnostics.dropped_count()}};
     if (!limit.empty()) json["limit"] = limit;
-    Json& list = json["diagnostics"] = Json::array();
-    for (const Diagnostic& finding : diagnostics.sorted_findings()) list.push_back(diagnostic_json(sources, finding));
+    json["diagnostics"] = json_array(diagnostics.sorted_findings(),
+                                     [&](const Diagnostic& finding) { return diagnostic_json(sources, finding); });
     return json_text(json) + "\n";
 }
 

@@ -7,16 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "base/cache/digest.hpp"
 #include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::driver {
 
 using diagnostics::Json;
+using diagnostics::json_array;
 
 std::string content_digest(std::string_view text) {
     diagnostics::Hasher hasher;
@@ -34,28 +35,21 @@ constexpr std::size_t most_bytes = 16U << 20U;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 Json pairs_json(const Pairs& pairs, const char* first, const char* second) {
-    Json list = Json::array();
-    for (const auto& [one, other] : pairs) list.push_back({{first, one}, {second, other}});
-    return list;
+    return json_array(pairs, [&](const auto& pair) -> Json { return {{first, pair.first}, {second, pair.second}}; });
 }
 
-Json items_json(const std::vector<DecidedItem>& items) {
-    Json list = Json::array();
-    for (const DecidedItem& item : items) list.push_back({{"subject", item.subject}, {"answer", item.answer}});
-    return list;
+Json item_json(const DecidedItem& item) {
+    return {{"subject", item.subject}, {"answer", item.answer}};
+}
+
+Json claim_json(const DecidedClaim& claim) {
+    return {{"claim", claim.claim},         {"answer", claim.answer}, {"trials", claim.trials},
+            {"successes", claim.successes}, {"low", claim.low},       {"high", claim.high}};
 }
 
 Json certificate_json(const Certificate& certificate) {
     const SearchRecord& search = certificate.search;
     const Evidence& evidence = certificate.evidence;
-    Json claims = Json::array();
-    for (const DecidedClaim& claim : evidence.claims)
-        claims.push_back({{"claim", claim.claim},
-                          {"answer", claim.answer},
-                          {"trials", claim.trials},
-                          {"successes", claim.successes},
-                          {"low", claim.low},
-                          {"high", claim.high}});
     return {{"schema", schema},
             {"program", certificate.program},
             {"build", certificate.build},
@@ -75,10 +69,10 @@ Json certificate_json(const Certificate& certificate) {
               {"firstSeed", search.first_seed},
               {"seeds", search.seeds},
               {"cost", search.cost}}},
-            {"assertions", items_json(evidence.assertions)},
-            {"conformance", items_json(evidence.conformance)},
+            {"assertions", json_array(evidence.assertions, item_json)},
+            {"conformance", json_array(evidence.conformance, item_json)},
             {"seed", evidence.seed},
-            {"claims", std::move(claims)}};
+            {"claims", json_array(evidence.claims, claim_json)}};
 }
 
 /// Thrown if a certificate is malformed.

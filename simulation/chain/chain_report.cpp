@@ -5,15 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 #include "simulation/report/line_plot.hpp"
 #include "simulation/report/percent.hpp"
 
 namespace robochart::simulation {
 
 using diagnostics::Json;
+using diagnostics::json_array;
+using diagnostics::json_number;
 
 bool ChainResult::is_refuted() const {
     return order || std::ranges::any_of(answers, [](const ChainAnswer& answer) { return answer.is_refuted(); });
@@ -171,21 +172,12 @@ std::string answer_svg(const ChainAnswer& answer) {
 
 namespace {
 
-/// Six significant digits; null if the value is not a number.
-Json chain_number(double value) {
-    if (!std::isfinite(value)) return nullptr;
-    return Json::parse(fmt::format("{:.6g}", value));
-}
-
-Json checks_json(const ChainAnswer& answer) {
-    Json list = Json::array();
-    for (const ChainCheck& check : answer.checks)
-        list.push_back({{"time", chain_number(check.time)},
-                        {"chain", {chain_number(check.predicted.low), chain_number(check.predicted.high)}},
-                        {"fresh", chain_number(check.seen)},
-                        {"interval", {chain_number(check.by_trials.low), chain_number(check.by_trials.high)}},
-                        {"contradicts", check.contradicts}});
-    return list;
+Json check_json(const ChainCheck& check) {
+    return {{"time", json_number(check.time)},
+            {"chain", {json_number(check.predicted.low), json_number(check.predicted.high)}},
+            {"fresh", json_number(check.seen)},
+            {"interval", {json_number(check.by_trials.low), json_number(check.by_trials.high)}},
+            {"contradicts", check.contradicts}};
 }
 
 const char* kind_word(ChainAsked::Kind kind) {
@@ -196,15 +188,14 @@ const char* kind_word(ChainAsked::Kind kind) {
 Json answer_json(const ChainAnswer& answer) {
     const char* const kind = kind_word(answer.asked.kind);
     std::string verdict = answer.is_refuted() ? "refuted" : verdict_word(answer.claim_verdict());
-    return Json{{"question", answer.asked.text},   {"kind", kind},
-                {"verdict", std::move(verdict)},   {"confidence", chain_number(answer.asked.confidence)},
-                {"low", chain_number(answer.low)}, {"high", chain_number(answer.high)},
-                {"checks", checks_json(answer)}};
+    return Json{{"question", answer.asked.text},
+                {"kind", kind},
+                {"verdict", std::move(verdict)},
+                {"confidence", json_number(answer.asked.confidence)},
+                {"low", json_number(answer.low)},
+                {"high", json_number(answer.high)},
+                {"checks", json_array(answer.checks, check_json)}};
 }
-
-}  // namespace
-
-namespace {
 
 /// Null if there is no contradiction.
 Json order_json(const ChainStates& states, const ChainResult& result) {
@@ -224,15 +215,13 @@ Json order_json(const ChainStates& states, const ChainResult& result) {
 
 std::string chain_json(const Scenario& scenario, const ChainStates& states, const ChainResult& result,
                        const std::vector<std::string>& files, int exit) {
-    Json answers = Json::array();
-    for (const ChainAnswer& answer : result.answers) answers.push_back(answer_json(answer));
     const Json json{{"schema", "robochart-verify/chain/1"},
                     {"scenario", scenario.name.text},
                     {"component", scenario.component.text},
                     {"robots", scenario.robots},
                     {"seed", scenario.seed},
                     {"trials", result.trials},
-                    {"every", chain_number(scenario.abstraction->every)},
+                    {"every", json_number(scenario.abstraction->every)},
                     {"states", states.size() - 1},
                     {"transitions", result.transitions},
                     {"seen", result.seen},
@@ -242,7 +231,7 @@ std::string chain_json(const Scenario& scenario, const ChainStates& states, cons
                     {"order", order_json(states, result)},
                     {"interrupted", result.interrupted},
                     {"cpuSeconds", diagnostics::round_to_places(result.cpu_seconds, 3)},
-                    {"answers", std::move(answers)},
+                    {"answers", json_array(result.answers, answer_json)},
                     {"world", world_lines(scenario)},
                     {"files", files},
                     {"exit", exit}};

@@ -7,15 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
-#include "base/diagnostics/json.hpp"
+#include "base/diagnostics/json_values.hpp"
 
 namespace robochart::simulation {
 
 using diagnostics::Json;
+using diagnostics::json_array;
+using diagnostics::json_number;
 
 namespace {
 
@@ -24,19 +25,12 @@ Dimension dimension_of(const Scenario& scenario, const Band& band) {
     return dimension_of(scenario.measures[band.statistic.measure].kind);
 }
 
-/// Six significant digits; null if the value is not a number.
-Json json_number(double value) {
-    if (!std::isfinite(value)) return nullptr;
-    return Json::parse(fmt::format("{:.6g}", value));
-}
-
 double simulated_time(const Scenario& scenario, const RunResult& result) {
     return static_cast<double>(result.steps) * scenario.world.control_step;
 }
 
 Json band_json(const Band& band, const BandResult& found, std::size_t index, const RunResult& result) {
-    Json trials = Json::array();
-    for (const TrialResult& trial : result.trials) trials.push_back(json_number(trial.statistics.at(index)));
+    const auto value_in_trial = [&](const TrialResult& trial) { return json_number(trial.statistics.at(index)); };
     return Json{{"band", band.text},
                 {"holds", found.holds},
                 {"each", band.each},
@@ -44,7 +38,7 @@ Json band_json(const Band& band, const BandResult& found, std::size_t index, con
                 {"high", json_number(band.high)},
                 {"value", json_number(found.value)},
                 {"trialsOutside", found.trials_outside},
-                {"trials", std::move(trials)}};
+                {"trials", json_array(result.trials, value_in_trial)}};
 }
 
 Json bands_json(const Scenario& scenario, const RunResult& result) {
@@ -85,17 +79,14 @@ Json claims_json(const Scenario& scenario, const RunResult& result) {
     return list;
 }
 
-Json trials_json(const RunResult& result) {
-    Json list = Json::array();
-    for (const TrialResult& trial : result.trials) {
-        Json& json = list.emplace_back(Json{{"steps", trial.steps}, {"complete", trial.complete}});
-        if (!trial.stop) continue;
+Json trial_json(const TrialResult& trial) {
+    Json json{{"steps", trial.steps}, {"complete", trial.complete}};
+    if (trial.stop)
         json["stop"] = Json{{"robot", trial.stop->environment ? Json() : Json(trial.stop->robot)},
                             {"time", json_number(trial.stop->time)},
                             {"cause", trial.stop->cause},
                             {"place", trial.stop->place}};
-    }
-    return list;
+    return json;
 }
 
 }  // namespace
@@ -166,7 +157,7 @@ std::string result_json(const Scenario& scenario, const RunResult& result, Json 
                     {"scenario", scenario.name.text},
                     {"component", scenario.component.text},
                     {"robots", scenario.all_robots()},
-                    {"trials", trials_json(result)},
+                    {"trials", json_array(result.trials, trial_json)},
                     {"duration", json_number(scenario.duration)},
                     {"seed", scenario.seed},
                     {"interrupted", result.interrupted},

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/diagnostics/json_values.hpp"
 #include "simulation/report/percent.hpp"
 
 namespace robochart::simulation {
@@ -178,20 +178,15 @@ std::string comparison_text(const Scenario& scenario, const std::vector<Compared
 }
 
 diagnostics::Json comparison_json(const Scenario& scenario, const std::vector<Compared>& all) {
-    diagnostics::Json list = diagnostics::Json::array();
-    for (const Compared& compared : all) {
-        diagnostics::Json values = diagnostics::Json::object();
-        for (std::size_t v = 0; v < compared.point.size(); ++v)
-            values[name_of(scenario.variations[v])] = compared.point[v];
-        list.push_back({{"values", std::move(values)},
-                        {"claim", compared.claim + 1},
-                        {"here", {compared.here.successes, compared.here.trials}},
-                        {"there", {compared.there.successes, compared.there.trials}},
-                        {"chance", compared.chance},
-                        {"adjusted", compared.adjusted},
-                        {"differs", is_rejected(scenario, compared)}});
-    }
-    return list;
+    return diagnostics::json_array(all, [&](const Compared& compared) -> diagnostics::Json {
+        return {{"values", values_json(scenario, compared.point)},
+                {"claim", compared.claim + 1},
+                {"here", {compared.here.successes, compared.here.trials}},
+                {"there", {compared.there.successes, compared.there.trials}},
+                {"chance", compared.chance},
+                {"adjusted", compared.adjusted},
+                {"differs", is_rejected(scenario, compared)}};
+    });
 }
 
 std::string comparison_summary(const Scenario& scenario, const std::vector<Compared>& all) {

@@ -7,14 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/diagnostics/json_values.hpp"
 #include "base/statistics/survival.hpp"
 #include "simulation/report/percent.hpp"
 
 namespace robochart::simulation {
 
 using diagnostics::Json;
+using diagnostics::json_array;
 
 namespace {
 
@@ -226,12 +227,15 @@ std::string sweep_trials_csv(const Scenario& scenario, const SweepResult& result
     return out;
 }
 
+Json values_json(const Scenario& scenario, const Point& point) {
+    Json values = Json::object();
+    for (std::size_t v = 0; v < point.size(); ++v) values[name_of(scenario.variations[v])] = point[v];
+    return values;
+}
+
 std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json comparison, Json guard,
                        const std::vector<std::string>& files, int exit) {
-    Json points = Json::array();
-    for (const PointResult& point : result.points) {
-        Json values = Json::object();
-        for (std::size_t v = 0; v < point.point.size(); ++v) values[name_of(scenario.variations[v])] = point.point[v];
+    const auto point_json = [&](const PointResult& point) -> Json {
         Json claims = Json::array();
         for (std::size_t c = 0; c < point.claims.size(); ++c) {
             const ClaimResult& found = point.claims[c];
@@ -243,17 +247,15 @@ std::string sweep_json(const Scenario& scenario, const SweepResult& result, Json
                               {"stopped", found.stopped_count()},
                               {"steps", found.steps}});
         }
-        points.push_back({{"values", std::move(values)}, {"claims", std::move(claims)}});
-    }
-    Json claims = Json::array();
-    for (const Claim& claim : scenario.claims) claims.push_back(claim.text);
+        return {{"values", values_json(scenario, point.point)}, {"claims", std::move(claims)}};
+    };
     const Json json{{"schema", "robochart-verify/sweep/1"},
                     {"scenario", scenario.name.text},
                     {"component", scenario.component.text},
                     {"seed", scenario.seed},
                     {"duration", scenario.duration},
-                    {"claims", std::move(claims)},
-                    {"points", std::move(points)},
+                    {"claims", json_array(scenario.claims, &Claim::text)},
+                    {"points", json_array(result.points, point_json)},
                     {"least", least_lines(scenario, result)},
                     {"comparison", std::move(comparison)},
                     {"world", world_lines(scenario)},

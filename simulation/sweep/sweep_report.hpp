@@ -37,6 +37,8 @@ struct SweepResult {
 [[nodiscard]] std::string sweep_csv(const Scenario&, const SweepResult&);
 /// One row for each trial.
 [[nodiscard]] std::string sweep_trials_csv(const Scenario&, const SweepResult&);
+/// {"robots": 4, "noise": 0.05}: the values of the variations at a point.
+[[nodiscard]] diagnostics::Json values_json(const Scenario&, const Point&);
 /// Schema "robochart-verify/sweep/1" (docs/cli.md). `comparison` contains the comparison with earlier trials, and
 /// `guard` is guard_json (report/report.hpp) of the last controller.
 [[nodiscard]] std::string sweep_json(const Scenario&, const SweepResult&, diagnostics::Json comparison,
