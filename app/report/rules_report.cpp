@@ -85,30 +85,60 @@ std::string number_of(std::size_t count, const char* noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-std::string closing_text(const RulesReport& report) {
-    std::size_t conflicts = 0, redundant = 0, undecided = 0;
-    for (const RedundantRule& redundant_rule : report.redundant)
-        ++(redundant_rule.reason.empty() ? redundant : undecided);
-    for (const RuleConflict& conflict : report.conflicts) ++(conflict.decided ? conflicts : undecided);
-    for (const ComparedPair& pair : report.pairs) {
-        if (in_conflict(pair)) ++conflicts;
-        if (is_open(pair)) ++undecided;
-        for (const auto& implied : {pair.first_redundant, pair.second_redundant})
-            if (implied.value_or(false)) ++redundant;
+/// The numbers of answers of each kind.
+struct AnswerCounts {
+    std::size_t broken = 0, conflicts = 0, redundancies = 0, raised = 0, blocked = 0, undecided = 0, errors = 0;
+};
+
+void count_verdict(driver::RuleVerdict::Kind kind, AnswerCounts& counts) {
+    switch (kind) {
+        case driver::RuleVerdict::Kind::broken:
+            ++counts.broken;
+            break;
+        case driver::RuleVerdict::Kind::not_decided:
+            ++counts.undecided;
+            break;
+        case driver::RuleVerdict::Kind::error:
+            ++counts.errors;
+            break;
+        case driver::RuleVerdict::Kind::obeyed:
+        case driver::RuleVerdict::Kind::never_asked:
+        case driver::RuleVerdict::Kind::not_applicable:
+            break;
     }
-    std::string text =
-        fmt::format("{}: {}, {}", number_of(report.rules.size(), "rule"), number_of(conflicts, "conflict"),
-                    redundant == 1 ? "1 redundancy" : fmt::format("{} redundancies", redundant));
-    std::size_t raised = 0, blocked = 0;
+}
+
+AnswerCounts count_answers(const RulesReport& report) {
+    AnswerCounts counts;
+    counts.errors = report.errors.size();
+    for (const driver::RuleVerdict& verdict : report.verdicts) count_verdict(verdict.kind, counts);
+    for (const RuleConflict& conflict : report.conflicts) ++(conflict.decided ? counts.conflicts : counts.undecided);
+    for (const RedundantRule& rule : report.redundant) ++(rule.reason.empty() ? counts.redundancies : counts.undecided);
+    for (const ComparedPair& pair : report.pairs) {
+        if (in_conflict(pair)) ++counts.conflicts;
+        if (is_open(pair)) ++counts.undecided;
+        for (const auto& implied : {pair.first_redundant, pair.second_redundant})
+            if (implied.value_or(false)) ++counts.redundancies;
+    }
     for (const RuleProperty& property : report.properties) {
         if (!property.decided)
-            ++undecided;
+            ++counts.undecided;
         else
-            ++(property.concern ? raised : blocked);
+            ++(property.concern ? counts.raised : counts.blocked);
     }
-    if (report.concerns > 0) text += fmt::format(", {} of {} raised", raised, number_of(report.concerns, "concern"));
-    if (report.purposes > 0) text += fmt::format(", {} of {} blocked", blocked, number_of(report.purposes, "purpose"));
-    if (undecided > 0) text += fmt::format(", {} not decided", undecided);
+    return counts;
+}
+
+std::string closing_text(const RulesReport& report) {
+    const AnswerCounts counts = count_answers(report);
+    std::string text =
+        fmt::format("{}: {}, {}", number_of(report.rules.size(), "rule"), number_of(counts.conflicts, "conflict"),
+                    counts.redundancies == 1 ? "1 redundancy" : fmt::format("{} redundancies", counts.redundancies));
+    if (report.concerns > 0)
+        text += fmt::format(", {} of {} raised", counts.raised, number_of(report.concerns, "concern"));
+    if (report.purposes > 0)
+        text += fmt::format(", {} of {} blocked", counts.blocked, number_of(report.purposes, "purpose"));
+    if (counts.undecided > 0) text += fmt::format(", {} not decided", counts.undecided);
     return text + "\n";
 }
 
@@ -137,25 +167,24 @@ std::string verdict_text(const RulesReport& report, const driver::RuleVerdict& v
     return text;
 }
 
+bool is_wrong(const driver::RuleVerdict& verdict) {
+    using Kind = driver::RuleVerdict::Kind;
+    return verdict.kind == Kind::broken || verdict.kind == Kind::not_decided || verdict.kind == Kind::error;
+}
+
 std::string verdicts_text(const RulesReport& report, bool quiet) {
     std::string text;
-    std::size_t broken = 0, undecided = 0, errors = report.errors.size();
-    for (const driver::RuleVerdict& verdict : report.verdicts) {
-        const bool failed = verdict.kind == driver::RuleVerdict::Kind::error;
-        const bool wrong = failed || verdict.kind == driver::RuleVerdict::Kind::broken ||
-                           verdict.kind == driver::RuleVerdict::Kind::not_decided;
-        if (wrong || !quiet) text += verdict_text(report, verdict);
-        if (verdict.kind == driver::RuleVerdict::Kind::broken) ++broken;
-        if (verdict.kind == driver::RuleVerdict::Kind::not_decided) ++undecided;
-        if (failed) ++errors;
-    }
+    for (const driver::RuleVerdict& verdict : report.verdicts)
+        if (!quiet || is_wrong(verdict)) text += verdict_text(report, verdict);
     for (const std::string& error : report.errors) text += fmt::format("error: {}\n", error);
     for (const std::string& component : report.time_stops) text += fmt::format("time can stop in {}\n", component);
     for (const std::string& reason : report.time_open) text += fmt::format("not decided: {}\n", reason);
     if (!quiet) text += "an input counts as an event of the rules when the component takes it\n";
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
-    return text + fmt::format("{}: {} broken, {} not decided{}\n", number_of(report.verdicts.size(), "verdict"), broken,
-                              undecided, errors == 0 ? "" : ", " + number_of(errors, "error"));
+    const AnswerCounts counts = count_answers(report);
+    return text + fmt::format("{}: {} broken, {} not decided{}\n", number_of(report.verdicts.size(), "verdict"),
+                              counts.broken, counts.undecided,
+                              counts.errors == 0 ? "" : ", " + number_of(counts.errors, "error"));
 }
 
 Json verdict_json(const RulesReport& report, const driver::RuleVerdict& verdict) {
@@ -209,22 +238,12 @@ Json property_json(const RulesReport& report, const RuleProperty& property) {
 }  // namespace
 
 Exit exit_of(const RulesReport& report) {
-    if (!report.errors.empty()) return Exit::bad_input;
-    bool failed = !report.time_stops.empty();
-    bool undecided = !report.limit.empty() || !report.not_read.empty() || !report.time_open.empty();
-    for (const driver::RuleVerdict& verdict : report.verdicts) {
-        if (verdict.kind == driver::RuleVerdict::Kind::error) return Exit::bad_input;
-        failed = failed || verdict.kind == driver::RuleVerdict::Kind::broken;
-        undecided = undecided || verdict.kind == driver::RuleVerdict::Kind::not_decided;
-    }
-    for (const RuleConflict& conflict : report.conflicts) (conflict.decided ? failed : undecided) = true;
-    for (const RuleProperty& property : report.properties) (property.decided ? failed : undecided) = true;
-    for (const ComparedPair& pair : report.pairs) {
-        failed = failed || in_conflict(pair);
-        undecided = undecided || is_open(pair);
-    }
-    if (failed) return Exit::failed;
-    return undecided ? Exit::inconclusive : Exit::success;
+    const AnswerCounts counts = count_answers(report);
+    if (counts.errors > 0) return Exit::bad_input;
+    const std::size_t failures = counts.broken + counts.conflicts + counts.raised + counts.blocked;
+    if (failures > 0 || !report.time_stops.empty()) return Exit::failed;
+    const bool finished = report.limit.empty() && report.not_read.empty() && report.time_open.empty();
+    return finished && counts.undecided == 0 ? Exit::success : Exit::inconclusive;
 }
 
 std::string rules_text(const RulesReport& report, const Options& options) {
