@@ -13,6 +13,7 @@
 #include "app/command/option_table.hpp"
 #include "app/command/run.hpp"
 #include "base/cache/sha256.hpp"
+#include "base/diagnostics/containers.hpp"
 #include "base/threads/threads.hpp"
 
 namespace robochart::app {
@@ -44,8 +45,7 @@ std::optional<std::uint64_t> peak_memory() {
 template <typename Element>
 void merge(std::vector<Element>& all, const std::vector<Element>& more) {
     all.insert(all.end(), more.begin(), more.end());
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());  // clang 14 lacks std::ranges::unique
+    diagnostics::sort_unique(all);
 }
 
 }  // namespace

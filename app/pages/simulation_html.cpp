@@ -335,7 +335,7 @@ void SimulationPage::write_diagram(std::size_t kind, std::size_t number) {
                part_subject.project->sources.path(part_subject.subject.component->span.source) ==
                    sources.path(definition.nodes.front().origin.span.source);
     };
-    const auto subject = std::find_if(diagrams_.subjects().begin(), diagrams_.subjects().end(), is_of);
+    const auto subject = std::ranges::find_if(diagrams_.subjects(), is_of);
     if (subject == diagrams_.subjects().end()) return;
     const std::string svg = diagrams_.draw_diagram(
         *subject, has_several_kinds() ? fmt::format("k{}m{}-", kind, number) : fmt::format("m{}-", number));

@@ -13,6 +13,7 @@
 #include "app/command/run.hpp"
 #include "app/verbs/simulate.hpp"
 #include "app/verbs/verbs.hpp"
+#include "base/diagnostics/containers.hpp"
 #include "driver/claims/model_claims.hpp"
 
 namespace robochart::app {
@@ -29,8 +30,7 @@ driver::Evidence::Files files_of(const driver::Project& project) {
         if (std::filesystem::exists(path) && (ending == ".rct" || ending == ".assertions"))
             files.emplace_back(path.filename().string(), driver::content_digest(project.sources.source_text(source)));
     }
-    std::ranges::sort(files);
-    files.erase(std::unique(files.begin(), files.end()), files.end());
+    diagnostics::sort_unique(files);
     return files;
 }
 

@@ -10,6 +10,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/verbs/verbs.hpp"
+#include "base/diagnostics/containers.hpp"
 #include "base/rule_pages/rule_pages.hpp"
 
 namespace robochart::app {
@@ -32,7 +33,7 @@ std::string similar_codes(std::string_view code) {
         if (upper_start(rule->code) == upper_start(code)) found.emplace_back(rule->code);
     }
     if (const std::string meant = did_you_mean(code, all); !meant.empty()) return meant;
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    diagnostics::erase_repeated(found);
     return found.empty() ? "; `robochart-verify explain` lists all"
                          : fmt::format("; there are {}", fmt::join(found, ", "));
 }

@@ -499,7 +499,7 @@ private:
             out += fmt::format("{}", c + 1);
             for (std::size_t p = 0; p < parameters_.size(); ++p)
                 out += "," + parameters_[p].value_text(entry.candidate[p]);
-            const auto rank = std::find(race.elites().begin(), race.elites().end(), c);
+            const auto rank = std::ranges::find(race.elites(), c);
             out += fmt::format(",{},{},{}\n", entry.trial_count(),
                                entry.trial_count() > 0 ? fmt::format("{:.3f}", entry.mean_cost()) : "",
                                rank == race.elites().end() ? "" : fmt::format("{}", rank - race.elites().begin() + 1));

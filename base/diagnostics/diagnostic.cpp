@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/diagnostics/containers.hpp"
 #include "base/diagnostics/utf8.hpp"
 
 namespace robochart::diagnostics {
@@ -88,7 +89,7 @@ std::vector<Diagnostic> Diagnostics::sorted_findings() const {
         return a.rule == b.rule && a.rule->severity == Severity::note && a.span.source == b.span.source &&
                a.span.begin == b.span.begin && a.span.end == b.span.end && a.arguments == b.arguments;
     };
-    result.erase(std::unique(result.begin(), result.end(), noted), result.end());
+    erase_repeated(result, noted);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/lts/graph.hpp"
@@ -47,8 +48,7 @@ const machine::Supercombinator* compiled(const lts::TransitionSystem& system) {
 }
 
 machine::EventPlaces make_event_places(process::EventSet events) {
-    std::ranges::sort(events);
-    events.erase(std::unique(events.begin(), events.end()), events.end());
+    diagnostics::sort_unique(events);
     return machine::EventPlaces(std::move(events));
 }
 

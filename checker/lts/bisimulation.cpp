@@ -12,6 +12,7 @@
 #include <map>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/lts/tau_components.hpp"
 
 namespace robochart::lts {
@@ -151,8 +152,7 @@ Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, 
             result.insert(result.end(), through.begin(), through.end());
         }
     }
-    std::ranges::sort(result);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    diagnostics::sort_unique(result);
     return result;
 }
 

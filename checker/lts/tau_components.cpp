@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/lts/tau_components.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <numeric>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/lts/strong_components.hpp"
 
 namespace robochart::lts {
@@ -45,8 +45,7 @@ Graph contract_components(const Graph& graph, const TauComponents& components) {
                 assert(edge.event != tau || target <= component);  // see strong_components for their order
                 if (edge.event != tau || target != component) edges.push_back({edge.event, target});
             }
-        std::ranges::sort(edges);
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        diagnostics::sort_unique(edges);
         for (const Edge& edge : edges) result.add_edge(edge);
         result.finish_state();
     }

@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/machine/supercombinator.hpp"
 
 namespace robochart::machine {
@@ -222,8 +223,7 @@ void Combiner::synchronise_vectors(std::vector<const Vectors*> who, Event event,
 EventSet events_of(const Vectors& vectors) {
     EventSet events;
     for (const Vector& vector : vectors) events.push_back(vector.event);
-    std::ranges::sort(events);
-    events.erase(std::unique(events.begin(), events.end()), events.end());
+    diagnostics::sort_unique(events);
     return events;
 }
 
@@ -416,7 +416,7 @@ std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
     std::ranges::reverse(made);
     std::ranges::stable_sort(made, [](const Assignment& a, const Assignment& b) { return a.slot < b.slot; });
     const auto same = [](const Assignment& a, const Assignment& b) { return a.slot == b.slot; };
-    made.erase(std::unique(made.begin(), made.end(), same), made.end());
+    diagnostics::erase_repeated(made, same);
     assert(std::ranges::adjacent_find(made, std::ranges::greater_equal(), &Assignment::slot) == made.end());
     return made;
 }
@@ -506,7 +506,7 @@ void Combiner::list_operands() {
     const auto less = [&](const SlotRange& a, const SlotRange& b) { return rank(a) < rank(b); };
     const auto same = [&](const SlotRange& a, const SlotRange& b) { return rank(a) == rank(b); };
     std::ranges::sort(operands, less);
-    operands.erase(std::unique(operands.begin(), operands.end(), same), operands.end());
+    diagnostics::erase_repeated(operands, same);
 }
 
 /// Places components next to each other in words of 32 bits. No component crosses a word boundary.

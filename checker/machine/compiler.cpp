@@ -7,6 +7,7 @@
 #include <new>
 #include <unordered_map>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/lts/state_store.hpp"
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/not_compiled.hpp"
@@ -174,7 +175,7 @@ ComponentPtr Compiler::make_gate(const Node& node) const {
         const auto less = [](const auto& a, const auto& b) { return a.event < b.event; };
         const auto same = [](const auto& a, const auto& b) { return a.event == b.event; };
         std::ranges::sort(row, less);
-        row.erase(std::unique(row.begin(), row.end(), same), row.end());
+        diagnostics::erase_repeated(row, same);
     } else {
         row.push_back({process::tau, process::tau, 0});
     }

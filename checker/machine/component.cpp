@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/diagnostics/containers.hpp"
+
 namespace robochart::machine {
 namespace {
 
@@ -21,8 +23,7 @@ Component::Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<
     assert(rows.size() == meaning_.size());
     for (const auto& row : rows)
         for (const RawEdge& edge : row) alphabet_.push_back(edge.event);
-    std::ranges::sort(alphabet_);
-    alphabet_.erase(std::unique(alphabet_.begin(), alphabet_.end()), alphabet_.end());
+    diagnostics::sort_unique(alphabet_);
     first_.push_back(0);
     for (const auto& row : rows) {
         for (const RawEdge& edge : row) edges_.push_back({place_of(alphabet_, edge.event), edge.revealed, edge.target});

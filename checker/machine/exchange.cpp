@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
+
 namespace robochart::machine {
 namespace {
 
@@ -149,10 +151,7 @@ bool Exchange::maps_rules(std::uint32_t region, diagnostics::Pollable& budget) {
 Exchange::EventsByBody Exchange::bodies(const Region& region, diagnostics::Pollable& budget) const {
     EventsByBody result;
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-    const auto as_set = [](Pairs& pairs) {
-        std::ranges::sort(pairs);
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    };
+    const auto as_set = [](Pairs& pairs) { diagnostics::sort_unique(pairs); };
     Pairs required, assigned;
     for (const Rule& rule : region.rules) {
         budget.poll();

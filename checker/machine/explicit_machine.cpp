@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/lts/bisimulation.hpp"
 
 namespace robochart::machine {
@@ -28,7 +29,7 @@ void minimise(ExplicitMachine& machine, diagnostics::Pollable& budget) {
         const auto key = [](const Component::RawEdge& edge) { return std::pair(edge.event, edge.target); };
         std::ranges::stable_sort(row, [&](const auto& a, const auto& b) { return key(a) < key(b); });
         const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
-        row.erase(std::unique(row.begin(), row.end(), same), row.end());
+        diagnostics::erase_repeated(row, same);
         smaller.rows.push_back(std::move(row));
     }
     machine = std::move(smaller);

@@ -3,13 +3,14 @@
 // depend only on the calls, never on addresses or on the order of a hash table.
 #include "checker/process/term.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <deque>
 #include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
+
+#include "base/diagnostics/containers.hpp"
 
 namespace robochart::process {
 namespace {
@@ -30,8 +31,7 @@ std::uint32_t hash_of(const Term& term) {
 
 template <class T>
 void sort_unique(std::vector<T>& items) {
-    std::ranges::sort(items);
-    items.erase(std::unique(items.begin(), items.end()), items.end());
+    diagnostics::sort_unique(items);
 }
 
 /// Values numbered in the order of first appearance.
@@ -117,7 +117,7 @@ std::size_t TermStore::size() const {
 
 SetId TermStore::intern_set(EventSet events) {
     sort_unique(events);
-    events.erase(std::remove(events.begin(), events.end(), tau), events.end());
+    std::erase(events, tau);
     const SetId id = impl_->sets.intern(std::move(events));
     if (impl_->members.size() < impl_->sets.size()) {
         const EventSet& interned = impl_->sets[id];

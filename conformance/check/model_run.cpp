@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/process/operational_semantics.hpp"
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
@@ -68,8 +69,7 @@ public:
         }
         for (const ModelEdge& edge : graph_.edges(at))
             if (edge.event != process::tau) result.offered.push_back(edge.event);
-        std::ranges::sort(result.offered);
-        result.offered.erase(std::unique(result.offered.begin(), result.offered.end()), result.offered.end());
+        diagnostics::sort_unique(result.offered);
         return result;
     }
 

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/diagnostics/containers.hpp"
 #include "base/diagnostics/scanner.hpp"
 #include "conformance/code/interface.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -274,8 +275,7 @@ ir::Value replace_outside(const LoggedPart& part, const ir::Instantiation& insta
     for (const LoggedPart& inner_part : part.parts)
         value.parts.push_back(replace_outside(inner_part, instantiation, salt));
     if (part.kind == TypeKind::set || part.kind == TypeKind::relation || part.kind == TypeKind::function) {
-        std::ranges::sort(value.parts);
-        value.parts.erase(std::unique(value.parts.begin(), value.parts.end()), value.parts.end());
+        diagnostics::sort_unique(value.parts);
     }
     return value;
 }

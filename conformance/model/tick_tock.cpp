@@ -8,6 +8,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/normal_form.hpp"
 
@@ -55,8 +56,7 @@ public:
         std::vector<EventSet> all;
         for (const StateIndex state : Members(set_members(set)))
             if (auto accepted = refine::acceptance(graph_.state_offer(state))) all.push_back(std::move(*accepted));
-        std::ranges::sort(all);
-        all.erase(std::unique(all.begin(), all.end()), all.end());
+        diagnostics::sort_unique(all);
         return all;
     }
     /// The initial events of the specification, including tocks that maximal progress allows.
@@ -67,8 +67,7 @@ public:
             for (const Event event : offer.events)
                 if (event != tock_ || (!offer.tau && !offer.can_tick())) all.push_back(event);
         }
-        std::ranges::sort(all);
-        all.erase(std::unique(all.begin(), all.end()), all.end());
+        diagnostics::sort_unique(all);
         return all;
     }
     [[nodiscard]] bool empty(SetNumber set) const { return set_members(set).empty(); }

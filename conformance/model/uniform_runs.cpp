@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/diagnostics/containers.hpp"
+
 namespace robochart::conformance {
 
 namespace {
@@ -32,8 +34,7 @@ UniformRuns::Set UniformRuns::start() {
 }
 
 UniformRuns::Set UniformRuns::intern(States states) {
-    std::ranges::sort(states);
-    states.erase(std::unique(states.begin(), states.end()), states.end());
+    diagnostics::sort_unique(states);
     const auto [place, fresh] = set_ids_.emplace(std::move(states), static_cast<Set>(sets_.size()));
     if (fresh) {
         sets_.push_back(place->first);

@@ -237,10 +237,9 @@ private:
     static bool are_alike(const Unit& known, const Unit& unit) {
         const auto same = [&](const std::vector<Owner>& left, const std::vector<Owner>& right) {
             const auto own = [](const Unit& of, const Owner& owner) { return owner.unit == of.number; };
-            return std::equal(left.begin(), left.end(), right.begin(), right.end(),
-                              [&](const Owner& a, const Owner& b) {
-                                  return own(known, a) ? own(unit, b) && a.place == b.place : a == b;
-                              });
+            return std::ranges::equal(left, right, [&](const Owner& a, const Owner& b) {
+                return own(known, a) ? own(unit, b) && a.place == b.place : a == b;
+            });
         };
         return known.part == unit.part && known.id == unit.id && same(known.variable_owners, unit.variable_owners) &&
                same(known.clock_owners, unit.clock_owners);

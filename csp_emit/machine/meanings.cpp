@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/containers.hpp"
 #include "csp_emit/machine/rules/transitions.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -97,7 +98,7 @@ std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const
         std::ranges::sort(around, [&](ir::NodeId one, ir::NodeId other) {
             return std::pair(depth(one), one.index) < std::pair(depth(other), other.index);
         });
-        around.erase(std::unique(around.begin(), around.end()), around.end());
+        diagnostics::erase_repeated(around);
         for (const ir::NodeId node : around) result.push_back(nodes[node.index].origin);
     }
     return result;

@@ -15,6 +15,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/diagnostics/containers.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/render.hpp"
 #include "base/diagnostics/spelling.hpp"
@@ -612,8 +613,7 @@ void check_component(const std::vector<Part>& parts, const std::string& componen
         for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
     }
     const std::string meant = diagnostics::nearest_spelling(component, known);
-    std::ranges::sort(known);
-    known.erase(std::unique(known.begin(), known.end()), known.end());
+    diagnostics::sort_unique(known);
     constexpr std::size_t few = 8;
     std::string help;
     if (!meant.empty())

@@ -89,7 +89,7 @@ Missing missing_variables(const std::vector<const Variable*>& required, const Va
 
 /// True if the parameters are compatible pairwise. Their names may differ.
 bool same_parameters(const std::vector<VariablePtr>& a, const std::vector<VariablePtr>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const VariablePtr& x, const VariablePtr& y) {
+    return std::ranges::equal(a, b, [](const VariablePtr& x, const VariablePtr& y) {
         return is_compatible(x->type, y->type) || is_compatible(y->type, x->type);
     });
 }

@@ -87,7 +87,7 @@ bool same_tokens(const Words& a, const Words& b) {
     const auto& [tokens, comments] = a.stream;
     const auto& [other_tokens, other_comments] = b.stream;
     return std::equal(tokens.begin(), tokens.end(), other_tokens.begin(), other_tokens.end(), same_token) &&
-           std::equal(comments.begin(), comments.end(), other_comments.begin(), other_comments.end(), same_comments);
+           std::ranges::equal(comments, other_comments, same_comments);
 }
 
 /// True if `other`, which is tokenized here, has the same tokens and comments.

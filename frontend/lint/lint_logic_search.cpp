@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "base/diagnostics/containers.hpp"
 #include "frontend/lint/lint_logic.hpp"
 
 namespace robochart::frontend::logic {
@@ -319,7 +320,7 @@ private:
             describe_key(i, shared, parts);
             if (reasoner_.keys_[i].opaque) finding.trusted = false;
         }
-        parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+        diagnostics::erase_repeated(parts);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             if (i > 0) finding.example += i + 1 == parts.size() ? " and " : ", ";
             finding.example += parts[i];

@@ -47,8 +47,8 @@ void adopt_nodes(NodeContainer& container, const Declaration& parent) {
 std::size_t file_nearness(const File& a, const File& b) {
     if (&a == &b) return std::numeric_limits<std::size_t>::max();
     if (a.is_library || b.is_library) return 0;
-    const auto apart = std::mismatch(a.folder.begin(), a.folder.end(), b.folder.begin(), b.folder.end());
-    return 1 + static_cast<std::size_t>(std::count(a.folder.begin(), apart.first, '/'));
+    const auto apart = std::ranges::mismatch(a.folder, b.folder);
+    return 1 + static_cast<std::size_t>(std::count(a.folder.begin(), apart.in1, '/'));
 }
 
 Names::Names(const Model& model) {

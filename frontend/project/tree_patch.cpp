@@ -76,8 +76,7 @@ bool same_structure(const Declaration& a, const Declaration& b);
 
 template <class Items>
 bool all_same(const Items& a, const Items& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const auto& left, const auto& right) { return same_structure(*left, *right); });
+    return std::ranges::equal(a, b, [](const auto& left, const auto& right) { return same_structure(*left, *right); });
 }
 
 bool same_structure(const OperationSignature& a, const OperationSignature& b) {
@@ -93,8 +92,7 @@ bool same_parts(const Component& a, const Component& b) {
     const auto same_place = [](const Declaration* left, const Declaration* right) { return same_head(*left, *right); };
     return all_same(a.platforms, b.platforms) && all_same(a.controllers, b.controllers) &&
            all_same(a.machines, b.machines) && all_same(a.operations, b.operations) &&
-           all_same(a.references, b.references) &&
-           std::equal(a.order.begin(), a.order.end(), b.order.begin(), b.order.end(), same_place);
+           all_same(a.references, b.references) && std::ranges::equal(a.order, b.order, same_place);
 }
 
 /// If both declarations have this class, compares them.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/diagnostics/containers.hpp"
 #include "base/diagnostics/spelling.hpp"
 #include "frontend/resolve/component_paths.hpp"
 #include "frontend/resolve/resolver.hpp"
@@ -115,8 +116,7 @@ std::vector<std::string> AssertionResolver::known_names() const {
 /// The existing names, for a message; empty if there are too many to list.
 std::string list_alternatives(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
-    std::ranges::sort(names);
-    names.erase(std::unique(names.begin(), names.end()), names.end());
+    diagnostics::sort_unique(names);
     if (names.empty() || names.size() > most) return "";
     return fmt::format("; there are {}", fmt::join(names, ", "));
 }

@@ -84,11 +84,11 @@ TypePtr as_product(const TypePtr& type) {
 namespace {
 
 bool sizes_agree(const std::vector<long>& a, const std::vector<long>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](long x, long y) { return x < 0 || y < 0 || x == y; });
+    return std::ranges::equal(a, b, [](long x, long y) { return x < 0 || y < 0 || x == y; });
 }
 
 bool args_agree(const Type& from, const Type& to) {
-    return std::equal(from.args.begin(), from.args.end(), to.args.begin(), to.args.end(), is_compatible);
+    return std::ranges::equal(from.args, to.args, is_compatible);
 }
 
 bool same_form(const Type& from, const Type& to) {

@@ -70,7 +70,7 @@ bool same_expr(const ExprPtr& a, const ExprPtr& b) {
     if (a == b) return true;
     if (!a || !b || a->op != b->op || a->text != b->text) return false;
     return same_query(a->query.get(), b->query.get()) && same_steps(a->steps.get(), b->steps.get()) &&
-           std::equal(a->parts.begin(), a->parts.end(), b->parts.begin(), b->parts.end(), same_expr);
+           std::ranges::equal(a->parts, b->parts, same_expr);
 }
 
 }  // namespace robochart::prism

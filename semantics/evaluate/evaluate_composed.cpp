@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/containers.hpp"
 #include "semantics/ir/arithmetic.hpp"
 
 namespace robochart::ir {
@@ -24,8 +25,7 @@ bool operator==(const Value& left, const Value& right) {
 }
 
 Value set_of(std::vector<Value> members) {
-    std::ranges::sort(members);
-    members.erase(std::unique(members.begin(), members.end()), members.end());
+    diagnostics::sort_unique(members);
     return {0, std::move(members)};
 }
 

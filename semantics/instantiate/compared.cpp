@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
 #include "base/diagnostics/scanner.hpp"
 #include "semantics/ir/arithmetic.hpp"
 #include "semantics/ir/numbers.hpp"
@@ -207,7 +208,7 @@ Values KnownValues::values_of(const std::string& name, int depth) const {
     }
     std::ranges::sort(values, is_less);
     const auto same = [](const Decimal& a, const Decimal& b) { return !is_less(a, b) && !is_less(b, a); };
-    values.erase(std::unique(values.begin(), values.end(), same), values.end());
+    diagnostics::erase_repeated(values, same);
     if (values.size() > most_of_expression) values.resize(most_of_expression);
     return values;
 }

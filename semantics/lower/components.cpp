@@ -2,8 +2,6 @@
 // Controllers and modules: components, the operations that are defined in them, connections (semantics 3.8, 3.9).
 #include "semantics/lower/components.hpp"
 
-#include <algorithm>
-
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/machines.hpp"
 #include "semantics/rules.hpp"
@@ -141,7 +139,7 @@ void ControllerLowering::bind_operations() {
     const auto defined = [&](const OperationSignature& signature) {
         return definition_in(lowering_.system, controller_, signature).is_valid();
     };
-    leaving.erase(std::remove_if(leaving.begin(), leaving.end(), defined), leaving.end());
+    std::erase_if(leaving, defined);
 }
 
 void ControllerLowering::run() {

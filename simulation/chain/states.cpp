@@ -8,6 +8,8 @@
 #include <limits>
 #include <set>
 
+#include "base/diagnostics/containers.hpp"
+
 namespace robochart::simulation {
 
 namespace {
@@ -85,8 +87,7 @@ void ChainStates::find_distributions(const std::vector<std::uint32_t>& classes) 
     for (const Distribution& distribution : distributions_)
         distributed_.push_back(project_distribution(distribution, classes));
     admitted_ = distributed_;
-    std::ranges::sort(admitted_);
-    admitted_.erase(std::unique(admitted_.begin(), admitted_.end()), admitted_.end());
+    diagnostics::sort_unique(admitted_);
 }
 
 void ChainStates::add_distributions(Distribution& so_far, std::size_t at, std::uint32_t left) {

@@ -67,8 +67,7 @@ const std::array<ScenarioReader::ItemRow, 28>& ScenarioReader::item_table() {
 }
 
 void ScenarioReader::parse_item() {
-    const auto* row =
-        std::find_if(item_table().begin(), item_table().end(), [&](const ItemRow& r) { return in_.at_word(r.word); });
+    const auto* row = std::ranges::find_if(item_table(), [&](const ItemRow& r) { return in_.at_word(r.word); });
     if (row == item_table().end()) {
         std::vector<std::string> words;
         for (const ItemRow& item : item_table()) words.emplace_back(item.word);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
 #include "simulation/scenario/rules.hpp"
 #include "simulation/scenario/scenario_reader.hpp"
 
@@ -104,8 +105,7 @@ void ScenarioReader::parse_values(Variation& variation) {
         return;
     }
     while (in_.take_word(",") && values.size() < most_values) values.push_back(value_of(variation.what));
-    std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
+    diagnostics::sort_unique(values);
 }
 
 double ScenarioReader::value_of(Varied what) {

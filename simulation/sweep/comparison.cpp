@@ -116,7 +116,7 @@ private:
 };
 
 bool same_point(const Point& one, const Point& other) {
-    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](double a, double b) {
+    return std::ranges::equal(one, other, [](double a, double b) {
         return std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)});
     });
 }

@@ -14,6 +14,7 @@
 #include <span>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/lts/strong_components.hpp"
 #include "sleec/obligations/open.hpp"
 #include "sleec/obligations/samples.hpp"
@@ -193,8 +194,7 @@ private:
             if (part) then.awaited = false;
             if (part && property_.duty && !take_part(then, *own, event)) return;
             if (during) then.during = false;
-            std::ranges::sort(then.open);
-            then.open.erase(std::unique(then.open.begin(), then.open.end()), then.open.end());
+            diagnostics::sort_unique(then.open);
             add(then, at, Happening{0, event, sample.values, part || during});
         };
         if (takes_part) follow(true, false);
@@ -243,8 +243,7 @@ private:
             if (effect == Effect::broken) return;
             if (effect == Effect::open) next.open.push_back(duty);
         }
-        std::ranges::sort(next.open);
-        next.open.erase(std::unique(next.open.begin(), next.open.end()), next.open.end());
+        diagnostics::sort_unique(next.open);
         add(next, at, std::nullopt);
     }
 

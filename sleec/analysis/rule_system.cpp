@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
+
 namespace robochart::sleec {
 namespace {
 
@@ -284,8 +286,7 @@ bool RuleSystem::is_dominated(const OpenObligation& a, const OpenObligation& b) 
 }
 
 void RuleSystem::remove_dominated(std::vector<OpenObligation>& open) const {
-    std::ranges::sort(open);
-    open.erase(std::unique(open.begin(), open.end()), open.end());
+    diagnostics::sort_unique(open);
     std::vector<OpenObligation> left;
     for (const OpenObligation& obligation : open)
         if (std::ranges::none_of(open, [&](const OpenObligation& other) {

@@ -60,8 +60,7 @@ public:
     Revealing(const lts::StateStore& states, const Edge& edge) : states_(states), edge_(edge) {}
     void add(lts::Event event, lts::StateView target, lts::Event revealed) override {
         const lts::StateView view = states_[edge_.target];
-        if (!found_ && event == edge_.event && std::equal(target.begin(), target.end(), view.begin(), view.end()))
-            found_ = revealed;
+        if (!found_ && event == edge_.event && std::ranges::equal(target, view)) found_ = revealed;
     }
     [[nodiscard]] lts::Event revealed_event() const { return found_.value_or(edge_.event); }
 

@@ -253,7 +253,7 @@ std::vector<std::size_t> Encoding::measures_of_pair(std::size_t first, std::size
 
 bool Encoding::are_related(std::size_t first, std::size_t second) const {
     const auto meet = [](const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
-        return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+        return std::ranges::find_first_of(a, b) != a.end();
     };
     return meet(events_of(first), events_of(second)) ||
            meet(measures_of(rules_.rules[first]), measures_of(rules_.rules[second]));

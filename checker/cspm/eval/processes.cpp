@@ -3,6 +3,7 @@
 // tock, and STOP, SKIP and prefixes let time pass (semantics 3.10).
 #include <algorithm>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/cspm/eval/process_evaluator.hpp"
 
 namespace robochart::cspm {
@@ -258,8 +259,7 @@ TermId ProcessEvaluator::process_rename(const Code& code, Frame& frame) {
     const TermId child = process(*code.args[0], frame);
     std::vector<process::EventPair> pairs = linked_events(code, code.clauses, frame);
     if (pairs.empty()) return child;
-    std::ranges::sort(pairs);
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    diagnostics::sort_unique(pairs);
     return processes_.make_term(Op::rename, {child}, payload(terms_.intern_renaming(std::move(pairs))));
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/cspm/eval/code.hpp"
 
 namespace robochart::cspm {
@@ -104,7 +105,7 @@ Value ValueStore::set(Values items) {
         return compare(a, b) < 0;
     };
     if (!std::ranges::is_sorted(items, less)) std::ranges::sort(items, less);
-    items.erase(std::unique(items.begin(), items.end()), items.end());
+    diagnostics::erase_repeated(items);
     return sorted_set(std::move(items));
 }
 

@@ -3,7 +3,7 @@
 // innermost open group of declarations that may still determine it.
 #include "checker/cspm/types/type.hpp"
 
-#include <algorithm>
+#include "base/diagnostics/containers.hpp"
 
 namespace robochart::cspm::types {
 
@@ -208,8 +208,7 @@ void TypeStore::gather_open(TypeId type, std::vector<TypeId>& out) {
 std::vector<TypeId> TypeStore::open_variables(TypeId type) {
     std::vector<TypeId> result;
     gather_open(type, result);
-    std::ranges::sort(result);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    diagnostics::sort_unique(result);
     return result;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "checker/refine/levels/saved_row_store.hpp"
 
-#include <algorithm>
-
+#include "base/diagnostics/containers.hpp"
 #include "checker/storage/sort_rows.hpp"
 
 namespace robochart::refine {
@@ -16,8 +15,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
     kept_.load_checkpoint(record(), [&](Level level, StateView row) {
         unsure.emplace_back(level, std::vector<lts::Word>(row.begin(), row.end()));
     });
-    std::ranges::sort(unsure);
-    unsure.erase(std::unique(unsure.begin(), unsure.end()), unsure.end());
+    diagnostics::sort_unique(unsure);
     // An unsure row of a level is looked up when memory contains this level and the earlier ones.
     auto next = unsure.begin();
     for (Level level = 0; level < kept_.files().levels(); ++level) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
+
 namespace robochart::refine {
 
 using lts::StateIndex;
@@ -90,7 +92,7 @@ bool is_shorter(const EventSet& a, const EventSet& b) {
 /// Keeps the sets that contain no other set.
 std::vector<EventSet> minimal(std::vector<EventSet> sets, Budget& budget) {
     std::ranges::sort(sets, is_shorter);
-    sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+    diagnostics::erase_repeated(sets);
     std::vector<EventSet> minimal;
     for (EventSet& set : sets) {
         budget.charge();
@@ -157,8 +159,7 @@ std::vector<NormalForm::Arc>& NormalForm::arcs_of(Node node) {
         for (const LazyGraph::Edge& edge : graph_.edges(member))
             if (edge.event != process::tau && (events.empty() || events.back() != edge.event))
                 events.push_back(edge.event);
-    std::ranges::sort(events);
-    events.erase(std::unique(events.begin(), events.end()), events.end());
+    diagnostics::sort_unique(events);
     data.arcs.emplace();
     for (Event event : events) data.arcs->push_back({event, unresolved});
     return *data.arcs;

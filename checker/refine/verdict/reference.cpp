@@ -168,7 +168,7 @@ std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem&
             const auto accepted = acceptance(moves_of(system, violation.run.last_state(), budget).offer);
             return [accepted](const State&, const Moves& moves) {
                 const auto own = acceptance(moves.offer);
-                return own && accepted && std::includes(accepted->begin(), accepted->end(), own->begin(), own->end());
+                return own && accepted && std::ranges::includes(*accepted, *own);
             };
         }
         case ViolationKind::deadlock:

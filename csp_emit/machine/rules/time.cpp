@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/machine/rules/shared_variables.hpp"
 #include "csp_emit/machine/rules/transitions.hpp"
@@ -210,8 +211,7 @@ std::vector<CellId> clocks_needed(const MachineTables& tables, const View& view)
         for (const ir::TransitionId id : outgoing_transitions(tables, *running.activation))
             if (const auto& guard = frame.machine->transitions[id.index].guard) (void)has_part(*guard, note);
     }
-    std::ranges::sort(result);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    diagnostics::sort_unique(result);
     return result;
 }
 

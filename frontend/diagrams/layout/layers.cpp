@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/diagnostics/containers.hpp"
 #include "frontend/diagrams/layout/graph.hpp"
 
 namespace robochart::diagrams::layout {
@@ -74,8 +75,7 @@ void finish_layers(const Level& level, std::vector<std::size_t>& layers) {
     for (std::size_t b = 0; b < layers.size(); ++b)
         if (level.boxes[b].pin == Pin::last) layers[b] = end;
     std::vector<std::size_t> used = layers;
-    std::ranges::sort(used);
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    diagnostics::sort_unique(used);
     for (std::size_t& layer : layers)
         layer = static_cast<std::size_t>(std::ranges::lower_bound(used, layer) - used.begin());
 }

@@ -29,7 +29,7 @@ std::string folder_of(const std::string& path) {
 
 /// The innermost folder that contains both.
 std::string common_folder(const std::string& a, const std::string& b) {
-    const auto [end, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    const auto [end, other] = std::ranges::mismatch(a, b);
     return folder_of(std::string(a.begin(), end));
 }
 

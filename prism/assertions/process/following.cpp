@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "base/diagnostics/containers.hpp"
 #include "prism/assertions/experiments/encoding.hpp"
 #include "prism/assertions/process/seats.hpp"
 
@@ -107,8 +108,7 @@ private:
                     found.push_back(bits_[step.target]);
                 }
         if (found.size() == 1) throw Wrong("no time can pass in it");
-        std::ranges::sort(found);
-        found.erase(std::unique(found.begin(), found.end()), found.end());
+        diagnostics::sort_unique(found);
         result_.classes = std::move(found);
     }
 
