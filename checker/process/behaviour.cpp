@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <span>
@@ -363,13 +362,6 @@ std::string Splitter::notation_of(const Term& term) {
 }
 
 }  // namespace
-
-std::vector<Event> Behaviour::events(bool with_taus) const {
-    std::vector<Event> result;
-    std::ranges::copy_if(trace, std::back_inserter(result),
-                         [&](Event event) { return event != no_event && (with_taus || event != tau); });
-    return result;
-}
 
 Behaviour behaviour(OperationalSemantics& semantics, TermId initial, const std::vector<Transition>& run, bool offers) {
     Steps steps;

@@ -34,9 +34,6 @@ struct Behaviour {
     /// process in which it is visible. If it is not visible, this is the next step of the whole process, or the last
     /// one if there is no next step.
     std::vector<std::size_t> shown_by;
-
-    /// The events in which the part participated; taus only with `with_taus`.
-    [[nodiscard]] std::vector<Event> events(bool with_taus) const;
 };
 
 /// Splits a run of `initial`. Each step must be a transition of the semantics. If the run is very large, its parts and

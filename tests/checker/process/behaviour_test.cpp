@@ -163,12 +163,5 @@ TEST_F(Apart, InsideACompressionTheOperandHasARunOfItsOwn) {
     EXPECT_EQ(trace(parallel.parts.at(1)), "--");
 }
 
-TEST_F(Apart, EventsWithoutGapsAndTaus) {
-    const TermId hidden = s.over(Op::hide, {s.prefix("a", s.prefix("b", s.stop()))}, {"a"});
-    const Behaviour whole = run(hidden, {tau, s.event("b")});
-    EXPECT_EQ(whole.events(false), std::vector<Event>{s.event("b")});
-    EXPECT_EQ(whole.events(true), (std::vector<Event>{tau, s.event("b")}));
-}
-
 }  // namespace
 }  // namespace robochart::process
