@@ -2,6 +2,7 @@
 #include "semantics/data/linear.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -69,7 +70,7 @@ bool LinearConditions::add_condition(const Expr& condition) {
     return condition.kind == ExprKind::is_in && add_membership(condition);
 }
 
-void LinearConditions::add_form(const LinearForm& form) {
+void LinearConditions::insert_form(const LinearForm& form) {
     if (std::ranges::find(forms_, form) == forms_.end()) forms_.push_back(form);
 }
 
@@ -80,7 +81,7 @@ bool LinearConditions::add_comparison(const Expr& left, const Expr& right) {
         for (const LinearForm& other : *b) {
             const auto difference = add_multiple(one, other, -1);
             if (!difference) return false;
-            add_form(*difference);
+            insert_form(*difference);
         }
     return forms_.size() <= most_forms;
 }
@@ -96,7 +97,7 @@ bool LinearConditions::add_membership(const Expr& condition) {
 }
 
 LinearReader::Forms LinearConditions::read_component(const Expr& expr) {
-    Component component;
+    NumberPart component;
     component.kind = system_.type(expr.type).kind;
     if (component.kind != TypeKind::real && component.kind != TypeKind::integer && component.kind != TypeKind::nat)
         return std::nullopt;
@@ -107,9 +108,43 @@ LinearReader::Forms LinearConditions::read_component(const Expr& expr) {
     }
     if (at->kind != ExprKind::variable && at->kind != ExprKind::trigger_value) return std::nullopt;
     is_periodic_ = is_periodic_ && remainders_open_ > 0;
+    return std::set{LinearForm{{{index_of(component), 1}}, 0}};
+}
+
+std::size_t LinearConditions::index_of(const NumberPart& component) {
     auto found = std::ranges::find(components_, component);
     if (found == components_.end()) found = components_.insert(components_.end(), component);
-    return std::set{LinearForm{{{static_cast<std::size_t>(found - components_.begin()), 1}}, 0}};
+    return static_cast<std::size_t>(found - components_.begin());
+}
+
+bool LinearConditions::add_form(const std::map<NumberPart, std::int64_t>& coefficients, std::int64_t constant) {
+    LinearForm form{{}, constant};
+    if (constant >= greatest_coordinate || constant <= -greatest_coordinate) return false;
+    for (const auto& [component, coefficient] : coefficients) {
+        if (coefficient >= greatest_coefficient || coefficient <= -greatest_coefficient) return false;
+        if (coefficient != 0) form.coefficients[index_of(component)] = coefficient;
+    }
+    insert_form(form);
+    return true;
+}
+
+std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> LinearConditions::forms() const {
+    std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> result;
+    for (const LinearForm& form : forms_) {
+        if (form.coefficients.empty()) continue;
+        auto& shown = result.emplace_back(std::map<NumberPart, std::int64_t>(), form.constant);
+        for (const auto& [component, coefficient] : form.coefficients)
+            shown.first.emplace(components_[component], coefficient);
+    }
+    return result;
+}
+
+/// Points of whole numbers are not in units.
+std::vector<int> LinearConditions::signs_at(const Point& point) const {
+    Point units = point;
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (components_[i].kind != TypeKind::real) units[i] *= scale_;
+    return signs(units);
 }
 
 LinearReader::Forms LinearConditions::read_choice(const Expr& expr) {
@@ -134,7 +169,7 @@ LinearReader::Forms LinearConditions::remainders(const LinearForm& dividend) {
     for (std::int64_t turn = first; turn <= last; ++turn) {
         const auto form = add_multiple(dividend, {{}, *period_}, -turn);
         if (!form) return std::nullopt;
-        add_form(*form);
+        insert_form(*form);
         result.insert(*form);
     }
     return result;
@@ -250,24 +285,87 @@ std::optional<std::vector<Point>> LinearConditions::real_points() const {
     return result;
 }
 
-/// For one whole number: the numbers at and beside every threshold.
-std::optional<std::vector<Point>> LinearConditions::whole_points() const {
+/// For one whole number: up to `count` numbers with the same signs, of those at and beside every threshold. If a region
+/// has fewer than `beside` numbers, it has a threshold near all of them.
+std::optional<std::vector<Point>> LinearConditions::whole_points(std::int64_t beside, std::size_t count) const {
     if (components_.size() != 1) return std::nullopt;
-    std::set<std::int64_t> numbers{0};
+    std::set<std::int64_t> numbers;
+    for (std::int64_t number = 0; number < beside; ++number) numbers.insert(number);
     for (const LinearForm& form : forms_) {
         if (form.coefficients.empty()) continue;
         const auto down = floor_divide(-form.constant, form.coefficients.begin()->second);
         if (!down) return std::nullopt;
         const std::int64_t whole = *floor_divide(*down, scale_);
-        for (const std::int64_t beside : {-1, 0, 1, 2}) numbers.insert(whole + beside);
+        for (std::int64_t number = whole - beside; number <= whole + beside + 1; ++number) numbers.insert(number);
     }
     std::vector<Point> result;
-    std::set<std::vector<int>> known;
+    std::map<std::vector<int>, std::size_t> known;
     for (const std::int64_t number : numbers) {
         const bool exists = components_[0].kind == TypeKind::integer || number >= 0;
         const auto units = checked_multiply(number, scale_);
         if (!units) return std::nullopt;
-        if (exists && known.insert(signs({*units})).second) result.push_back({number});
+        if (exists && ++known[signs({*units})] <= count) result.push_back({number});
+    }
+    return result;
+}
+
+/// True if the equations of a region have one solution.
+bool LinearConditions::is_only_point(const std::vector<int>& signs) const {
+    const std::size_t n = components_.size();
+    std::vector<std::vector<Wide>> equations;
+    for (std::size_t f = 0; f < forms_.size(); ++f) {
+        if (signs[f] != 0 || forms_[f].coefficients.empty()) continue;
+        std::vector<Wide>& row = equations.emplace_back(n, 0);
+        for (const auto& [component, coefficient] : forms_[f].coefficients) row[component] = coefficient;
+    }
+    bool independent = false;
+    visit_choices(equations.size(), n, false, [&](const std::vector<std::size_t>& choice) {
+        instantiation_.poll();
+        std::vector<std::vector<Wide>> rows;
+        for (const std::size_t row : choice) rows.push_back(equations[row]);
+        independent = independent || determinant(rows) != 0;
+    });
+    return independent;
+}
+
+/// More points of the region of `first`: the middle between a point of a convex set and a corner of its closure is in
+/// the set. No value if there are fewer than `count` such decimals.
+std::optional<std::vector<Point>> LinearConditions::fill_region(Point first, const std::vector<Point>& corners,
+                                                                std::size_t count) const {
+    const std::vector<int> region = signs(first);
+    std::vector<Point> result{std::move(first)};
+    if (is_only_point(region)) return result;
+    for (std::size_t from = 0; from < result.size() && result.size() < count; ++from) {
+        for (std::size_t c = 0; c < corners.size() && result.size() < count; ++c) {
+            instantiation_.poll();
+            Point middle;
+            bool exact = true;
+            for (std::size_t i = 0; i < components_.size(); ++i) {
+                const std::int64_t sum = result[from][i] + corners[c][i];
+                exact = exact && sum % 2 == 0;
+                middle.push_back(sum / 2);
+            }
+            if (exact && signs(middle) == region && std::ranges::find(result, middle) == result.end())
+                result.push_back(std::move(middle));
+        }
+    }
+    if (result.size() < count) return std::nullopt;
+    return result;
+}
+
+std::optional<std::vector<Point>> LinearConditions::points_in_regions(std::size_t count) const {
+    if (period_ || components_.empty() || components_.size() > most_components) return std::nullopt;
+    const auto is_whole = [](const NumberPart& component) { return component.kind != TypeKind::real; };
+    if (std::ranges::any_of(components_, is_whole)) return whole_points(static_cast<std::int64_t>(count), count);
+    const auto first_points = real_points();
+    const auto forms = with_box();
+    const auto corners = forms ? vertices(*forms) : std::nullopt;
+    if (!first_points || !corners) return std::nullopt;
+    std::vector<Point> result;
+    for (const Point& first : *first_points) {
+        auto points = fill_region(first, *corners, count);
+        if (!points) return std::nullopt;
+        std::ranges::move(*points, std::back_inserter(result));
     }
     return result;
 }
@@ -276,8 +374,9 @@ std::optional<std::vector<Point>> LinearConditions::all_points() const {
     if (components_.size() > most_components) return std::nullopt;
     if (components_.empty()) return std::vector<Point>{{}};
     const bool whole =
-        std::ranges::any_of(components_, [](const Component& component) { return component.kind != TypeKind::real; });
-    return whole ? whole_points() : real_points();
+        std::ranges::any_of(components_, [](const NumberPart& component) { return component.kind != TypeKind::real; });
+    if (whole) return whole_points(1, 1);
+    return real_points();
 }
 
 std::optional<std::vector<Point>> LinearConditions::points() const {
@@ -287,8 +386,8 @@ std::optional<std::vector<Point>> LinearConditions::points() const {
     if (components_[0].kind == TypeKind::real) unit = 1;
     if (*period_ % unit != 0) return std::nullopt;  // no whole number of steps
     LinearConditions within = *this;
-    within.add_form({{{0, 1}}, 0});
-    within.add_form({{{0, 1}}, -*period_});
+    within.insert_form({{{0, 1}}, 0});
+    within.insert_form({{{0, 1}}, -*period_});
     auto result = within.all_points();
     if (!result) return result;
     std::vector<Point> small;  // the first point of a region is shown

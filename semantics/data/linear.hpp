@@ -16,21 +16,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "semantics/data/linear_form.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::ir {
-
-/// A number in a place: the place itself, or a part of its value.
-struct Component {
-    std::vector<std::size_t> path;  ///< positions of parts, from the outside
-    TypeKind kind = TypeKind::real;
-    friend auto operator<=>(const Component&, const Component&) = default;
-};
 
 /// Piecewise linear conditions about the value of one place.
 class LinearConditions {
@@ -43,11 +39,20 @@ public:
     /// terms, of choices between them and of their remainders.
     /// `closed` evaluates expressions without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
+    /// Adds a form: the sum of coefficients times numbers, plus the constant in units. False if it is too large.
+    [[nodiscard]] bool add_form(const std::map<NumberPart, std::int64_t>& coefficients, std::int64_t constant);
+    /// The forms of all comparisons: coefficients of numbers that are not 0, and a constant in units.
+    [[nodiscard]] std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> forms() const;
+    /// The sign of each form at a point.
+    [[nodiscard]] std::vector<int> signs_at(const std::vector<std::int64_t>& point) const;
     /// The numbers that the conditions read.
-    [[nodiscard]] const std::vector<Component>& components() const { return components_; }
+    [[nodiscard]] const std::vector<NumberPart>& components() const { return components_; }
     /// For every combination of signs that the linear forms can have, at least one point: the numbers of the components
     /// in units, whole numbers for nat and int. No value if there are too many, or if a point is no decimal.
     [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points() const;
+    /// For every combination of signs that the linear forms can have, `count` points, or all if there are fewer. No
+    /// value if they were not found, or if there are remainders.
+    [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points_in_regions(std::size_t count) const;
 
 private:
     __extension__ using Wide = __int128;
@@ -56,7 +61,7 @@ private:
     [[nodiscard]] bool add_condition(const Expr& condition);
     [[nodiscard]] bool add_comparison(const Expr& left, const Expr& right);
     [[nodiscard]] bool add_membership(const Expr& condition);
-    void add_form(const LinearForm& form);
+    void insert_form(const LinearForm& form);
     [[nodiscard]] LinearReader::Forms read_part(const Expr& expr);
     [[nodiscard]] LinearReader::Forms read_component(const Expr& expr);
     [[nodiscard]] LinearReader::Forms read_choice(const Expr& expr);
@@ -64,7 +69,11 @@ private:
     [[nodiscard]] LinearReader::Forms remainders(const LinearForm& dividend);
     [[nodiscard]] std::optional<std::vector<Point>> all_points() const;
     [[nodiscard]] std::optional<std::vector<Point>> real_points() const;
-    [[nodiscard]] std::optional<std::vector<Point>> whole_points() const;
+    [[nodiscard]] std::optional<std::vector<Point>> whole_points(std::int64_t beside, std::size_t count) const;
+    [[nodiscard]] bool is_only_point(const std::vector<int>& signs) const;
+    [[nodiscard]] std::optional<std::vector<Point>> fill_region(Point first, const std::vector<Point>& corners,
+                                                                std::size_t count) const;
+    [[nodiscard]] std::size_t index_of(const NumberPart& component);
     [[nodiscard]] std::optional<std::vector<LinearForm>> with_box() const;
     [[nodiscard]] std::optional<std::vector<Point>> vertices(const std::vector<LinearForm>& forms) const;
     [[nodiscard]] std::vector<int> signs(const Point& point) const;
@@ -73,7 +82,7 @@ private:
     const Instantiation& instantiation_;
     std::int64_t scale_;                  ///< units of one
     std::optional<LinearReader> reader_;  ///< of the condition that is added
-    std::vector<Component> components_;
+    std::vector<NumberPart> components_;
     std::vector<LinearForm> forms_;
     std::optional<std::int64_t> period_;  ///< the divisor of all remainders, in units
     int remainders_open_ = 0;             ///< the number of remainders around the part that is read

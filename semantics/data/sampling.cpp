@@ -55,7 +55,8 @@ bool depends_on_carriers(const Expr& root) {
 
 }  // namespace
 
-Sampling::Sampling(const System& system, const Instantiation& instantiation) : system_(system), ideal_(instantiation) {
+Sampling::Sampling(const System& system, const Instantiation& instantiation)
+    : system_(system), finite_(instantiation), ideal_(instantiation) {
     ideal_.unbounded = true;
     if (const auto scale = checked_multiply(instantiation.scale, finer)) {
         ideal_.scale = *scale;
@@ -90,6 +91,17 @@ Value Sampling::rescaled(TypeId id, const Value& value) const {
     else
         for (Value& row : result.parts) rescale_parts(row.parts);
     return result;
+}
+
+bool Sampling::has_finite_constants(MachineId machine) const {
+    const std::vector<Constant>& constants = system_.machine(machine).constants;
+    std::vector<std::vector<Value>> finite = values_in_contexts(system_, finite_, machine);
+    for (std::vector<Value>& values : finite)
+        for (std::size_t c = 0; c < values.size(); ++c) values[c] = rescaled(constants.at(c).type, values[c]);
+    std::ranges::sort(finite);
+    std::vector<std::vector<Value>> ideal = constants_[machine.index];
+    std::ranges::sort(ideal);
+    return finite == ideal;
 }
 
 /// True if a property may give another value to a constant of this name.

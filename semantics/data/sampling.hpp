@@ -17,6 +17,7 @@ namespace robochart::ir {
 /// Expressions of a system, evaluated without bounds.
 class Sampling {
 public:
+    /// The arguments must outlive the object.
     Sampling(const System& system, const Instantiation& instantiation);
 
     [[nodiscard]] const Instantiation& instantiation() const { return ideal_; }
@@ -28,11 +29,15 @@ public:
     /// if its evaluation is an error, such as a division by zero.
     [[nodiscard]] std::optional<int> truth(MachineId machine, const Expr& condition, const Value& value) const;
 
+    /// True if the machine's constants have the same values in the finite instantiation.
+    [[nodiscard]] bool has_finite_constants(MachineId machine) const;
+
 private:
     [[nodiscard]] bool is_set_by_property(MachineId machine, const Expr& expr) const;
     [[nodiscard]] Value rescaled(TypeId type, const Value& value) const;
 
     const System& system_;
+    const Instantiation& finite_;
     Instantiation ideal_;
     std::int64_t factor_ = 1;
     std::set<std::string> set_by_properties_;                 ///< names of constants as in scripts

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "semantics/data/value_model.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "semantics/data/classes.hpp"
+#include "semantics/data/linear.hpp"
+#include "semantics/data/rewriter.hpp"
+#include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/number_parts.hpp"
+#include "semantics/ir/visit.hpp"
+
+namespace robochart::ir {
+namespace {
+
+constexpr std::size_t most_values = 512;
+constexpr std::size_t fresh_values = 2;
+
+std::int64_t& number_at(Value& value, const NumberPart& part) {
+    Value* at = &value;
+    for (const std::size_t position : part.path) at = &at->parts.at(position);
+    return at->number;
+}
+
+/// True for a literal, which every finite instantiation contains.
+bool is_literal(const Expr& root) {
+    const Expr& expr = root.kind == ExprKind::negate ? *root.args.at(0) : root;
+    return expr.kind == ExprKind::integer || expr.kind == ExprKind::real;
+}
+
+/// True for expressions that give the same result whether or not numbers have carriers.
+bool is_free_of_carriers(const Expr& root) {
+    bool result = true;
+    visit_operands(root, [&](const Expr& expr) {
+        const bool atom = expr.kind == ExprKind::boolean || expr.kind == ExprKind::integer ||
+                          expr.kind == ExprKind::real || expr.kind == ExprKind::enum_literal ||
+                          expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value ||
+                          expr.kind == ExprKind::constant || expr.kind == ExprKind::since ||
+                          expr.kind == ExprKind::since_entry;
+        const bool built = expr.kind == ExprKind::is_in || expr.kind == ExprKind::set || expr.kind == ExprKind::tuple ||
+                           expr.kind == ExprKind::record || expr.kind == ExprKind::member ||
+                           expr.kind == ExprKind::if_then_else;
+        result = result && (atom || built || is_connective(expr.kind) || is_comparison(expr.kind));
+    });
+    return result;
+}
+
+class Explorer {
+public:
+    Explorer(const System& system, const Instantiation& instantiation, const std::vector<MachineId>& machines,
+             const std::vector<Cut>& cuts)
+        : system_(system),
+          sampling_(system, instantiation),
+          machines_(machines),
+          cuts_(cuts),
+          places_(system),
+          uses_(collect_uses(system, sampling_, places_)),
+          classes_(divide_values(system, sampling_, places_, uses_)) {}
+
+    std::optional<ValueModel> explore() {
+        ValueModel result;
+        if (!find_flows() || flows_.empty()) return std::nullopt;
+        std::map<PlaceId, ValueClasses> divided;
+        for (const auto& [type, flows] : flows_)
+            if (!divide_type(type, flows, divided, result)) return std::nullopt;
+        result.system = with_classes(system_, sampling_, places_, divided);
+        if (!machines_are_free(result.system)) return std::nullopt;
+        result.scale = sampling_.instantiation().scale;
+        std::ranges::sort(result.cuts);
+        for (const auto& [flow, classes] : divided) {
+            const ValueClasses& own = classes_.at(flow);
+            result.data.push_back({names_in(places_, flow), "", own.witnesses.size(), uses_.at(flow).conditions.size(),
+                                   own.all_values, own.nothing_tested});
+        }
+        return result;
+    }
+
+private:
+    using Numbers = std::vector<std::int64_t>;
+
+    bool find_flows();
+    bool add_place(PlaceId place);
+    [[nodiscard]] bool machines_are_free(const System& rewritten) const;
+    bool divide_type(TypeId type, const std::set<PlaceId>& flows, std::map<PlaceId, ValueClasses>& divided,
+                     ValueModel& result) const;
+    [[nodiscard]] std::vector<Value> written_values(TypeId type, const std::set<PlaceId>& flows) const;
+    [[nodiscard]] bool add_conditions(LinearConditions& linear, TypeId type, const std::set<PlaceId>& flows) const;
+    [[nodiscard]] std::optional<std::vector<Value>> values_in_regions(const LinearConditions& linear, TypeId type,
+                                                                      const std::vector<Value>& written) const;
+    [[nodiscard]] bool add_regions(const LinearConditions& linear, TypeId type, std::vector<Value>& values) const;
+    void add_cuts(const LinearConditions& linear, TypeId type, std::vector<Cut>& cuts) const;
+    [[nodiscard]] std::optional<ValueClasses> classes_for(PlaceId flow, const std::vector<Value>& values) const;
+
+    const System& system_;
+    const Sampling sampling_;
+    const std::vector<MachineId>& machines_;
+    const std::vector<Cut>& cuts_;
+    Places places_;
+    std::map<PlaceId, Uses> uses_;
+    std::map<PlaceId, ValueClasses> classes_;
+    std::map<TypeId, std::set<PlaceId>> flows_;  ///< of the machines, by type
+};
+
+/// False if the values of the place's flow class are computed or needed.
+bool Explorer::add_place(PlaceId place) {
+    if (place == no_id || !has_numbers(system_, places_[place].type)) return true;
+    const PlaceId flow = places_.class_of(place);
+    const auto uses = uses_.find(flow);
+    const bool copied = classes_.contains(flow) && !number_parts(system_, places_[flow].type).empty() &&
+                        uses != uses_.end() &&
+                        std::ranges::all_of(uses->second.writes, [](const Written& written) { return written.closed; });
+    if (copied) flows_[places_[flow].type].insert(flow);
+    return copied;
+}
+
+bool Explorer::find_flows() {
+    for (const MachineId id : machines_) {
+        const Machine& machine = system_.machine(id);
+        for (std::uint32_t v = 0; v < machine.variables.size(); ++v)
+            if (!add_place(places_.variable(id, VariableId{v}))) return false;
+        for (std::uint32_t e = 0; e < machine.events.size(); ++e)
+            if (!add_place(places_.event(id, EventId{e}))) return false;
+        for (std::uint32_t o = 0; o < machine.operations.size(); ++o)
+            for (std::size_t p = 0; p < machine.operations[o].parameters.size(); ++p)
+                if (!add_place(places_.parameter(id, OperationId{o}, p))) return false;
+    }
+    return true;
+}
+
+/// True if the machines compute the same with carriers as without. Constants and initial values are computed before
+/// code is generated.
+bool Explorer::machines_are_free(const System& rewritten) const {
+    return std::ranges::all_of(machines_, [&](MachineId id) {
+        bool result = sampling_.has_finite_constants(id);
+        for (const Variable& variable : system_.machine(id).variables)
+            result = result &&
+                     (!variable.initial || is_literal(*variable.initial) || is_free_of_carriers(*variable.initial));
+        visit_running(rewritten.machine(id),
+                      [&](const Expr& expr, ExprRole) { result = result && is_free_of_carriers(expr); });
+        return result;
+    });
+}
+
+/// The default value first, then the others in ascending order.
+std::vector<Value> Explorer::written_values(TypeId type, const std::set<PlaceId>& flows) const {
+    const Value standard = default_value(system_, sampling_.instantiation(), type);
+    std::set<Value> others;
+    for (const PlaceId flow : flows)
+        for (const Written& written : uses_.at(flow).writes)
+            if (written.expr != nullptr) others.insert(*sampling_.closed_value(written.machine, *written.expr));
+    others.erase(standard);
+    std::vector<Value> result{standard};
+    result.insert(result.end(), others.begin(), others.end());
+    return result;
+}
+
+bool Explorer::add_conditions(LinearConditions& linear, TypeId type, const std::set<PlaceId>& flows) const {
+    for (const PlaceId flow : flows) {
+        for (const Condition& condition : uses_.at(flow).conditions) {
+            const auto closed = [&](const Expr& expr) { return sampling_.closed_value(condition.machine, expr); };
+            if (!linear.add(*condition.expr, closed)) return false;
+        }
+    }
+    const std::vector<NumberPart> parts = number_parts(system_, type);
+    for (const Cut& cut : cuts_) {
+        if (cut.type != type) continue;
+        std::map<NumberPart, std::int64_t> coefficients;
+        for (std::size_t i = 0; i < parts.size(); ++i) coefficients[parts[i]] = cut.coefficients.at(i);
+        if (!linear.add_form(coefficients, cut.constant)) return false;
+    }
+    return true;
+}
+
+/// The values of the regions: at least as many of each as are written and two more, or all. If a condition reads only
+/// some of the numbers, values of one region differ in another number.
+std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearConditions& linear, TypeId type,
+                                                              const std::vector<Value>& written) const {
+    const std::size_t count = written.size() + fresh_values;
+    std::vector<NumberPart> unread = number_parts(system_, type);
+    std::erase_if(unread, [&](const NumberPart& part) {
+        return std::ranges::find(linear.components(), part) != linear.components().end();
+    });
+    const auto points = unread.empty() ? linear.points_in_regions(count) : linear.points();
+    if (!points) return std::nullopt;
+    std::vector<Value> result;
+    for (const Numbers& point : *points) {
+        Value value = written.front();
+        for (std::size_t i = 0; i < point.size(); ++i) number_at(value, linear.components()[i]) = point[i];
+        if (unread.empty()) result.push_back(value);
+        for (std::size_t i = 1; !unread.empty() && i <= count; ++i) {
+            const bool real = unread.front().kind == TypeKind::real;
+            number_at(value, unread.front()) =
+                static_cast<std::int64_t>(i) * (real ? sampling_.instantiation().scale : 1);
+            result.push_back(value);
+        }
+    }
+    return result;
+}
+
+/// Adds new values of each region.
+bool Explorer::add_regions(const LinearConditions& linear, TypeId type, std::vector<Value>& values) const {
+    const std::vector<Value> written = values;
+    const auto candidates = values_in_regions(linear, type, written);
+    if (!candidates) return false;
+    std::map<std::vector<int>, std::size_t> found;
+    for (Value value : *candidates) {
+        if (std::ranges::find(written, value) != written.end()) continue;
+        Numbers point;
+        for (const NumberPart& part : linear.components()) point.push_back(number_at(value, part));
+        if (++found[linear.signs_at(point)] <= fresh_values) values.push_back(std::move(value));
+    }
+    return values.size() <= most_values;
+}
+
+void Explorer::add_cuts(const LinearConditions& linear, TypeId type, std::vector<Cut>& cuts) const {
+    const std::vector<NumberPart> parts = number_parts(system_, type);
+    for (const auto& [coefficients, constant] : linear.forms()) {
+        Cut cut{type, Numbers(parts.size(), 0), constant};
+        for (const auto& [part, coefficient] : coefficients)
+            cut.coefficients[static_cast<std::size_t>(std::ranges::find(parts, part) - parts.begin())] = coefficient;
+        cuts.push_back(normalized(std::move(cut)));
+    }
+}
+
+/// Each value is a class of its own.
+std::optional<ValueClasses> Explorer::classes_for(PlaceId flow, const std::vector<Value>& values) const {
+    ValueClasses result;
+    result.witnesses = values;
+    for (std::size_t v = 0; v < values.size(); ++v) result.of_value.emplace(values[v], v);
+    for (const Condition& condition : uses_.at(flow).conditions) {
+        std::vector<bool>& answers = result.answers[condition.expr];
+        for (const Value& value : values) {
+            sampling_.instantiation().poll();
+            const auto answer = sampling_.truth(condition.machine, *condition.expr, value);
+            if (!answer || *answer < 0) return std::nullopt;
+            answers.push_back(*answer == 1);
+        }
+    }
+    return result;
+}
+
+bool Explorer::divide_type(TypeId type, const std::set<PlaceId>& flows, std::map<PlaceId, ValueClasses>& divided,
+                           ValueModel& result) const {
+    LinearConditions linear(system_, sampling_.instantiation());
+    std::vector<Value> values = written_values(type, flows);
+    if (!add_conditions(linear, type, flows) || !add_regions(linear, type, values)) return false;
+    for (const PlaceId flow : flows) {
+        auto classes = classes_for(flow, values);
+        if (!classes) return false;
+        divided.emplace(flow, std::move(*classes));
+    }
+    add_cuts(linear, type, result.cuts);
+    ExploredValues& explored = result.types.emplace_back(ExploredValues{type, {}});
+    for (Value& value : values) {
+        Numbers& numbers = explored.values.emplace_back();
+        for (const NumberPart& part : number_parts(system_, type)) numbers.push_back(number_at(value, part));
+    }
+    return true;
+}
+
+}  // namespace
+
+Cut normalized(Cut cut) {
+    std::int64_t divisor = cut.constant;
+    for (const std::int64_t coefficient : cut.coefficients) divisor = std::gcd(divisor, coefficient);
+    const auto first = std::ranges::find_if(cut.coefficients, [](std::int64_t number) { return number != 0; });
+    if (first == cut.coefficients.end() || divisor == 0) return cut;
+    if (*first < 0) divisor = -divisor;
+    for (std::int64_t& coefficient : cut.coefficients) coefficient /= divisor;
+    cut.constant /= divisor;
+    return cut;
+}
+
+std::optional<ValueModel> value_model(const System& system, const Instantiation& instantiation,
+                                      const std::vector<MachineId>& machines, const std::vector<Cut>& cuts) {
+    return Explorer(system, instantiation, machines, cuts).explore();
+}
+
+}  // namespace robochart::ir

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers in values of a type that consists of numbers alone.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <vector>
+
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::ir {
+
+/// A number in a value: the value itself, or a part of it.
+struct NumberPart {
+    std::vector<std::size_t> path;  ///< positions of parts, from the outside
+    TypeKind kind = TypeKind::real;
+    friend auto operator<=>(const NumberPart&, const NumberPart&) = default;
+};
+
+/// The numbers of a value, in their order, if the type is nat, int, real, or a product or record of such types. Empty
+/// for all other types.
+[[nodiscard]] std::vector<NumberPart> number_parts(const System& system, TypeId type);
+
+/// True if a value of the type, or a part of it, is a number or has no finite set of values.
+[[nodiscard]] bool has_numbers(const System& system, TypeId type);
+
+}  // namespace robochart::ir

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The values of value models: every region of a fine grid has a value, and every region with several points has two.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "semantics/data/value_model.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "tests/rounds.hpp"
+#include "tests/semantics/lower/lowering_fixture.hpp"
+
+namespace robochart::ir {
+namespace {
+
+std::optional<ValueModel> values_of(const std::string& type, const std::string& guard,
+                                    const std::vector<Cut>& cuts = {}) {
+    const auto lowered = samples::lower_text(
+        fmt::format("stm S {{ event e : {0} event o : {0} var x : {0} initial i state A {{ }} junction k transition t0 "
+                    "{{ from i to A }} transition t1 {{ from A to k trigger e ? x }} transition t2 {{ from k to A "
+                    "condition {1} action o!x }} }}",
+                    type, guard));
+    diagnostics::Diagnostics found;
+    const Instantiation instantiation = instantiate_system(lowered->system, {}, found);
+    return value_model(lowered->system, instantiation, {MachineId{0}}, cuts);
+}
+
+/// The signs of the cuts at a value. `unit`: units of a number of the value.
+std::vector<int> signs_at(const std::vector<Cut>& cuts, const std::vector<std::int64_t>& value, std::int64_t unit) {
+    std::vector<int> result;
+    for (const Cut& cut : cuts) {
+        std::int64_t sum = cut.constant;
+        for (std::size_t i = 0; i < value.size(); ++i) sum += cut.coefficients[i] * value[i] * unit;
+        result.push_back((sum > 0 ? 1 : 0) - (sum < 0 ? 1 : 0));
+    }
+    return result;
+}
+
+/// Compares the values with the points of a grid from -6 to 6, in steps of a quarter for reals.
+void expect_regions(const ValueModel& model, bool whole) {
+    ASSERT_EQ(model.types.size(), 1U);
+    const auto& values = model.types.front().values;
+    const std::int64_t unit = whole ? model.scale : 1;
+    std::map<std::vector<int>, std::size_t> found;
+    for (const auto& value : values) ++found[signs_at(model.cuts, value, unit)];
+    const std::int64_t step = whole ? 1 : model.scale / 4;
+    const std::int64_t edge = whole ? 6 : 6 * model.scale;
+    std::map<std::vector<int>, std::size_t> expected;
+    for (std::int64_t one = -edge; one <= edge; one += step) {
+        if (values.front().size() == 1) ++expected[signs_at(model.cuts, {one}, unit)];
+        for (std::int64_t two = -edge; values.front().size() == 2 && two <= edge; two += step)
+            ++expected[signs_at(model.cuts, {one, two}, unit)];
+    }
+    for (const auto& [signs, points] : expected) EXPECT_GE(found[signs], std::min<std::size_t>(points, 2));
+}
+
+TEST(ValueModels, EveryRegionHasTwoValues) {
+    for (const auto& [type, guard] : {std::pair("real", "x < 2.5"),
+                                      {"real", "x > 1.0 /\\ x <= 1.25"},
+                                      {"int", "x >= 3 /\\ x < 5"},
+                                      {"int", "x == 2"},
+                                      {"real * real", "x[1] < x[2]"},
+                                      {"real * real", "x[1] + x[2] > 1.5 \\/ x[1] == 2.0"}}) {
+        const auto model = values_of(type, guard);
+        ASSERT_TRUE(model) << guard;
+        SCOPED_TRACE(guard);
+        expect_regions(*model, std::string(type) == "int");
+    }
+}
+
+TEST(ValueModels, CutsDivideRegions) {
+    const auto first = values_of("real", "x < 2.5");
+    ASSERT_TRUE(first);
+    const Cut cut = normalized({first->types.front().type, {-2}, 7 * first->scale});  // x = 3.5
+    const auto finer = values_of("real", "x < 2.5", {cut});
+    ASSERT_TRUE(finer);
+    EXPECT_TRUE(std::ranges::binary_search(finer->cuts, cut));
+    expect_regions(*finer, false);
+    const auto& values = finer->types.front().values;
+    EXPECT_NE(std::ranges::find(values, std::vector<std::int64_t>{finer->scale * 7 / 2}), values.end());
+}
+
+TEST(ValueModels, RandomConditions) {
+    std::mt19937_64 random(29);
+    const char* const relations[] = {"<", "<=", ">", ">=", "==", "!="};
+    const auto number = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+    const auto place = [&](std::size_t size) {
+        return std::uniform_int_distribution<std::size_t>(0, size - 1)(random);
+    };
+    for (std::size_t round = 0; round < tests::rounds(20); ++round) {
+        const std::string left[] = {"x[1]", "x[2]", "x[1] + x[2]", "x[1] - x[2]"};
+        std::string guard;
+        for (int i = 0; i < 2; ++i)
+            guard +=
+                fmt::format("{}{} {} {}", i == 0 ? "" : " /\\ ", left[place(4)], relations[place(6)], number(-3, 3));
+        const auto model = values_of("real * real", guard);
+        ASSERT_TRUE(model) << guard;
+        SCOPED_TRACE(guard);
+        expect_regions(*model, false);
+    }
+}
+
+}  // namespace
+}  // namespace robochart::ir
