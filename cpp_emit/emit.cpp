@@ -25,6 +25,7 @@ constexpr std::size_t max_state_bytes = 64U << 10U;
 /// Whether the exploration interface can be written. Reports an error if it is required and cannot be written.
 bool check_explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
+    if (generation.options.tracked_scale > 0) return true;  // its numbers have no carriers
     const auto beyond = beyond_exploration(generation.system, generation.inst, component);
     for (const BeyondExploration& part : beyond) {
         if (generation.options.explored)
@@ -42,6 +43,7 @@ void add_exploration(const Generation& generation, const Core& core, Emission& e
         {"robochart/explore.hpp", explore_helpers()},   {"robochart/explore_values.hpp", explore_values()},
         {"robochart/explore_abi.h", explore_header()},  {"robochart/probes.hpp", probes_header()},
     };
+    if (generation.options.tracked_scale > 0) emission.files.push_back({"robochart/tracked.hpp", tracked_header()});
     emission.files.insert(emission.files.end(), std::begin(files), std::end(files));
 }
 

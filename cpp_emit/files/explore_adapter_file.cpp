@@ -12,6 +12,7 @@
 #include "cpp_emit/plan/functions.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -24,7 +25,9 @@ public:
           core_(core),
           registers_(exploration_registers(generation.component)),
           outputs_(exploration_outputs(generation.component)),
-          printers_(generation, core) {}
+          printers_(generation, core) {
+        if (is_tracked()) tracked_ = tracked_types(generation.system, generation.component);
+    }
 
     std::string write() {
         write_head();
@@ -54,6 +57,7 @@ private:
         out_.gap();
         out_.line(fmt::format("#include \"{}\"", core_.header));
         out_.line("#include \"robochart/explore.hpp\"");
+        if (is_tracked()) out_.line("#include \"robochart/tracked.hpp\"");
         if (printers_.words_of_logs()) {
             out_.line("#include \"robochart/explore_values.hpp\"");
             out_.line(fmt::format("#include \"{}\"", trace_header_name(generation_)));
@@ -80,14 +84,30 @@ private:
         out_.close("};");
     }
 
+    void unbounded_struct(const char* name, bool natural, std::int64_t scale) {
+        out_.gap();
+        out_.open(fmt::format("struct {}Carrier {{", name));
+        out_.line(fmt::format("[[maybe_unused]] static constexpr std::int64_t scale = {};", scale));
+        out_.line(fmt::format("[[maybe_unused]] static constexpr bool natural = {};", natural));
+        out_.close("};");
+    }
+
     void write_carrier_types() {
         const ir::Instantiation& inst = generation_.inst;
-        carrier_struct("Nat", inst.nat, 1);
-        carrier_struct("Int", inst.integer, 1);
-        carrier_struct("Real", inst.real, inst.scale);
+        const char* number = "Finite";
+        if (is_tracked()) {
+            number = "Tracked";
+            unbounded_struct("Nat", true, 1);
+            unbounded_struct("Int", false, 1);
+            unbounded_struct("Real", false, generation_.options.tracked_scale);
+        } else {
+            carrier_struct("Nat", inst.nat, 1);
+            carrier_struct("Int", inst.integer, 1);
+            carrier_struct("Real", inst.real, inst.scale);
+        }
         out_.open_declaration("The model's basic types over the carriers of its instantiation.", "struct Checking {");
         for (const char* name : {"Real", "Nat", "Int"})
-            out_.line(fmt::format("using {0} = robochart::Finite<{0}Carrier>;", name));
+            out_.line(fmt::format("using {0} = robochart::{1}<{0}Carrier>;", name, number));
         out_.line(fmt::format("[[maybe_unused]] static constexpr std::size_t longest = {};", longest(inst)));
         out_.close("};");
         out_.line("using Real = Checking::Real;");
@@ -103,7 +123,7 @@ private:
     void input_tables() {
         out_.gap();
         for (const Register& input : registers_) {
-            if (!input.type) continue;
+            if (!input.type || is_tracked(*input.type)) continue;
             std::vector<std::int64_t> numbers;
             std::vector<std::string> texts;
             const bool whole = is_composed(generation_.system.type(*input.type));
@@ -118,11 +138,11 @@ private:
         if (registers_.empty()) return out_.line("constexpr const rc_input* inputs = nullptr;");
         out_.open("constexpr rc_input inputs[] = {");
         for (const Register& input : registers_) {
-            out_.line(input.type
-                          ? fmt::format("{{\"{0}\", {1}, {2}_values, {2}_texts}},", input.name,
-                                        ir::carrier_values(generation_.system, generation_.inst, *input.type).size(),
-                                        input.member)
-                          : fmt::format("{{\"{}\", 0, nullptr, nullptr}},", input.name));
+            const bool listed = input.type && !is_tracked(*input.type);
+            out_.line(listed ? fmt::format("{{\"{0}\", {1}, {2}_values, {2}_texts}},", input.name,
+                                           ir::carrier_values(generation_.system, generation_.inst, *input.type).size(),
+                                           input.member)
+                             : fmt::format("{{\"{}\", 0, nullptr, nullptr}},", input.name));
         }
         out_.close("};");
     }
@@ -151,7 +171,9 @@ private:
         for (const Output& output : outputs_) types.insert(types.end(), output.types.begin(), output.types.end());
         std::vector<ir::TypeId> done;
         for (const ir::TypeId id : types) {
-            if (!is_composed(generation_.system.type(id)) || std::ranges::find(done, id) != done.end()) continue;
+            if (!is_composed(generation_.system.type(id)) || is_tracked(id) ||
+                std::ranges::find(done, id) != done.end())
+                continue;
             done.push_back(id);
             out_.gap();
             out_.open(fmt::format("const {} {}[] = {{", type_text(id), table_name(id)));
@@ -161,7 +183,44 @@ private:
         }
     }
 
+    [[nodiscard]] bool is_tracked() const { return generation_.options.tracked_scale > 0; }
+    [[nodiscard]] bool is_tracked(ir::TypeId id) const { return std::ranges::find(tracked_, id) != tracked_.end(); }
+    [[nodiscard]] std::size_t tracked_number(ir::TypeId id) const {
+        return static_cast<std::size_t>(std::ranges::find(tracked_, id) - tracked_.begin());
+    }
+
+    /// The numbers of a value of a tracked type, as arguments. Recursion depth: the depth of types.
+    std::string number_arguments(ir::TypeId id, const std::string& value) const {
+        const ir::Type& type = generation_.system.type(id);
+        if (is_numeric(type.kind)) return ", " + value;
+        std::string text;
+        for (const TypeMember& member : type_members(type))
+            text += number_arguments(member.type, fmt::format("{}.{}", value, member.name));
+        return text;
+    }
+
+    /// The value at `place` of a tracked type, from its part number `part` on. Recursion depth: the depth of types.
+    std::string tracked_value(ir::TypeId id, std::size_t table, const std::string& place, std::size_t& part) const {
+        const ir::Type& type = generation_.system.type(id);
+        if (is_numeric(type.kind)) return fmt::format("{}::part({}, {}, {})", type_text(id), table, place, part++);
+        std::string parts;
+        for (const TypeMember& member : type_members(type))
+            parts += (parts.empty() ? "" : ", ") + tracked_value(member.type, table, place, part);
+        return fmt::format("{}::make({})", type_text(id), parts);
+    }
+
+    /// The value of an input whose register contains `place`.
+    std::string input_value(const Register& input, const std::string& place) const {
+        std::size_t part = 0;
+        if (is_tracked(*input.type)) return tracked_value(*input.type, tracked_number(*input.type), place, part);
+        if (is_composed(generation_.system.type(*input.type)))
+            return fmt::format("{}[{}]", table_name(*input.type), place);
+        return fmt::format("robochart::from_raw<{}>({}_values[{}])", type_text(*input.type), input.member, place);
+    }
+
     std::string as_number(ir::TypeId id, const std::string& value) const {
+        if (is_tracked(id))
+            return fmt::format("robochart::place_of_value({}{})", tracked_number(id), number_arguments(id, value));
         return is_composed(generation_.system.type(id))
                    ? fmt::format("robochart::place_in({}, {})", table_name(id), value)
                    : fmt::format("robochart::to_raw({})", value);
@@ -241,12 +300,9 @@ private:
         for (std::size_t index = 0; index < registers_.size(); ++index) {
             const Register& input = registers_[index];
             out_.line(fmt::format("read.{}.present = registers[{}].present != 0;", input.member, index));
-            if (input.type && is_composed(generation_.system.type(*input.type)))
-                out_.line(fmt::format("read.{}.value = {}[registers[{}].value];", input.member, table_name(*input.type),
-                                      index));
-            else if (input.type)
-                out_.line(fmt::format("read.{0}.value = robochart::from_raw<{1}>({0}_values[registers[{2}].value]);",
-                                      input.member, type_text(*input.type), index));
+            if (input.type)
+                out_.line(fmt::format("read.{}.value = {};", input.member,
+                                      input_value(input, fmt::format("registers[{}].value", index))));
         }
         out_.line("return read;");
         out_.close();
@@ -266,7 +322,9 @@ private:
         out_.line("State current;");
         out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("robochart::Text text(buffer, size);");
+        if (is_tracked()) out_.line("robochart::tracking.recording = false;");
         out_.line("print(text, \"\", current);");
+        if (is_tracked()) out_.line("robochart::tracking.recording = true;");
         out_.close();
     }
 
@@ -279,14 +337,10 @@ private:
             const Register& input = registers_[index];
             out_.line(fmt::format("read.{}.present = robochart::Presence::in_register({});", input.member, index));
             if (!input.type) continue;
-            const bool whole = is_composed(generation_.system.type(*input.type));
-            const std::string value =
-                whole ? table_name(*input.type) + "[place]"
-                      : fmt::format("robochart::from_raw<{}>({}_values[place])", type_text(*input.type), input.member);
             out_.line(fmt::format("read.{0}.value = robochart::Content<{1}>::in_register({2},", input.member,
                                   type_text(*input.type), index));
             out_.line(fmt::format("    [](std::uint32_t place) noexcept -> {} {{ return {}; }});",
-                                  type_text(*input.type), value));
+                                  type_text(*input.type), input_value(input, "place")));
         }
         out_.line("return read;");
         out_.close();
@@ -348,7 +402,31 @@ private:
         out_.close();
     }
 
+    /// The types of numbers at the boundary, and what the code did with their values.
+    void tracking_table() {
+        std::vector<std::size_t> parts;
+        for (const ir::TypeId type : tracked_) parts.push_back(ir::number_parts(generation_.system, type).size());
+        std::vector<std::int64_t> inputs;
+        for (const Register& input : registers_) {
+            const bool tracked = input.type && is_tracked(*input.type);
+            inputs.push_back(tracked ? static_cast<std::int64_t>(tracked_number(*input.type)) : -1);
+        }
+        out_.gap();
+        out_.line(fmt::format("constexpr std::uint32_t tracked_parts[] = {{{}}};", fmt::join(parts, ", ")));
+        out_.line(fmt::format("constexpr std::int32_t tracked_inputs[] = {{{}}};",
+                              inputs.empty() ? "-1" : fmt::format("{}", fmt::join(inputs, ", "))));
+        out_.open("constexpr rc_tracking tracked = {");
+        out_.line(fmt::format("{}, tracked_parts, tracked_inputs,", tracked_.size()));
+        out_.line("[](std::uint32_t type, std::uint32_t count, const std::int64_t* numbers) -> std::uint32_t {");
+        out_.line("    return robochart::tracking.set_values(type, tracked_parts[type], count, numbers) ? 1 : 0;");
+        out_.line("},");
+        out_.line("[](const rc_comparison** list) -> std::uint32_t { return robochart::tracking.comparisons(list); },");
+        out_.line("[]() -> std::uint32_t { return robochart::tracking.losses(); },");
+        out_.close("};");
+    }
+
     void interface_table() {
+        if (is_tracked()) tracking_table();
         out_.gap();
         out_.open("constexpr rc_interface interface = {");
         out_.line("ROBOCHART_ABI_VERSION,");
@@ -363,6 +441,7 @@ private:
         const std::size_t events = input_events(generation_.component).size();
         out_.line(events == 0 ? "0, nullptr, nullptr," : fmt::format("{}, dispatch_once, pass_once,", events));
         out_.line(probed() ? "probe_once," : "nullptr,");
+        out_.line(is_tracked() ? "&tracked," : "nullptr,");
         out_.close("};");
         out_.gap();
         out_.line("}  // namespace");
@@ -379,6 +458,7 @@ private:
     const Core& core_;
     std::vector<Register> registers_;
     std::vector<Output> outputs_;
+    std::vector<ir::TypeId> tracked_;  ///< empty: numbers have carriers
     StatePrinters printers_;
     CodeWriter out_;
 };

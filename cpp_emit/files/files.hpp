@@ -46,6 +46,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 /// The texts of the headers in cpp_emit/runtime, which are built into this program.
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
+[[nodiscard]] std::string tracked_header();
 [[nodiscard]] std::string timer_header();
 [[nodiscard]] std::string layout_helpers();
 [[nodiscard]] std::string composed_header();

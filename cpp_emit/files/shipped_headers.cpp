@@ -21,6 +21,7 @@ std::vector<OutputFile> shipped_headers() {
             {"robochart/text.hpp", text_header()},
             {"robochart/timer.hpp", timer_header()},
             {"robochart/toolkit.hpp", toolkit_header()},
+            {"robochart/tracked.hpp", tracked_header()},
             {"robochart/trace.hpp", trace_helpers()}};
 }
 

@@ -2,6 +2,10 @@
 // Lists registers and outputs of a component in the order of the exploration interface.
 #include "cpp_emit/plan/exploration_ports.hpp"
 
+#include <algorithm>
+
+#include "semantics/ir/number_parts.hpp"
+
 namespace robochart::cpp_emit {
 
 std::vector<Register> exploration_registers(const Component& component) {
@@ -26,6 +30,18 @@ std::vector<Output> exploration_outputs(const Component& component) {
     for (const StoredVariable& variable : component.variables)
         if (variable.visible && !variable.copy)
             result.push_back({"set_" + variable.variable->name, variable.output, {variable.variable->type}});
+    return result;
+}
+
+std::vector<ir::TypeId> tracked_types(const ir::System& system, const Component& component) {
+    std::vector<ir::TypeId> result;
+    const auto add = [&](ir::TypeId type) {
+        if (std::ranges::find(result, type) == result.end() && !ir::number_parts(system, type).empty())
+            result.push_back(type);
+    };
+    for (const Register& input : exploration_registers(component))
+        if (input.type) add(*input.type);
+    for (const Output& output : exploration_outputs(component)) std::ranges::for_each(output.types, add);
     return result;
 }
 

@@ -11,9 +11,10 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 5
+#define ROBOCHART_ABI_VERSION 6
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_CHOICES 32
+#define ROBOCHART_MAX_PARTS 8
 
 /* An input register: a received event, or an externally written shared variable. */
 typedef struct rc_input {
@@ -82,6 +83,31 @@ typedef struct rc_probe {
     void (*round)(void* context, const void* step, uint32_t size, const void* state, uint32_t steps_left);
 } rc_probe;
 
+/* A comparison of a linear form of the parts of one input value with zero. */
+typedef struct rc_comparison {
+    uint32_t type;           /* of the value: an index into rc_tracking.parts */
+    int64_t coefficient[ROBOCHART_MAX_PARTS];
+    int64_t constant;        /* in the units of the parts: reals times the scale of tracked numbers */
+} rc_comparison;
+
+/* What the code did that neither copies an input value nor compares a linear form of it. */
+#define RC_TRACKED_RELATION 1U /* it compared two input values */
+#define RC_TRACKED_OUTPUT 2U   /* an output was computed */
+#define RC_TRACKED_NATIVE 4U   /* an index, a duration or a loop depended on a value */
+#define RC_TRACKED_INEXACT 8U  /* a number was computed in another way, so the numbers are wrong from there on */
+
+/* Code whose numbers know how they were made (robochart/tracked.hpp). */
+typedef struct rc_tracking {
+    uint32_t types;          /* types of numbers at the boundary: of inputs, then of outputs, as they occur */
+    const uint32_t* parts;   /* of each type: how many numbers a value has */
+    const int32_t* input;    /* of each input: its type; -1: another type */
+    /* Sets the explored values of a type, number by number. Type 0 is set first, and forgets everything. 0: too many. */
+    uint32_t (*set_values)(uint32_t type, uint32_t count, const int64_t* numbers);
+    /* What the code has done since: its comparisons, each once, and a set of RC_TRACKED_ flags. */
+    uint32_t (*comparisons)(const rc_comparison** list);
+    uint32_t (*losses)(void);
+} rc_tracking;
+
 typedef struct rc_interface {
     uint32_t abi_version;
     const char* component;   /* "AggregationFSM" */
@@ -104,6 +130,9 @@ typedef struct rc_interface {
     rc_result (*pass)(void* state, rc_log* log);
     /* `step` with registers that are read on demand; null: not possible. */
     rc_result (*probe)(void* state, const rc_probe* probe, rc_log* log);
+    /* Null: the code computes with finite carriers. Otherwise, an input of a tracked type has no values in its table, and
+     * an output of such a type is logged as the index of its value; -1: no explored value. */
+    const rc_tracking* tracking;
 } rc_interface;
 
 /* The only exported symbol, also of objects compiled with -fvisibility=hidden. */

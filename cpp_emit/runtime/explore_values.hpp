@@ -19,6 +19,16 @@ void log_value(Tracer& tracer, Finite<Carrier> value) noexcept {
     tracer.text(digits);
 }
 
+#ifdef ROBOCHART_TRACKED_HPP
+template <class Carrier>
+void log_value(Tracer& tracer, Tracked<Carrier> value) noexcept {
+    char digits[64];
+    Text text(digits, sizeof digits);
+    text.add(value.raw(), Carrier::scale);
+    tracer.text(digits);
+}
+#endif
+
 /// Writes log text to a Text.
 class TextTracer final : public Tracer {
 public:

@@ -1,0 +1,346 @@
+// Numbers that know how they were made, for an exploration whose answer is about all values. A number is known, or it is
+// a linear form of the parts of one input value, or it is neither. Every comparison of a form is recorded, because the
+// explorer has to try values with each answer; so is every use that is no linear comparison and no copy. Arithmetic is
+// ideal: numbers have no carriers (docs/conformance.md, "All values"). Delivered with the generated code. Copyright:
+// see LICENSE (Apache-2.0).
+#ifndef ROBOCHART_TRACKED_HPP
+#define ROBOCHART_TRACKED_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "robochart/explore_abi.h"
+#include "robochart/finite.hpp"
+
+namespace robochart {
+
+/// Greatest absolute value of a number, in its units.
+inline constexpr std::int64_t greatest_tracked = std::int64_t{1} << 58U;
+
+/// What a number is made of: the sum of coefficients times the parts of input value `index` of a type, plus a constant.
+/// No coefficients: it is known.
+struct LinearForm {
+    std::uint32_t type = 0;
+    std::uint32_t index = 0;
+    std::int64_t coefficient[ROBOCHART_MAX_PARTS] = {};
+    std::int64_t constant = 0;
+
+    [[nodiscard]] bool known() const noexcept {
+        for (const std::int64_t factor : coefficient)
+            if (factor != 0) return false;
+        return true;
+    }
+    friend bool operator==(const LinearForm& a, const LinearForm& b) noexcept {
+        for (std::size_t i = 0; i < ROBOCHART_MAX_PARTS; ++i)
+            if (a.coefficient[i] != b.coefficient[i]) return false;
+        return a.type == b.type && a.index == b.index && a.constant == b.constant;
+    }
+};
+
+/// The explored values of each type, the forms that numbers have, and what the code did with them. Owns no memory,
+/// because a call of generated code may be stopped anywhere.
+class Tracking {
+public:
+    static constexpr std::uint32_t most_types = 16;
+    static constexpr std::uint32_t most_numbers = 16384;
+    static constexpr std::uint32_t most_forms = 16384;
+    static constexpr std::uint32_t most_comparisons = 256;
+
+    /// Sets the values of a type; a call for type 0 forgets everything first. False: they do not fit.
+    bool set_values(std::uint32_t type, std::uint32_t parts, std::uint32_t count, const std::int64_t* numbers) noexcept {
+        if (type == 0) forget();
+        const std::uint32_t size = parts * count;
+        if (type >= most_types || parts > ROBOCHART_MAX_PARTS || size > most_numbers - numbers_) return false;
+        table_[type] = {numbers_, parts, count};
+        for (std::uint32_t i = 0; i < size; ++i) {
+            LinearForm form;
+            form.type = type;
+            form.index = i / parts;
+            form.coefficient[i % parts] = 1;
+            form_[forms_++] = form;
+            number_[numbers_++] = numbers[i];
+        }
+        return true;
+    }
+
+    /// The handle of a part of a value.
+    [[nodiscard]] std::uint32_t part(std::uint32_t type, std::uint32_t index, std::uint32_t part) const noexcept {
+        return table_[type].first + index * table_[type].parts + part;
+    }
+    [[nodiscard]] const LinearForm& form(std::uint32_t handle) const noexcept { return form_[handle]; }
+    /// The number that a form is for the value that it is made of.
+    [[nodiscard]] WideInteger value(const LinearForm& form) const noexcept {
+        const Table& table = table_[form.type];
+        WideInteger sum = form.constant;
+        for (std::uint32_t i = 0; i < table.parts; ++i)
+            sum += WideInteger{form.coefficient[i]} * number_[table.first + form.index * table.parts + i];
+        return sum;
+    }
+    /// The handle of a form; false if there are too many forms, or its number is too large.
+    bool find(const LinearForm& form, std::uint32_t& handle) noexcept {
+        const WideInteger number = value(form);
+        if (number > greatest_tracked || number < -greatest_tracked) return false;
+        for (handle = 0; handle < forms_; ++handle)
+            if (form_[handle] == form) return true;
+        if (forms_ == most_forms) return false;
+        form_[forms_] = form;
+        ++forms_;
+        return true;
+    }
+
+    void record(const LinearForm& difference) noexcept {
+        if (!recording) return;
+        rc_comparison found{};
+        found.type = difference.type;
+        for (std::size_t i = 0; i < ROBOCHART_MAX_PARTS; ++i) found.coefficient[i] = difference.coefficient[i];
+        found.constant = difference.constant;
+        for (std::uint32_t i = 0; i < comparisons_; ++i)
+            if (equal(comparison_[i], found)) return;
+        if (comparisons_ == most_comparisons) return lose(RC_TRACKED_INEXACT);
+        comparison_[comparisons_] = found;
+        ++comparisons_;
+    }
+    void lose(std::uint32_t loss) noexcept {
+        if (recording) losses_ |= loss;
+    }
+    [[nodiscard]] std::uint32_t losses() const noexcept { return losses_; }
+    std::uint32_t comparisons(const rc_comparison** list) const noexcept {
+        *list = comparison_;
+        return comparisons_;
+    }
+    /// The value of a type that consists of these numbers; -1: no explored value.
+    [[nodiscard]] std::int64_t place(std::uint32_t type, const std::int64_t* numbers) const noexcept {
+        const Table& table = table_[type];
+        for (std::uint32_t v = 0; v < table.count; ++v) {
+            std::uint32_t equal_parts = 0;
+            while (equal_parts < table.parts &&
+                   number_[table.first + v * table.parts + equal_parts] == numbers[equal_parts])
+                ++equal_parts;
+            if (equal_parts == table.parts) return v;
+        }
+        return -1;
+    }
+
+    bool recording = true;  ///< false while a state is printed
+
+private:
+    struct Table {
+        std::uint32_t first = 0, parts = 0, count = 0;
+    };
+
+    static bool equal(const rc_comparison& a, const rc_comparison& b) noexcept {
+        for (std::size_t i = 0; i < ROBOCHART_MAX_PARTS; ++i)
+            if (a.coefficient[i] != b.coefficient[i]) return false;
+        return a.type == b.type && a.constant == b.constant;
+    }
+    void forget() noexcept { numbers_ = forms_ = comparisons_ = losses_ = 0; }
+
+    Table table_[most_types] = {};
+    std::int64_t number_[most_numbers] = {};
+    LinearForm form_[most_forms] = {};
+    rc_comparison comparison_[most_comparisons] = {};
+    std::uint32_t numbers_ = 0, forms_ = 0, comparisons_ = 0, losses_ = 0;
+};
+
+namespace {
+[[maybe_unused]] Tracking tracking;
+}  // namespace
+
+/// `Carrier` has `static constexpr std::int64_t scale` and `static constexpr bool natural` (no negative numbers).
+template <class Carrier>
+class Tracked {
+public:
+    constexpr Tracked() noexcept = default;
+    template <class T, std::enable_if_t<std::is_integral_v<T>, int> = 0>
+    explicit constexpr Tracked(T value) noexcept : Tracked(Known{}, WideInteger{value} * Carrier::scale) {}
+    explicit constexpr Tracked(double value) noexcept
+        : Tracked(Known{}, static_cast<WideInteger>(value * static_cast<double>(Carrier::scale) +
+                                                    (value < 0.0 ? -0.5 : 0.5))) {}
+    /// Converts the unit; rounds down if the new one is coarser.
+    template <class Other>
+    explicit constexpr Tracked(Tracked<Other> other) noexcept
+        : Tracked(Known{}, floor_quotient(WideInteger{other.raw()} * Carrier::scale, Other::scale)) {
+        if (other.known()) return;
+        LinearForm scaled;
+        const bool exact = Carrier::scale % Other::scale == 0;
+        if (exact && add(scaled, other.form(), Carrier::scale / Other::scale))
+            *this = made(scaled, *this);
+        else
+            tracking.lose(RC_TRACKED_INEXACT);
+    }
+    /// A part of an input value.
+    [[nodiscard]] static Tracked part(std::uint32_t type, std::uint32_t index, std::uint32_t part) noexcept {
+        Tracked result;
+        result.bits_ = std::int64_t{tracking.part(type, index, part)} * 2 + 1;
+        return result;
+    }
+
+    [[nodiscard]] constexpr bool known() const noexcept { return (bits_ & 1) == 0; }
+    [[nodiscard]] constexpr std::int64_t raw() const noexcept {
+        return known() ? bits_ / 2 : static_cast<std::int64_t>(tracking.value(tracking.form(handle())));
+    }
+    [[nodiscard]] LinearForm form() const noexcept {
+        if (!known()) return tracking.form(handle());
+        LinearForm result;
+        result.constant = bits_ / 2;
+        return result;
+    }
+    explicit constexpr operator double() const noexcept {
+        return static_cast<double>(native()) / static_cast<double>(Carrier::scale);
+    }
+    /// Whether the type contains the value.
+    [[nodiscard]] constexpr bool carried() const noexcept { return !Carrier::natural || native() >= 0; }
+    /// The number, for a use that is neither a comparison nor a copy.
+    [[nodiscard]] constexpr std::int64_t native() const noexcept {
+        if (!known()) tracking.lose(RC_TRACKED_NATIVE);
+        return raw();
+    }
+
+    friend constexpr bool operator==(Tracked a, Tracked b) noexcept { return difference(a, b) == 0; }
+    friend constexpr bool operator!=(Tracked a, Tracked b) noexcept { return difference(a, b) != 0; }
+    friend constexpr bool operator<(Tracked a, Tracked b) noexcept { return difference(a, b) < 0; }
+    friend constexpr bool operator<=(Tracked a, Tracked b) noexcept { return difference(a, b) <= 0; }
+    friend constexpr bool operator>(Tracked a, Tracked b) noexcept { return difference(a, b) > 0; }
+    friend constexpr bool operator>=(Tracked a, Tracked b) noexcept { return difference(a, b) >= 0; }
+
+    friend constexpr Tracked operator+(Tracked a, Tracked b) noexcept { return sum(a, b, 1); }
+    friend constexpr Tracked operator-(Tracked a, Tracked b) noexcept { return sum(a, b, -1); }
+    friend constexpr Tracked operator-(Tracked a) noexcept {
+        const Tracked result = sum(Tracked(), a, -1);
+        return Carrier::natural ? a : result;
+    }
+    friend constexpr Tracked operator*(Tracked a, Tracked b) noexcept {
+        if (a.known() && b.known())
+            return a.clipped(floor_quotient(WideInteger{a.raw()} * b.raw(), Carrier::scale));
+        return a.known() ? multiple(b, a, a) : multiple(a, b, a);
+    }
+    friend constexpr Tracked plus(Tracked a, Tracked b) noexcept { return a + b; }
+    friend constexpr Tracked minus(Tracked a, Tracked b) noexcept { return a - b; }
+    friend constexpr Tracked times(Tracked a, Tracked b) noexcept { return a * b; }
+    friend constexpr Tracked negative(Tracked a) noexcept { return -a; }
+    friend constexpr Tracked divide(Tracked a, Tracked b) noexcept {
+        if (!a.known() || !b.known()) return a.inexact();
+        return b.raw() == 0 ? a : a.clipped(floor_quotient(WideInteger{a.raw()} * Carrier::scale, b.raw()));
+    }
+    friend constexpr Tracked modulus(Tracked a, Tracked b) noexcept {
+        if (!a.known() || !b.known()) return a.inexact();
+        return b.raw() == 0 ? a : a.clipped(a.raw() - floor_quotient(a.raw(), b.raw()) * b.raw());
+    }
+
+private:
+    struct Known {};
+    constexpr Tracked(Known, WideInteger value) noexcept {
+        if (value > greatest_tracked || value < -greatest_tracked)
+            tracking.lose(RC_TRACKED_INEXACT);
+        else
+            bits_ = static_cast<std::int64_t>(value) * 2;
+    }
+    [[nodiscard]] constexpr std::uint32_t handle() const noexcept { return static_cast<std::uint32_t>(bits_ / 2); }
+    [[nodiscard]] constexpr Tracked inexact() const noexcept {
+        tracking.lose(RC_TRACKED_INEXACT);
+        return *this;
+    }
+    /// A known result. The model replaces a negative natural number by the first operand.
+    [[nodiscard]] constexpr Tracked clipped(WideInteger exact) const noexcept {
+        return Carrier::natural && exact < 0 ? *this : Tracked(Known{}, exact);
+    }
+    [[nodiscard]] static constexpr Tracked made(const LinearForm& form, Tracked first) noexcept {
+        if (form.known()) return first.clipped(form.constant);
+        std::uint32_t handle = 0;
+        if (!tracking.find(form, handle)) return first.inexact();
+        Tracked result;
+        result.bits_ = std::int64_t{handle} * 2 + 1;
+        return result;
+    }
+    /// One coefficient or constant plus a factor times another; false if the sum is too large.
+    static bool add(std::int64_t& to, std::int64_t number, std::int64_t factor) noexcept {
+        const WideInteger exact = to + WideInteger{number} * factor;
+        if (exact > greatest_tracked || exact < -greatest_tracked) return false;
+        to = static_cast<std::int64_t>(exact);
+        return true;
+    }
+    /// Adds a multiple of another form; false if they belong to two values or the sum is too large.
+    static bool add(LinearForm& to, const LinearForm& other, std::int64_t factor) noexcept {
+        if (!to.known() && !other.known() && (to.type != other.type || to.index != other.index)) return false;
+        if (to.known()) {
+            to.type = other.type;
+            to.index = other.index;
+        }
+        bool fits = add(to.constant, other.constant, factor);
+        for (std::size_t i = 0; i < ROBOCHART_MAX_PARTS; ++i)
+            fits = fits && add(to.coefficient[i], other.coefficient[i], factor);
+        return fits;
+    }
+    /// Natural numbers are subtracted only where they are known: the model clips a negative result.
+    static constexpr Tracked sum(Tracked a, Tracked b, std::int64_t factor) noexcept {
+        if (a.known() && b.known()) return a.clipped(WideInteger{a.raw()} + WideInteger{b.raw()} * factor);
+        LinearForm form = a.form();
+        if ((Carrier::natural && factor < 0) || !add(form, b.form(), factor)) return a.inexact();
+        return made(form, a);
+    }
+    /// A form times a known whole number; `first` is the first operand of the product.
+    static Tracked multiple(Tracked form, Tracked factor, Tracked first) noexcept {
+        const bool whole = factor.known() && factor.raw() % Carrier::scale == 0;
+        if (!whole || (Carrier::natural && factor.raw() < 0)) return first.inexact();
+        LinearForm result;
+        if (!add(result, form.form(), factor.raw() / Carrier::scale)) return first.inexact();
+        return made(result, first);
+    }
+    /// The sign of a - b, recorded unless both are known.
+    static constexpr int difference(Tracked a, Tracked b) noexcept {
+        if (!a.known() || !b.known()) record(a, b);
+        const std::int64_t one = a.raw(), other = b.raw();
+        if (one == other) return 0;
+        return one < other ? -1 : 1;
+    }
+    static void record(Tracked a, Tracked b) noexcept {
+        LinearForm form = a.form();
+        if (!add(form, b.form(), -1)) return tracking.lose(RC_TRACKED_RELATION);
+        if (!form.known()) tracking.record(form);
+    }
+
+    std::int64_t bits_ = 0;  ///< twice a known number, or twice the handle of a form plus one
+};
+
+/// The number of an output: its place among the explored values of its type. An output that is neither known nor a copy
+/// of an input value is noted.
+template <class... Parts>
+std::int64_t place_of_value(std::uint32_t type, Parts... parts) noexcept {
+    const std::int64_t numbers[] = {parts.raw()...};
+    const LinearForm forms[] = {parts.form()...};
+    bool known = true, copied = true;
+    for (std::uint32_t i = 0; i < sizeof...(Parts); ++i) {
+        LinearForm copy;
+        copy.type = type;
+        copy.index = forms[0].index;
+        copy.coefficient[i] = 1;
+        known = known && forms[i].known();
+        copied = copied && forms[i] == copy;
+    }
+    if (!known && !copied) tracking.lose(RC_TRACKED_OUTPUT);
+    return tracking.place(type, numbers);
+}
+
+/// A duration in time units; negative ones are zero.
+template <class Carrier>
+constexpr std::uint32_t duration(Tracked<Carrier> units) noexcept {
+    const WideInteger whole = floor_quotient(units.native(), Carrier::scale);
+    if (whole < 0) return 0;
+    return whole > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(whole);
+}
+
+/// A real as a whole number, rounded down.
+template <class Whole, class Carrier>
+constexpr Whole rounded_down(Tracked<Carrier> value) noexcept {
+    return Whole(value);
+}
+template <class Carrier>
+constexpr std::int64_t place_of(Tracked<Carrier> index) noexcept {
+    return index.native();
+}
+
+}  // namespace robochart
+
+#endif
