@@ -224,6 +224,28 @@ void write_api_difference(std::string& out, const conformance::Result& r) {
     write_behaviour(out, "dispatch", r.api_difference->dispatched);
 }
 
+/// "scan, ranges: 15 classes by 3 conditions (all values)"
+std::string data_text(const ir::ReplacedData& data) {
+    const std::string names = fmt::format("{}", fmt::join(data.places, ", "));
+    if (!data.all_values) return fmt::format("{}: {} (all that occur)", names, count_text(data.classes, "value"));
+    if (data.nothing_tested) return fmt::format("{}: any value (nothing depends on it)", names);
+    std::string conditions = count_text(data.conditions, "condition");
+    if (!data.term.empty()) conditions += " on " + data.term;
+    return fmt::format("{}: {} {} by {} (all values)", names, data.classes, data.classes == 1 ? "class" : "classes",
+                       conditions);
+}
+
+/// The numbers that the verdict is about, if it is not about the carriers alone.
+std::string conformance_values(const conformance::Result& r) {
+    std::string out;
+    for (const ir::ReplacedData& data : r.all_values) out += fmt::format("               values {}\n", data_text(data));
+    if (r.not_for_all.empty()) return out;
+    const bool conforms = r.outcome == conformance::Outcome::conforms;
+    std::string_view what = "not decided for all values";
+    if (conforms) what = "for the values of the carriers only";
+    return out + fmt::format("               {}: {}\n", what, r.not_for_all);
+}
+
 /// The text after the verdict.
 std::string conformance_rest(const ConformanceReport& c, const Options& options) {
     const conformance::Result& r = c.result;
@@ -234,10 +256,11 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     if (r.dispatched > 0)
         out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
                            with_commas(r.dispatched));
+    out += conformance_values(r);
     const bool for_all = r.outcome == conformance::Outcome::conforms;
     for (const conformance::FewValues& represented : r.represented)
         out +=
-            fmt::format("               values       {}: {}{} explored\n", represented.type,
+            fmt::format("               values {}: {}{} explored\n", represented.type,
                         for_all ? "any value (nothing depends on it), " : "", count_text(represented.values, "value"));
     if (!r.reason.empty()) out += fmt::format("               {}{}\n", r.reason, code_of(r.explanation.rule));
     for (const std::string& warning : r.warnings) out += fmt::format("               warning: {}\n", warning);
@@ -481,17 +504,6 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     }
     if (out.empty()) return out;
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
-}
-
-/// "scan, ranges: 15 classes by 3 conditions (all values)"
-std::string data_text(const ir::ReplacedData& data) {
-    const std::string names = fmt::format("{}", fmt::join(data.places, ", "));
-    if (!data.all_values) return fmt::format("{}: {} (all that occur)", names, count_text(data.classes, "value"));
-    if (data.nothing_tested) return fmt::format("{}: any value (nothing depends on it)", names);
-    std::string conditions = count_text(data.conditions, "condition");
-    if (!data.term.empty()) conditions += " on " + data.term;
-    return fmt::format("{}: {} {} by {} (all values)", names, data.classes, data.classes == 1 ? "class" : "classes",
-                       conditions);
 }
 
 /// The data that classes replace in the claims above.

@@ -93,6 +93,16 @@ Json overtaken_json(const conformance::OvertakenEvent& found) {
             {"places", found.places}};
 }
 
+Json data_json(const ir::ReplacedData& data) {
+    Json json{{"places", data.places},
+              {"classes", data.classes},
+              {"conditions", data.conditions},
+              {"allValues", data.all_values},
+              {"tested", !data.nothing_tested}};
+    if (!data.term.empty()) json["term"] = data.term;
+    return json;
+}
+
 Json represented_json(const conformance::FewValues& represented) {
     return {{"type", represented.type}, {"values", represented.values}};
 }
@@ -103,6 +113,8 @@ Json conformance_json(const ConformanceReport& c) {
               {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
               {"dispatched", r.dispatched},  {"statistics", statistics_json(r.product)},
               {"seconds", c.seconds}};
+    if (!r.all_values.empty()) json["data"] = json_array(r.all_values, data_json);
+    if (!r.not_for_all.empty()) json["notForAllValues"] = r.not_for_all;
     if (!r.represented.empty()) json["represented"] = json_array(r.represented, represented_json);
     if (!r.reason.empty()) json["reason"] = r.reason;
     if (const conformance::Explanation& e = r.explanation; e.rule != nullptr) {
@@ -129,16 +141,6 @@ Json conformance_json(const ConformanceReport& c) {
 
 Json bound_json(const driver::BoundReport& bound) {
     return {{"element", bound.element}, {"place", bound.place}, {"text", bound.text}, {"time", bound.time}};
-}
-
-Json data_json(const ir::ReplacedData& data) {
-    Json json{{"places", data.places},
-              {"classes", data.classes},
-              {"conditions", data.conditions},
-              {"allValues", data.all_values},
-              {"tested", !data.nothing_tested}};
-    if (!data.term.empty()) json["term"] = data.term;
-    return json;
 }
 
 Json size_json(const driver::SizeReport::Size& size) {

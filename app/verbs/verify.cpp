@@ -368,6 +368,16 @@ std::optional<runs::Place> declaration_place(const driver::Project& project, con
 
 }  // namespace
 
+namespace {
+
+/// `--concrete` and ranges keep the carriers.
+conformance::Numbers numbers_to_compare(const driver::Project& project, const Options& options) {
+    const bool carriers = options.claims.concrete || driver::chooses_ranges(project);
+    return carriers ? conformance::Numbers::carriers : conformance::Numbers::all;
+}
+
+}  // namespace
+
 void check_conformance(driver::Project& project, const Options& options, Report& report) {
     const auto components = driver::code_components(project.system, options.load.component);
     if (components.empty())
@@ -395,6 +405,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         conformance_options.limits = limits(options, "code of " + ir::qualified_name(component));
         conformance_options.generator.choices = options.code.choices;
         conformance_options.relation = options.conform.relation;
+        conformance_options.numbers = numbers_to_compare(project, options);
         conformance_options.walks.cycles = options.conform.walks;
         conformance_options.cache = options.run->cache();
         conformance_options.exported = export_format(options.conform.exported_code);

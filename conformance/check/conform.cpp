@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
 #include <algorithm>
+#include <iterator>
 
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -12,18 +14,22 @@
 #include "conformance/check/conformance_check.hpp"
 #include "conformance/check/enough_names.hpp"
 #include "conformance/check/export.hpp"
+#include "conformance/check/open_choice.hpp"
 #include "conformance/check/partial_readings.hpp"
 #include "conformance/check/random_walk.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/check/violated_precondition.hpp"
 #include "conformance/code/shared_object.hpp"
+#include "conformance/code/tracked_code.hpp"
 #include "conformance/model/component.hpp"
 #include "conformance/model/cyclic_model.hpp"
+#include "conformance/model/model_interface.hpp"
 #include "conformance/model/normal_form.hpp"
 #include "conformance/model/normal_form_system.hpp"
 #include "conformance/model/provenance_text.hpp"
 #include "conformance/model/representatives.hpp"
 #include "counterexample/evaluation_failure.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
 
@@ -170,19 +176,46 @@ void name_model_places(Result& result, const csp_emit::Provenance& provenance,
         name_model_places(result.reason, result.cycles, provenance, sources);
 }
 
+/// For each output, the arguments whose values stand for all values. Empty if there are no such arguments.
+using Represented = std::vector<std::vector<bool>>;
+
+/// The values stand for all only if the model does not choose between them.
+void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
+                    const Represented& represented, const Options& options) {
+    if (represented.empty() || result.outcome != Outcome::conforms) return;
+    std::string reason;
+    try {
+        const auto model = session.system(process, options.limits);
+        ModelGraph graph(*model, alphabet);
+        NormalFormSystem normal_form(graph, alphabet, options.cycle_length);
+        const auto found = open_choice(normal_form, alphabet, represented, options.limits);
+        if (!found) return;
+        reason = fmt::format(
+            "no difference for the few values explored, but they do not represent all values: after one trace the "
+            "model may make either of {} and {}",
+            found->one, found->other);
+    } catch (const process::Interrupted& limit) {
+        reason = fmt::format("it was not decided whether few values represent all values: {}", limit.what());
+    }
+    result.outcome = Outcome::inconclusive;
+    result.reason = std::move(reason);
+}
+
 /// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
 /// terms.
 Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
-                    const ir::ComponentRef& component, const rc_interface& code, const Options& options,
-                    const diagnostics::SourceManager* sources, const EventPlaces& places) {
+                    const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
+                    const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     Interface interface = interface_of(code);
     complete_interface(interface, system, instantiation, component, script.provenance);
+    list_tracked_values(interface, code);
     try {
         cspm::Session session(script.definitions);
         Result result = check_process(session, process, interface, code, options, places);
         const Alphabet alphabet(interface, session.event_table());
+        refuse_choices(result, session, process, alphabet, represented, options);
         if (sources != nullptr) {
             name_model_places(result, script.provenance, *sources);
             explain_result(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
@@ -213,15 +246,20 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
     }
 }
 
+cpp_emit::Options generator_options(const TimedModel& timed, const Options& options) {
+    cpp_emit::Options generator = options.generator;
+    generator.cycle_length = options.cycle_length;
+    generator.sources = timed.sources;
+    return generator;
+}
+
 /// Generates and compiles code for an instantiation and compares it with the script of this instantiation.
 Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, const ir::Instantiation& instantiation,
                     const csp_emit::Emission& script, const Options& options, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.error_count();
     const ir::System& system = timed.model.system;
-    cpp_emit::Options generator = options.generator;
-    generator.cycle_length = options.cycle_length;
-    generator.sources = timed.sources;
-    const cpp_emit::Emission code = cpp_emit::emit(system, instantiation, component, generator, diagnostics);
+    const cpp_emit::Emission code =
+        cpp_emit::emit(system, instantiation, component, generator_options(timed, options), diagnostics);
     if (diagnostics.error_count() != errors || code.shim.empty())
         return not_generated(fmt::format("no C++ is generated for {}", component.path));
 
@@ -242,7 +280,7 @@ Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, 
         return result;
     }
     if (!object) return not_generated(std::move(error));
-    return judge_script(script, system, instantiation, component, object->interface(), options, timed.sources,
+    return judge_script(script, system, instantiation, component, object->interface(), {}, options, timed.sources,
                         code.event_places);
 }
 
@@ -277,11 +315,117 @@ Result decide_for_all(Result least, const TimedModel& timed, const ir::Component
         choose_representatives(timed.model.system, timed.model.instantiation, resolved, *enough.names), options, apart);
 }
 
+/// The component with its types of numbers, and the values that stand for all of them.
+struct ValueSearch {
+    cpp_emit::Component component;
+    std::vector<ir::MachineId> machines;
+    std::vector<ir::TypeId> types;
+    ir::ValueModel model;
+};
+
+/// No value if the component has data that need carriers, or no numbers at its boundary.
+std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::ComponentRef& component) {
+    diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
+    auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
+    if (!resolved) return std::nullopt;
+    std::vector<ir::TypeId> types = cpp_emit::tracked_types(model.system, *resolved);
+    if (types.empty()) return std::nullopt;
+    std::vector<ir::MachineId> machines;
+    for (const cpp_emit::Unit& unit : resolved->units) machines.push_back(unit.id);
+    auto values = ir::value_model(model.system, model.instantiation, machines, {});
+    if (!values) return std::nullopt;
+    return ValueSearch{std::move(*resolved), std::move(machines), std::move(types), std::move(*values)};
+}
+
+/// For each output, the arguments of tracked types. Empty if there are no such arguments.
+Represented tracked_arguments(const ValueSearch& search) {
+    Represented result;
+    bool found = false;
+    for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(search.component)) {
+        std::vector<bool>& arguments = result.emplace_back();
+        for (const ir::TypeId type : output.types) {
+            arguments.push_back(std::ranges::find(search.types, type) != search.types.end());
+            found = found || arguments.back();
+        }
+    }
+    return found ? result : Represented();
+}
+
+/// The comparisons of the code that do not have one answer in each region of the model's values.
+std::vector<ir::Cut> undivided_cuts(const TrackedCode& code, const ir::ValueModel& model) {
+    std::vector<ir::Cut> result;
+    std::ranges::set_difference(code.comparisons(model.scale), model.cuts, std::back_inserter(result));
+    return result;
+}
+
+/// A search for all values is not the last one: it makes no walks, and leaves half of the time.
+Options options_for_all_values(const Options& options) {
+    Options result = options;
+    result.walks.cycles = 0;
+    const auto now = std::chrono::steady_clock::now();
+    auto& deadline = result.limits.deadline;
+    if (deadline && *deadline > now) deadline = now + (*deadline - now) / 2;
+    return result;
+}
+
+/// The normal form of the model itself, for readers; "" if its carriers are too large.
+std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef& component,
+                                 std::uint32_t cycle_length) {
+    diagnostics::Diagnostics apart;
+    try {
+        const auto model =
+            model_interface(timed.model.system, timed.model.instantiation, component, timed.script.provenance, apart);
+        if (!model) return "";
+        cspm::Session session(timed.script.definitions);
+        const Alphabet alphabet(model->interface, session.event_table());
+        return normal_form_text(timed.script, component_process(timed.script.definitions, component), alphabet,
+                                cycle_length);
+    } catch (const std::length_error&) {
+        return "";
+    }
+}
+
 }  // namespace
+
+/// Divides the values by what the code compares, until it compares nothing new.
+ForAllValues judge_for_all_values(const TimedModel& timed, const ir::ComponentRef& component, const rc_interface& code,
+                                  const Options& options, const EventPlaces& places) {
+    constexpr int most_rounds = 8;
+    auto search = value_search(timed.model, component);
+    if (!search) return {};
+    const TrackedCode tracked(code, timed.model.system, search->types);
+    std::vector<ir::Cut> cuts;
+    for (int round = 0; round < most_rounds; ++round) {
+        const ir::ValueModel& model = search->model;
+        diagnostics::Diagnostics apart;
+        const csp_emit::Emission script =
+            csp_emit::emit(model.system, timed.model.instantiation, csp_emit::Time::timed, {}, *timed.sources, apart);
+        if (!apart.ok() || !tracked.set_values(model)) return {};
+        Result result =
+            judge_script(script, model.system, timed.model.instantiation, component, code, tracked_arguments(*search),
+                         options_for_all_values(options), timed.sources, places);
+        if (tracked.is_inexact()) return {std::nullopt, tracked.loss()};
+        if (result.outcome == Outcome::error || result.outcome == Outcome::inconclusive)
+            return {std::nullopt, result.reason};
+        const std::vector<ir::Cut> more = undivided_cuts(tracked, model);
+        const bool decided = result.outcome != Outcome::conforms || (tracked.loss().empty() && more.empty());
+        if (!decided && !tracked.loss().empty()) return {std::nullopt, tracked.loss()};
+        if (decided) {
+            result.normal_form = concrete_normal_form(timed, component, options.cycle_length);
+            result.all_values = model.data;
+            return {std::move(result), ""};
+        }
+        cuts.insert(cuts.end(), more.begin(), more.end());
+        auto finer = ir::value_model(timed.model.system, timed.model.instantiation, search->machines, cuts);
+        if (!finer) return {std::nullopt, "the code makes too many comparisons"};
+        search->model = std::move(*finer);
+    }
+    return {std::nullopt, "the code makes too many comparisons"};
+}
 
 Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
                   const ir::ComponentRef& component, const rc_interface& code, const Options& options) {
-    return judge_script(script, system, instantiation, component, code, options, nullptr, {});
+    return judge_script(script, system, instantiation, component, code, {}, options, nullptr, {});
 }
 
 TimedModel timed_model(const ir::System& system, const ir::Instantiation& instantiation,
@@ -294,12 +438,44 @@ TimedModel timed_model(const ir::System& system, const ir::Instantiation& instan
     return timed;
 }
 
-Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
-               diagnostics::Diagnostics& diagnostics) {
+namespace {
+
+/// Generates and compiles code with tracked numbers, if the component only copies and compares its data.
+ForAllValues conform_for_all_values(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
+                                    diagnostics::Diagnostics& diagnostics) {
+    const bool plain = options.relation == Relation::failures_divergences && options.exported == Export::none &&
+                       !options.generator.choices;
+    if (options.numbers != Numbers::all || !plain) return {};
     const RenamedSystem& model = timed.model;
-    const ir::ComponentRef component = renamed_component(model, named);
-    if (!timed.sound || !component_process(timed.script.definitions, component))
-        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
+    diagnostics::Diagnostics findings;
+    std::string error;
+    diagnostics::Budget own(options.limits);
+    diagnostics::Budget& budget = diagnostics.budget() != nullptr ? *diagnostics.budget() : own;
+    try {
+        const auto search = value_search(model, component);
+        if (!search) return {};
+        cpp_emit::Options generator = generator_options(timed, options);
+        generator.tracked_scale = search->model.scale;
+        const cpp_emit::Emission code =
+            cpp_emit::emit(model.system, model.instantiation, component, generator, findings);
+        if (!findings.ok() || code.shim.empty()) return {};
+        const diagnostics::Budget::Phase phase(budget, "compiling the generated code");
+        const auto object = build_code(code, options, budget, error);
+        if (!object) return {};
+        ForAllValues found = judge_for_all_values(timed, component, object->interface(), options, code.event_places);
+        if (found.result) diagnostics.add(findings);
+        return found;
+    } catch (const diagnostics::LimitReached&) {
+        return {};
+    } catch (const cpp_emit::NoCompiler&) {
+        return {};
+    }
+}
+
+/// The check for the values of the carriers, or for few values that stand for all.
+Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
+                           diagnostics::Diagnostics& diagnostics) {
+    const RenamedSystem& model = timed.model;
     diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
     const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
     Representatives few;
@@ -308,6 +484,22 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
         return judge_values(timed, component, model.instantiation, timed.script, options, diagnostics);
     Result least = judge_few_values(timed, component, few, options, diagnostics);
     return decide_for_all(std::move(least), timed, component, *resolved, options);
+}
+
+}  // namespace
+
+Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
+               diagnostics::Diagnostics& diagnostics) {
+    const RenamedSystem& model = timed.model;
+    const ir::ComponentRef component = renamed_component(model, named);
+    if (!timed.sound || !component_process(timed.script.definitions, component))
+        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
+    ForAllValues all = conform_for_all_values(timed, component, options, diagnostics);
+    if (all.result) return std::move(*all.result);
+    Result result = conform_in_carriers(timed, component, options, diagnostics);
+    // A few values may stand for all although the search with tracked numbers did not decide.
+    if (result.represented.empty()) result.not_for_all = std::move(all.reason);
+    return result;
 }
 
 Result conform(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& component,

@@ -3,7 +3,11 @@
 // inputs (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "base/diagnostics/diagnostic.hpp"
+#include "conformance/check/conformance_check.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/model/renamed_model.hpp"
 #include "cpp_emit/runtime/explore_abi.h"
@@ -28,6 +32,16 @@ struct TimedModel {
 /// Reports findings to the diagnostics.
 [[nodiscard]] TimedModel timed_model(const ir::System&, const ir::Instantiation&, diagnostics::SourceManager&,
                                      diagnostics::Diagnostics&);
+
+/// What a search for all values found.
+struct ForAllValues {
+    std::optional<Result> result;  ///< no value: it did not decide
+    std::string reason;            ///< why not; "": the component has data that need carriers
+};
+/// Checks code with tracked numbers (cpp_emit::Options::tracked_scale) for all values of ideal numbers
+/// (docs/conformance.md, "All values").
+[[nodiscard]] ForAllValues judge_for_all_values(const TimedModel&, const ir::ComponentRef& component,
+                                                const rc_interface& code, const Options&, const EventPlaces&);
 
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,

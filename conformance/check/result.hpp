@@ -13,6 +13,7 @@
 #include "checker/refine/verdict/verdict.hpp"
 #include "counterexample/run.hpp"
 #include "cpp_emit/plan/options.hpp"
+#include "semantics/data/class_model.hpp"
 
 namespace robochart::conformance {
 
@@ -130,6 +131,11 @@ struct Result {
     /// Whether no deadline passes while the model waits for an input that does not arrive. No value: not decided.
     std::optional<Aside> deadlines;
     std::vector<FewValues> represented;
+    /// If the result is about all values of ideal numbers: the data that it is about. The classes are those of the
+    /// model's conditions.
+    std::vector<ir::ReplacedData> all_values;
+    /// Otherwise, the reason why a search for all values did not decide; "": there was none.
+    std::string not_for_all;
     std::vector<MissedEvent> missed;        ///< if it conforms: events missed in some state of the code
     std::vector<OvertakenEvent> overtaken;  ///< if it conforms: events that come second in some state of the code
     std::uint64_t dispatched = 0;           ///< number of (state, event or none) pairs in which both APIs were compared
@@ -154,6 +160,12 @@ enum class InputSearch {
     on_demand,   ///< registers that the code reads; inconclusive if this search cannot decide
 };
 
+/// The numbers that a result is about.
+enum class Numbers {
+    carriers,  ///< those of the finite instantiation
+    all,       ///< all, if the component only compares and copies them; otherwise those of the instantiation
+};
+
 /// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
 enum class Export { none, aut, dot, csp };
 
@@ -169,6 +181,7 @@ struct Options {
     std::uint32_t cycle_length = 1;  ///< c: number of tocks in a cycle
     Relation relation = Relation::failures_divergences;
     InputSearch inputs = InputSearch::automatic;
+    Numbers numbers = Numbers::carriers;
     WalkOptions walks;
     Export exported = Export::none;
     cpp_emit::Options generator;   ///< seeded faults, for tests

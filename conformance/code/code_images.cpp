@@ -43,6 +43,7 @@ std::uint32_t CodeImages::intern(const Bytes& state) {
     if (fresh) {
         images_.insert(images_.end(), state.begin(), state.end());
         ++count_;
+        if (code_->tracking != nullptr) return place->second;  // a known number and an input print alike
         const std::string text = print(place->second);
         if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, place->second).second;
     }

@@ -43,7 +43,7 @@ Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiat
     if (type.kind == ir::TypeKind::boolean) return {Carrier::Kind::boolean, {}, {}};
     if (type.kind == ir::TypeKind::real) return {Carrier::Kind::real, {}, {}};
     if (type.kind != ir::TypeKind::enumeration) return {};
-    Carrier carrier{Carrier::Kind::enumeration, type.labels, {}};
+    Carrier carrier{Carrier::Kind::enumeration, type.shown.empty() ? type.labels : type.shown, {}};
     const std::string prefix = type.package.empty() ? "" : flatten_name(type.package) + "_";
     for (const std::string& label : type.labels) carrier.names.push_back(prefix + type.name + "_" + label);
     return carrier;

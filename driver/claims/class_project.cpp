@@ -34,11 +34,13 @@ bool has_observers(const ir::System& system) {
            std::ranges::any_of(system.properties, [](const auto& property) { return observes_values(property); });
 }
 
+bool chooses_ranges(const Project& project) {
+    return std::ranges::any_of(project.asked.ranges, [](const auto& range) { return range.first != "clock"; });
+}
+
 ClassProject class_project(const Project& project, const Settings& settings) {
-    const bool ranges_chosen =
-        std::ranges::any_of(project.asked.ranges, [](const auto& range) { return range.first != "clock"; });
     const bool instantiated = std::ranges::any_of(project.system.csp_blocks, ir::is_instantiations);
-    if (settings.claims.concrete || ranges_chosen || instantiated || !settings.swarm.file.empty()) return {};
+    if (settings.claims.concrete || chooses_ranges(project) || instantiated || !settings.swarm.file.empty()) return {};
     auto replaced = ir::class_model(without_observers(project.system), project.instantiation);
     if (!replaced) return {};
     const bool unlimited =

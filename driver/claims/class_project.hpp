@@ -18,6 +18,9 @@ struct ClassProject {
     bool small_carriers = false;  ///< the replaced data have few values in the finite instantiation
 };
 
+/// True if the settings choose carriers of numbers.
+[[nodiscard]] bool chooses_ranges(const Project& project);
+
 /// The project with classes of values, without the claims that observe values. Null if no data can be replaced, if a
 /// CSP block replaces the instantiation, if a swarm is decided, or if the settings ask for the finite instantiation or
 /// choose ranges. Also null if there are claims that observe values, and the values are few or all occur in the model,

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: Apache-2.0
+// Conformance for all values (docs/conformance.md, "All values"). The mutants are faults in the conditions of generated
+// code: all mutants of a model are compiled together, and a variable of the object selects one. Whether a mutant
+// differs from the original is also computed without the search, with points on, between and beyond all thresholds.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <regex>
+
+#include "conformance/check/conform.hpp"
+#include "conformance/code/tracked_code.hpp"
+#include "cpp_emit/emit.hpp"
+#include "cpp_emit/load/shared_library.hpp"
+#include "cpp_emit/plan/exploration_ports.hpp"
+#include "cpp_emit/plan/resolve_component.hpp"
+#include "tests/conformance/bench.hpp"
+#include "tests/shared_folder.hpp"
+
+namespace robochart::conformance::all_values_test {
+namespace {
+
+using NumberList = std::vector<std::int64_t>;
+
+/// The faults that can be selected at each comparison.
+enum ConditionFault : int {
+    boundary,
+    constant_up,
+    constant_down,
+    extra_above,
+    extra_below,
+    other_number,
+    direction,
+    fault_kinds
+};
+
+/// In front of the core: a comparison with the number `site`, which the variable robochart_mutant may make faulty.
+constexpr const char* faulty_comparison = R"(
+extern "C" { __attribute__((visibility("default"))) int robochart_mutant = -1; }
+namespace mutants {
+enum { less, less_equal, greater, greater_equal, equal, not_equal };
+template <class T>
+bool holds(T a, int op, T b) {
+    switch (op) {
+        case less: return a < b;
+        case less_equal: return a <= b;
+        case greater: return a > b;
+        case greater_equal: return a >= b;
+        case equal: return a == b;
+        default: return a != b;
+    }
+}
+template <class T>
+bool compared(int site, T a, int op, T b, T other, T step) {
+    const int kind = robochart_mutant >= 0 && robochart_mutant / 7 == site ? robochart_mutant % 7 : -1;
+    switch (kind) {
+        case 0: return holds(a, op ^ 1, b);
+        case 1: return holds(a, op, b + step);
+        case 2: return holds(a, op, b - step);
+        case 3: return holds(a, op, b) || a > T(1000);
+        case 4: return holds(a, op, b) && !(a < T(-1000));
+        case 5: return holds(other, op, b);
+        case 6: return holds(a, op ^ 2, b);
+        default: return holds(a, op, b);
+    }
+}
+}
+)";
+static_assert(fault_kinds == 7, "robochart_mutant is 7 * site + kind");
+
+/// The generated code with a call of `compared` for every comparison of a guard.
+std::string with_faults(const std::string& core, int& sites) {
+    static const std::regex comparison(
+        R"((state_\.[\w.]+) (<|<=|>|>=|==|!=) ((?:Real|Int)\(-?[\d.]+\)|state_\.[\w.]+))");
+    const std::map<std::string, std::string> names{{"<", "less"},           {"<=", "less_equal"}, {">", "greater"},
+                                                   {">=", "greater_equal"}, {"==", "equal"},      {"!=", "not_equal"}};
+    std::string result;
+    std::string rest = core;
+    std::smatch found;
+    while (std::regex_search(rest, found, comparison)) {
+        const std::string left = found[1], right = found[3];
+        std::string other = left;
+        if (const std::size_t at = other.find("item_1"); at != std::string::npos)
+            other.replace(at, 6, "item_2");
+        else if (const std::size_t second = other.find("item_2"); second != std::string::npos)
+            other.replace(second, 6, "item_1");
+        else
+            other = left + " + " + left;
+        const std::string type = right.starts_with("Int") ? "Int" : "Real";
+        result += found.prefix();
+        result += fmt::format("mutants::compared<{}>({}, {}, mutants::{}, {}, {}, {})", type, sites++, left,
+                              names.at(found[2]), right, other, type == "Int" ? "Int(1)" : "Real(0.25)");
+        rest = found.suffix();
+    }
+    const std::string text = result + rest;
+    const std::size_t at = text.find("\nnamespace ");
+    return text.substr(0, at) + faulty_comparison + text.substr(at);
+}
+
+/// Replaces a line of the core by faulty ones, which the variable selects by other numbers than those of comparisons.
+struct Replacement {
+    std::string from, to;
+};
+
+/// Code of a machine that consists of all its mutants.
+class Mutants {
+public:
+    Mutants(const std::string& text, const std::string& machine, std::vector<Replacement> replacements = {})
+        : folder_(text),
+          model_(folder_.path()),
+          component_(model_.machine_named(machine)),
+          replacements_(std::move(replacements)) {
+        timed_ = timed_model(model_.system, model_.instantiation, model_.sources, model_.diagnostics);
+        const auto resolved =
+            cpp_emit::resolve_component(model_.system, model_.instantiation, component_, model_.diagnostics);
+        types_ = cpp_emit::tracked_types(model_.system, *resolved);
+        const auto values = ir::value_model(model_.system, model_.instantiation, {ir::MachineId{0}}, {});
+        EXPECT_TRUE(values.has_value()) << machine;
+        if (!values) return;
+        scale_ = values->scale;
+        compile();
+    }
+
+    [[nodiscard]] bool is_compiled() const { return code_ != nullptr; }
+    [[nodiscard]] int count() const { return sites_ * fault_kinds; }
+    [[nodiscard]] std::int64_t scale() const { return scale_; }
+    void select(int mutant) { *selected_ = mutant; }
+    ForAllValues judge() { return judge_for_all_values(timed_, component_, *code_, {}, {}); }
+
+    /// What the selected mutant does with each of these values in a few cycles.
+    std::vector<std::string> behaviours(const std::vector<NumberList>& values) {
+        NumberList numbers;
+        for (const NumberList& value : values) numbers.insert(numbers.end(), value.begin(), value.end());
+        EXPECT_EQ(code_->tracking->types, 1U);
+        EXPECT_NE(code_->tracking->set_values(0, static_cast<std::uint32_t>(values.size()), numbers.data()), 0U);
+        std::vector<std::string> result;
+        for (std::uint32_t v = 0; v < values.size(); ++v) result.push_back(behaviour(v));
+        return result;
+    }
+
+private:
+    void compile() {
+        cpp_emit::Options options;
+        options.tracked_scale = scale_;
+        cpp_emit::Emission emission =
+            cpp_emit::emit(timed_.model.system, timed_.model.instantiation, component_, options, model_.diagnostics);
+        for (cpp_emit::OutputFile& file : emission.files)
+            if (file.path.ends_with("_core.hpp")) file.text = with_replacements(with_faults(file.text, sites_));
+        const cpp_emit::BuildOptions build{"c++", "-std=c++17 -O0 -w -fno-exceptions -fno-rtti", ""};
+        std::string error;
+        library_ = cpp_emit::SharedLibrary::build(emission.files, {emission.shim}, build, error);
+        EXPECT_TRUE(library_) << error;
+        if (!library_) return;
+        selected_ = static_cast<int*>(library_->find_symbol("robochart_mutant"));
+        code_ = reinterpret_cast<const rc_interface* (*)()>(library_->find_symbol("robochart_explore"))();
+    }
+
+    [[nodiscard]] std::string with_replacements(std::string text) const {
+        for (const auto& [from, to] : replacements_) {
+            const std::size_t at = text.find(from);
+            EXPECT_NE(at, std::string::npos) << from;
+            if (at != std::string::npos) text.replace(at, from.size(), to);
+        }
+        return text;
+    }
+
+    /// Three cycles: the first without inputs, then the value in every register, then only events without values.
+    std::string behaviour(std::uint32_t value) {
+        std::vector<unsigned char> state(code_->state_size);
+        code_->initial(state.data());
+        std::vector<rc_record> records(64);
+        rc_log log{};
+        log.capacity = static_cast<std::uint32_t>(records.size());
+        log.record = records.data();
+        std::string text;
+        for (int cycle = 0; cycle < 3; ++cycle) {
+            std::vector<rc_register> registers(code_->inputs);
+            for (std::uint32_t i = 0; i < code_->inputs; ++i) {
+                const bool carries = code_->tracking->input[i] >= 0;
+                registers[i] = {cycle == (carries ? 1 : 2) ? 1U : 0U, carries ? value : 0U};
+            }
+            text += fmt::format("{}:", static_cast<int>(code_->step(state.data(), registers.data(), &log)));
+            for (std::uint32_t r = 0; r < log.count; ++r)
+                text += fmt::format(" {}({})", records[r].output, records[r].count == 0 ? 0 : records[r].argument[0]);
+        }
+        return text;
+    }
+
+    test::ModelFolder folder_;
+    test::Model model_;
+    ir::ComponentRef component_;
+    std::vector<Replacement> replacements_;
+    TimedModel timed_;
+    std::vector<ir::TypeId> types_;
+    std::int64_t scale_ = 1;
+    int sites_ = 0;
+    std::unique_ptr<cpp_emit::SharedLibrary> library_;
+    const rc_interface* code_ = nullptr;
+    int* selected_ = nullptr;
+};
+
+constexpr const char* thermostat = R"(
+interface Plant { heat() cool() rest() }
+stm Thermostat {
+	event degrees : real
+	event shown : real
+	requires Plant
+	var t : real
+	initial i
+	state Resting { entry rest() }
+	state Heating { entry heat() }
+	state Cooling { entry cool() ; shown!t }
+	junction k
+	transition t0 { from i to Resting }
+	transition t1 { from Resting to k trigger degrees?t }
+	transition t2 { from Heating to k trigger degrees?t }
+	transition t3 { from Cooling to k trigger degrees?t }
+	transition t4 { from k to Heating condition t < 19.5 }
+	transition t5 { from k to Cooling condition t > 21.25 }
+	transition t6 { from k to Resting condition t >= 19.5 /\ t <= 21.25 }
+}
+)";
+
+constexpr const char* valve = R"(
+interface Plant { open() shut() rest() }
+stm Valve {
+	event level : int
+	event tick
+	requires Plant
+	var v : int
+	initial i
+	state Low { entry rest() }
+	state High { entry open() }
+	junction k
+	junction m
+	transition t0 { from i to Low }
+	transition t1 { from Low to k trigger level?v }
+	transition t2 { from k to High condition v > 3 }
+	transition t3 { from k to Low condition v <= 3 }
+	transition t4 { from High to m trigger tick }
+	transition t5 { from m to Low condition v == 7 action shut() }
+	transition t6 { from m to Low condition v != 7 }
+}
+)";
+
+constexpr const char* planner = R"(
+enumeration Turn { both left_ right_ apart other }
+stm Planner {
+	event gap : real * real
+	event turn : Turn
+	var a : real * real
+	initial i
+	state Waiting { }
+	junction k
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to k trigger gap?a }
+	transition t2 { from k to Waiting condition a[1] > 0 /\ a[2] > 0 action turn!Turn::both }
+	transition t3 { from k to Waiting condition a[1] <= 0 /\ a[2] > 1.0 action turn!Turn::left_ }
+	transition t4 { from k to Waiting condition a[1] > 0 /\ a[2] <= 0 action turn!Turn::right_ }
+	transition t5 { from k to Waiting condition a[1] <= 0 /\ a[2] <= 0 /\ a[1] == a[2] action turn!Turn::apart }
+	transition t6 { from k to Waiting condition a[1] <= 0 /\ a[2] <= 1.0 /\ a[1] != a[2] action turn!Turn::other }
+}
+)";
+
+/// Points on each threshold, a quarter and an eighth beside it, and beyond a thousand.
+NumberList around(const std::vector<double>& thresholds, std::int64_t scale, const std::vector<double>& beside) {
+    NumberList result;
+    for (const double threshold : thresholds)
+        for (const double distance : beside)
+            result.push_back(std::llround((threshold + distance) * static_cast<double>(scale)));
+    std::ranges::sort(result);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+std::vector<NumberList> pairs_of(const NumberList& numbers, std::size_t parts) {
+    std::vector<NumberList> result;
+    for (const std::int64_t one : numbers) {
+        if (parts == 1) result.push_back({one});
+        for (std::size_t i = 0; parts == 2 && i < numbers.size(); ++i) result.push_back({one, numbers[i]});
+    }
+    return result;
+}
+
+struct MutantCase {
+    const char* name;
+    const char* text;
+    const char* machine;
+    bool whole;
+    std::size_t parts;
+    std::vector<double> thresholds;
+    std::vector<double> beside;
+    std::vector<std::vector<double>> witnesses;  ///< one value of each class of the model
+    friend std::ostream& operator<<(std::ostream& out, const MutantCase& shown) { return out << shown.name; }
+};
+
+class AllValues : public testing::TestWithParam<MutantCase> {};
+
+TEST_P(AllValues, EveryFaultyConditionIsFoundOrEquivalent) {
+    const MutantCase& given = GetParam();
+    Mutants mutants(given.text, given.machine);
+    ASSERT_TRUE(mutants.is_compiled());
+    const std::int64_t unit = given.whole ? 1 : mutants.scale();
+    const auto points = pairs_of(around(given.thresholds, unit, given.beside), given.parts);
+    std::vector<NumberList> witnesses;
+    for (const auto& witness : given.witnesses) {
+        NumberList& numbers = witnesses.emplace_back();
+        for (const double number : witness) numbers.push_back(std::llround(number * static_cast<double>(unit)));
+    }
+    mutants.select(-1);
+    const auto expected = mutants.behaviours(points);
+    const auto few_expected = mutants.behaviours(witnesses);
+    const ForAllValues original = mutants.judge();
+    ASSERT_TRUE(original.result) << original.reason;
+    ASSERT_EQ(original.result->outcome, Outcome::conforms) << original.result->reason;
+    int killed = 0, survivors = 0;
+    for (int mutant = 0; mutant < mutants.count(); ++mutant) {
+        SCOPED_TRACE(fmt::format("comparison {}, fault {}", mutant / fault_kinds, mutant % fault_kinds));
+        mutants.select(mutant);
+        const bool differs = mutants.behaviours(points) != expected;
+        const bool differs_in_witnesses = mutants.behaviours(witnesses) != few_expected;
+        const ForAllValues judged = mutants.judge();
+        ASSERT_TRUE(judged.result) << judged.reason;
+        EXPECT_EQ(judged.result->outcome, differs ? Outcome::differs : Outcome::conforms) << judged.result->reason;
+        if (differs) ++killed;
+        if (differs && !differs_in_witnesses) ++survivors;
+    }
+    RecordProperty("mutants", mutants.count());
+    RecordProperty("killed", killed);
+    RecordProperty("survivors", survivors);
+    EXPECT_GE(mutants.count(), 28);
+    EXPECT_GE(killed, mutants.count() / 3);
+    EXPECT_GE(survivors, 3) << "one value of each class of the model would find as much";
+}
+
+const std::vector<double> near_reals{-0.375, -0.25, -0.125, 0, 0.125, 0.25, 0.375};
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, AllValues,
+    testing::Values(
+        MutantCase{"Thermostat",
+                   thermostat,
+                   "Thermostat",
+                   false,
+                   1,
+                   {-1000, 0, 9.75, 10.625, 19.5, 21.25, 1000},
+                   near_reals,
+                   {{18}, {20}, {22}}},
+        MutantCase{
+            "Valve", valve, "Valve", true, 1, {-1000, 0, 3, 7, 1000}, {-4, -3, -2, -1, 0, 1, 2}, {{0}, {5}, {7}}},
+        MutantCase{"Planner",
+                   planner,
+                   "Planner",
+                   false,
+                   2,
+                   {-1000, 0, 1, 1000},
+                   near_reals,
+                   {{1, 1}, {-1, 2}, {1, -1}, {-1, -1}, {-2, -1}, {0, 0.5}}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+constexpr const char* delay = R"(
+stm Delay {
+	event put : real
+	event echo : real
+	var x : real
+	var y : real
+	initial i
+	state S { }
+	transition t0 { from i to S }
+	transition t1 { from S to S trigger put?x action echo!y ; y = x }
+}
+)";
+
+/// An older input, a newer one and a constant are distinguished, although no condition reads the values.
+TEST(AllValuesOfCopies, EveryOtherValueIsFound) {
+    Mutants mutants(delay, "Delay",
+                    {{"platform_.send_echo(state_.y)",
+                      "platform_.send_echo(robochart_mutant == 1 ? state_.x : robochart_mutant == 2 ? Real(0.0) : "
+                      "robochart_mutant == 3 ? state_.y + state_.x - state_.x : state_.y)"}});
+    ASSERT_TRUE(mutants.is_compiled());
+    const ForAllValues original = mutants.judge();
+    ASSERT_TRUE(original.result) << original.reason;
+    EXPECT_EQ(original.result->outcome, Outcome::conforms) << original.result->reason;
+    ASSERT_EQ(original.result->all_values.size(), 1U);
+    EXPECT_TRUE(original.result->all_values.front().nothing_tested);
+    for (const int mutant : {1, 2}) {
+        mutants.select(mutant);
+        const ForAllValues judged = mutants.judge();
+        ASSERT_TRUE(judged.result) << judged.reason;
+        EXPECT_EQ(judged.result->outcome, Outcome::differs);
+    }
+    mutants.select(3);
+    EXPECT_FALSE(mutants.judge().result) << "the sum of two inputs is no form of one input";
+}
+
+/// What the code does with values beyond copies and comparisons leaves the verdict open.
+TEST(AllValuesOfCopies, OtherUsesAreNotDecided) {
+    Mutants mutants(thermostat, "Thermostat",
+                    {{"state_.t = inputs_.degrees.get();",
+                      "{ const Real old = state_.t; state_.t = inputs_.degrees.get();"
+                      "bool used = robochart_mutant == -2 && old < state_.t;"
+                      "used = used || (robochart_mutant == -3 && state_.t * state_.t > Real(4.0));"
+                      "used = used || (robochart_mutant == -4 && duration(state_.t) > 3); }"}});
+    ASSERT_TRUE(mutants.is_compiled());
+    const std::pair<int, const char*> uses[] = {{-2, "the code compares two inputs with each other"},
+                                                {-3, "the code computes with inputs"},
+                                                {-4, "an index, a duration or a loop of the code depends on an input"}};
+    for (const auto& [mutant, reason] : uses) {
+        mutants.select(mutant);
+        const ForAllValues judged = mutants.judge();
+        EXPECT_FALSE(judged.result) << mutant;
+        EXPECT_EQ(judged.reason, reason);
+    }
+    mutants.select(-1);
+    EXPECT_TRUE(mutants.judge().result);
+}
+
+/// Data that are computed, and variables that are compared with each other, keep their carriers.
+TEST(AllValuesOfModels, ComputedDataKeepTheirCarriers) {
+    for (const char* condition : {"x < y", "x + y > 1.0", "x * x > 4.0", "x - x > since(C)"}) {
+        test::ModelFolder folder(fmt::format(
+            "stm M {{ clock C event a : real event b : real var x : real var y : real initial i state S {{ }} state T "
+            "{{ }} transition t0 {{ from i to S }} transition t1 {{ from S to S trigger a?x }} transition t2 {{ from S "
+            "to S trigger b?y }} transition t3 {{ from S to T condition {} }} }}",
+            condition));
+        test::Model model(folder.path());
+        EXPECT_FALSE(ir::value_model(model.system, model.instantiation, {ir::MachineId{0}}, {})) << condition;
+    }
+}
+
+/// The models of the reference suite that today's carriers cannot decide.
+TEST(AllValuesOfModels, TheSuiteConforms) {
+    const std::filesystem::path suite = tests::shared_folder() / "suite/data";
+    if (!std::filesystem::exists(suite)) GTEST_SKIP() << "no shared data";
+    for (const auto& [name, classes] : {std::pair("hysteresis", 3U), {"two_reals", 13U}, {"later_guard", 3U}}) {
+        test::Model model((suite / name).string());
+        Options options;
+        options.numbers = Numbers::all;
+        const ir::Machine& machine = model.system.machines.at(0);
+        const Result result = conform(model.system, model.instantiation, model.machine_named(machine.name), options,
+                                      model.sources, model.diagnostics);
+        EXPECT_EQ(result.outcome, Outcome::conforms) << name << ": " << result.reason;
+        ASSERT_EQ(result.all_values.size(), 1U) << name << ": " << result.not_for_all;
+        EXPECT_EQ(result.all_values.front().classes, classes) << name;
+    }
+}
+
+}  // namespace
+}  // namespace robochart::conformance::all_values_test
