@@ -337,6 +337,14 @@ std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::Co
     return ValueSearch{std::move(*resolved), std::move(machines), std::move(types), std::move(*values)};
 }
 
+/// Why the numbers of a component without such a search need carriers; "" if it has no numbers at its boundary.
+std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentRef& component) {
+    diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
+    const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
+    if (!resolved || cpp_emit::tracked_types(model.system, *resolved).empty()) return "";
+    return "the model does not only copy its numbers and compare them with constants";
+}
+
 /// For each output, the arguments of tracked types. Empty if there are no such arguments.
 Represented tracked_arguments(const ValueSearch& search) {
     Represented result;
@@ -453,7 +461,7 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     diagnostics::Budget& budget = diagnostics.budget() != nullptr ? *diagnostics.budget() : own;
     try {
         const auto search = value_search(model, component);
-        if (!search) return {};
+        if (!search) return {std::nullopt, reason_for_carriers(model, component)};
         cpp_emit::Options generator = generator_options(timed, options);
         generator.tracked_scale = search->model.scale;
         const cpp_emit::Emission code =
