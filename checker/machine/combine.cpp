@@ -10,6 +10,7 @@
 
 #include "base/diagnostics/containers.hpp"
 #include "checker/machine/supercombinator.hpp"
+#include "checker/process/operators.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -391,10 +392,8 @@ void Combiner::start_operands(NodeId id, std::vector<Assignment>& made) const {
         made.push_back({node.first_slot, 0});
         return;
     }
-    std::size_t running = node.children.size();
-    if (node.op == Op::sequential || node.op == Op::exception) running = 1;
-    if (node.op == Op::internal_choice || node.op == Op::prefix) running = 1;
-    if (node.op == Op::sliding) running = 2;
+    const std::size_t gates = skeleton_.nodes[node.children.front()].kind == Node::Kind::gate ? 1 : 0;
+    const std::size_t running = gates + process::running_operands(node.op, node.children.size() - gates);
     assert(running <= node.children.size());
     for (std::size_t i = 0; i < node.children.size(); ++i) {
         if (i < running)

@@ -7,10 +7,12 @@
 #include <stdexcept>
 
 #include "checker/machine/not_compiled.hpp"
+#include "checker/process/operators.hpp"
 
 namespace robochart::machine {
 namespace {
 
+using process::OpGroup;
 using process::Term;
 
 constexpr int deepest = 300;              // maximal nesting of operators; deeper ones belong to one component
@@ -92,21 +94,15 @@ bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
         return std::ranges::any_of(term.children,
                                    [&](TermId child) { return is_composite(child, depth + 1, prefixes); });
     };
-    switch (term.op) {
-        case Op::parallel:
-        case Op::alphabetised:
+    switch (process::properties_of(term.op).group) {
+        case OpGroup::parallel:
             return term.children.size() > 1;
-        case Op::hide:
-        case Op::rename:
-        case Op::prioritise:
-        case Op::exception:
-        case Op::sequential:
-        case Op::interrupt:
-        case Op::sliding:
-        case Op::external_choice:
-        case Op::internal_choice:
+        case OpGroup::unary:
+            return term.op != Op::prioritise_order && some_child();
+        case OpGroup::resolving:
+        case OpGroup::internal_choice:
             return some_child();
-        case Op::prefix: {
+        case OpGroup::prefix: {
             if (!through_prefixes_ || prefixes >= deepest_prefix) return false;
             const std::vector<process::Branch> branches = terms_.branches(term.payload);
             return branches.size() <= most_branches &&
@@ -114,20 +110,9 @@ bool Builder::looks_composite(const Term& given, int depth, int prefixes) {
                        return is_composite(branch.target, depth + 1, prefixes + 1);
                    });
         }
-        case Op::stop:
-        case Op::skip:
-        case Op::div:
-        case Op::omega:
-        case Op::run:
-        case Op::chaos:
-        case Op::call:
-        case Op::sync_choice:
-        case Op::sync_interrupt:
-        case Op::prioritise_order:
-        case Op::chase:
-        case Op::compress:
-        case Op::machine:
-        case Op::chaos_offer:
+        case OpGroup::leaf:
+        case OpGroup::synchronising:
+        case OpGroup::compression:
             break;
     }
     return false;

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "checker/process/derivation.hpp"
+#include "checker/process/operators.hpp"
 
 namespace robochart::process {
 namespace {
@@ -123,10 +124,7 @@ private:
         }
     }
     TermId unfold_term(TermId term) { return terms_.unfold_calls(term, deepest_look); }
-    static std::size_t running(const Term& term) {
-        const bool first_alone = term.op == Op::sequential || term.op == Op::exception || term.op == Op::sliding;
-        return first_alone ? 1 : term.children.size();
-    }
+    static std::size_t running(const Term& term) { return running_operands(term.op, term.children.size()); }
     bool worth_taking_apart(TermId term, int look = 0);
     Segment component(TermId from, const Steps& steps, std::size_t next, int depth);
     Segment operation(TermId from, const Steps& steps, std::size_t next, int depth);
@@ -146,40 +144,23 @@ private:
 bool Splitter::worth_taking_apart(TermId id, int look) {
     if (look > deepest_look) return false;
     const Term term = terms_[unfold_term(id)];
-    switch (term.op) {
-        case Op::parallel:
-        case Op::alphabetised:
+    switch (properties_of(term.op).group) {
+        case OpGroup::parallel:
             return term.children.size() > 1;
-        case Op::hide:
-        case Op::rename:
-        case Op::prioritise:
-        case Op::prioritise_order:
-        case Op::sync_choice:
-        case Op::sync_interrupt:
-        case Op::compress:
+        case OpGroup::unary:
+        case OpGroup::synchronising:
             return true;
-        case Op::stop:
-        case Op::skip:
-        case Op::div:
-        case Op::omega:
-        case Op::run:
-        case Op::chaos:
-        case Op::call:
-        case Op::prefix:
-        case Op::external_choice:
-        case Op::internal_choice:
-        case Op::sequential:
-        case Op::interrupt:
-        case Op::sliding:
-        case Op::exception:
-        case Op::chase:
-        case Op::machine:
-        case Op::chaos_offer:
+        case OpGroup::compression:
+            return term.op == Op::compress;
+        case OpGroup::resolving:
+            return std::any_of(term.children.begin(),
+                               term.children.begin() + static_cast<std::ptrdiff_t>(running(term)),
+                               [&](TermId child) { return worth_taking_apart(child, look + 1); });
+        case OpGroup::leaf:
+        case OpGroup::prefix:
+        case OpGroup::internal_choice:
             break;
     }
-    if (!is_operator(term.op)) return false;
-    for (std::size_t i = 0; i < running(term); ++i)
-        if (worth_taking_apart(term.children[i], look + 1)) return true;
     return false;
 }
 

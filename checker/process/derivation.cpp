@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "checker/process/operators.hpp"
+
 namespace robochart::process {
 namespace {
 
@@ -211,34 +213,16 @@ std::optional<Derivation> Deriver::derive() {
 }  // namespace
 
 bool is_operator(Op op) {
-    switch (op) {
-        case Op::parallel:
-        case Op::alphabetised:
-        case Op::sync_choice:
-        case Op::external_choice:
-        case Op::sync_interrupt:
-        case Op::interrupt:
-        case Op::sliding:
-        case Op::sequential:
-        case Op::exception:
-        case Op::hide:
-        case Op::rename:
-        case Op::prioritise:
-        case Op::prioritise_order:
+    switch (properties_of(op).group) {
+        case OpGroup::parallel:
+        case OpGroup::unary:
+        case OpGroup::resolving:
+        case OpGroup::synchronising:
             return true;
-        case Op::stop:
-        case Op::skip:
-        case Op::div:
-        case Op::omega:
-        case Op::run:
-        case Op::chaos:
-        case Op::call:
-        case Op::prefix:
-        case Op::internal_choice:
-        case Op::chase:
-        case Op::compress:
-        case Op::machine:
-        case Op::chaos_offer:
+        case OpGroup::leaf:
+        case OpGroup::prefix:
+        case OpGroup::internal_choice:
+        case OpGroup::compression:
             break;
     }
     return false;

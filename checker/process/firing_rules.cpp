@@ -9,6 +9,8 @@
 #include <cassert>
 #include <unordered_set>
 
+#include "checker/process/operators.hpp"
+
 namespace robochart::process {
 namespace {
 
@@ -88,40 +90,10 @@ std::optional<TermId> FiringRules::missing_operand(TermId id) {
         return known_.is_known(operand) ? std::nullopt : std::optional(operand);
     };
     const Term& term = terms_[id];
-    switch (term.op) {
-        case Op::call:
-            return unless_known(terms_.unfold(term.payload));
-        case Op::internal_choice:
-        case Op::machine:
-        case Op::prefix:
-            return std::nullopt;
-        case Op::sequential:
-        case Op::sliding:
-        case Op::exception:
-            return unless_known(term.children.front());
-        case Op::chase:
-            return unless_known(end_of_chase(term.children.front()));
-        case Op::stop:
-        case Op::skip:
-        case Op::div:
-        case Op::omega:
-        case Op::run:
-        case Op::chaos:
-        case Op::external_choice:
-        case Op::interrupt:
-        case Op::sync_choice:
-        case Op::sync_interrupt:
-        case Op::parallel:
-        case Op::alphabetised:
-        case Op::hide:
-        case Op::rename:
-        case Op::prioritise:
-        case Op::prioritise_order:
-        case Op::compress:
-        case Op::chaos_offer:
-            break;
-    }
-    for (TermId child : term.children)
+    if (term.op == Op::call) return unless_known(terms_.unfold(term.payload));
+    if (term.op == Op::chase) return unless_known(end_of_chase(term.children.front()));
+    const std::span<const TermId> children(term.children);
+    for (const TermId child : children.first(running_operands(term.op, children.size())))
         if (!known_.is_known(child)) return child;
     return std::nullopt;
 }

@@ -4,10 +4,13 @@
 #include <algorithm>
 
 #include "checker/cspm/packed/not_packed.hpp"
+#include "checker/process/operators.hpp"
 
 namespace robochart::cspm {
 
 using process::Op;
+using process::Payload;
+using process::properties_of;
 using process::TermId;
 
 namespace {
@@ -67,82 +70,6 @@ bool has_number(Kind kind) {
             break;
     }
     return true;
-}
-
-/// The number of operands of an operator. No value if it varies; it is then written before the operands.
-std::optional<std::size_t> operands_of(Op op) {
-    switch (op) {
-        case Op::stop:
-        case Op::skip:
-        case Op::div:
-        case Op::omega:
-        case Op::run:
-        case Op::chaos:
-        case Op::chaos_offer:
-            return 0;
-        case Op::hide:
-        case Op::rename:
-        case Op::prioritise:
-        case Op::prioritise_order:
-        case Op::chase:
-            return 1;
-        case Op::sequential:
-        case Op::interrupt:
-        case Op::sliding:
-        case Op::exception:
-        case Op::sync_interrupt:
-            return 2;
-        case Op::call:
-        case Op::prefix:
-        case Op::external_choice:
-        case Op::internal_choice:
-        case Op::sync_choice:
-        case Op::parallel:
-        case Op::alphabetised:
-        case Op::compress:
-        case Op::machine:
-            break;
-    }
-    return std::nullopt;
-}
-
-/// The table to which the payload of an operator refers.
-enum class Part : std::uint8_t { none, set, renaming, order };
-
-Part part_of(Op op) {
-    switch (op) {
-        case Op::run:
-        case Op::chaos:
-        case Op::chaos_offer:
-        case Op::exception:
-        case Op::sync_choice:
-        case Op::sync_interrupt:
-        case Op::parallel:
-        case Op::hide:
-            return Part::set;
-        case Op::rename:
-        case Op::prioritise_order:
-            return Part::renaming;
-        case Op::prioritise:
-            return Part::order;
-        case Op::stop:
-        case Op::skip:
-        case Op::div:
-        case Op::omega:
-        case Op::call:
-        case Op::prefix:
-        case Op::external_choice:
-        case Op::internal_choice:
-        case Op::sequential:
-        case Op::interrupt:
-        case Op::sliding:
-        case Op::alphabetised:
-        case Op::chase:
-        case Op::compress:
-        case Op::machine:
-            break;
-    }
-    return Part::none;
 }
 
 template <class T>
@@ -385,20 +312,20 @@ void TermCodec::write(TermId id, Bytes& out) {
             break;
     }
     begin_operator(term.op, out);
-    switch (part_of(term.op)) {
-        case Part::none:
+    switch (properties_of(term.op).payload) {
+        case Payload::none:
             break;
-        case Part::set:
+        case Payload::set:
             put_number(parts_.number_of(process::SetId{term.payload}), out);
             break;
-        case Part::renaming:
+        case Payload::renaming:
             put_number(parts_.number_of(process::RenamingId{term.payload}), out);
             break;
-        case Part::order:
+        case Payload::order:
             put_number(parts_.number_of(process::OrderId{term.payload}), out);
             break;
     }
-    if (!operands_of(term.op)) put_number(term.children.size(), out);
+    if (!properties_of(term.op).operands) put_number(term.children.size(), out);
     write_children(term, out);
 }
 
@@ -416,14 +343,14 @@ TermId TermCodec::read(ByteReader& in) {
 
 std::uint32_t TermCodec::read_part(Op op, ByteReader& in) {
     const auto number = [&in] { return static_cast<std::uint32_t>(in.read_number()); };
-    switch (part_of(op)) {
-        case Part::none:
+    switch (properties_of(op).payload) {
+        case Payload::none:
             return 0;
-        case Part::set:
+        case Payload::set:
             return payload(parts_.set(number()));
-        case Part::renaming:
+        case Payload::renaming:
             return payload(parts_.renaming(number()));
-        case Part::order:
+        case Payload::order:
             return payload(parts_.order(number()));
     }
     return 0;
@@ -431,7 +358,7 @@ std::uint32_t TermCodec::read_part(Op op, ByteReader& in) {
 
 TermId TermCodec::read_operator(Op op, ByteReader& in) {
     process::Term term{op, read_part(op, in), {}, {}};
-    const std::optional<std::size_t> fixed = operands_of(op);
+    const std::optional<std::size_t> fixed = properties_of(op).operands;
     const std::size_t operands = fixed ? *fixed : in.read_number();
     if (op == Op::alphabetised)
         for (std::size_t i = 0; i < operands; ++i)
@@ -449,8 +376,8 @@ void TermCodec::skip(ByteReader& in) {
         const CallShape expected = shape(*definition);
         return skip_values(expected.given + expected.arguments, in);
     }
-    if (part_of(op) != Part::none) (void)in.read_number();
-    const std::optional<std::size_t> fixed = operands_of(op);
+    if (properties_of(op).payload != Payload::none) (void)in.read_number();
+    const std::optional<std::size_t> fixed = properties_of(op).operands;
     const std::size_t operands = fixed ? *fixed : in.read_number();
     if (op == Op::alphabetised)
         for (std::size_t i = 0; i < operands; ++i) (void)in.read_number();
