@@ -58,6 +58,9 @@ public:
         *made_ += loaded_.terms.size() - before;
         if (*made_ >= most_made_) throw ManyTerms{};
     }
+    [[nodiscard]] std::vector<std::vector<lts::Word>> choice_operands(lts::StateView state) override {
+        return loaded_.evaluated_at(span_, [&] { return system_.choice_operands(state); });
+    }
     [[nodiscard]] const process::EventTable& events() const override { return system_.events(); }
     [[nodiscard]] bool states_are_terms() const override { return true; }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return system_.describe(state); }

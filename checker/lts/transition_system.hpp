@@ -41,6 +41,10 @@ public:
     /// null if this is not possible. Several threads may call this function at the same time; meanwhile no other
     /// function may be called.
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> clone_for_thread() const { return nullptr; }
+    /// If the state is an external choice, returns its operands as states, at least two: the choice has the transitions
+    /// that the rules of [] give it (checker/process/firing_rules.cpp, fire_external_choice). Empty for other states,
+    /// and if the system does not know.
+    [[nodiscard]] virtual std::vector<std::vector<Word>> choice_operands(StateView /*state*/) { return {}; }
     /// Names of events; systems that are compared share one table.
     [[nodiscard]] virtual const EventTable& events() const = 0;
     /// Sets the budget that long work inside the system polls. It must outlive that work; `diagnostics::unlimited` ends

@@ -15,12 +15,25 @@ void TermSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     }
 }
 
+std::vector<std::vector<lts::Word>> TermSystem::choice_operands(lts::StateView state) {
+    std::vector<std::vector<lts::Word>> operands;
+    for (const TermId operand : process::choice_operands(semantics_.terms(), TermId{state[0]}))
+        operands.push_back({static_cast<lts::Word>(operand)});
+    return operands;
+}
+
 const EventTable& TermSystem::events() const {
     return semantics_.terms().events();
 }
 
 std::string TermSystem::describe(lts::StateView state) const {
     return process::describe(semantics_.terms(), TermId{state[0]});
+}
+
+std::vector<TermId> choice_operands(TermStore& terms, TermId term) {
+    constexpr int most_names = 100;
+    const Term& unfolded = terms[terms.unfold_calls(term, most_names)];
+    return unfolded.op == Op::external_choice ? unfolded.children : std::vector<TermId>();
 }
 
 }  // namespace robochart::process

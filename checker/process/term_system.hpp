@@ -15,6 +15,7 @@ public:
     [[nodiscard]] std::size_t width() const override { return 1; }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] std::vector<std::vector<lts::Word>> choice_operands(lts::StateView state) override;
     [[nodiscard]] const EventTable& events() const override;
     void set_budget(diagnostics::Pollable& budget) override { semantics_.set_budget(budget); }
     [[nodiscard]] bool states_are_terms() const override { return true; }
@@ -24,5 +25,8 @@ private:
     OperationalSemantics& semantics_;
     TermId initial_;
 };
+
+/// The operands of an external choice, also of one behind names; empty for other terms.
+[[nodiscard]] std::vector<TermId> choice_operands(TermStore& terms, TermId term);
 
 }  // namespace robochart::process

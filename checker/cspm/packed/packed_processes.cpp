@@ -5,6 +5,7 @@
 
 #include "checker/cspm/packed/not_packed.hpp"
 #include "checker/cspm/syntax/lookup.hpp"
+#include "checker/process/term_system.hpp"
 
 namespace robochart::cspm {
 
@@ -164,6 +165,19 @@ void PackedProcesses::steps_of_term(std::span<const std::uint8_t> state, PackedS
         codec_->write(step.target, out.bytes);
         out.add(step.event, step.revealed, begin);
     }
+}
+
+std::vector<Bytes> PackedProcesses::choice_operands(std::span<const std::uint8_t> state, Span span) {
+    load_if_needed();
+    const SameEvents same(events_, loaded_->events);
+    ByteReader in(state);
+    std::vector<Bytes> operands;
+    loaded_->evaluated_at(span, [&] {
+        for (const process::TermId operand : process::choice_operands(loaded_->terms, codec_->read(in)))
+            codec_->write(operand, operands.emplace_back());
+    });
+    refuse_sets_of_processes();
+    return operands;
 }
 
 std::string PackedProcesses::describe(std::span<const std::uint8_t> state) {

@@ -43,6 +43,8 @@ public:
     /// Writes the steps of the state to `out`, ordered by event. Events have the numbers of the search. `span`: the
     /// place of errors that no definition causes.
     void steps(std::span<const std::uint8_t> state, Span span, PackedSteps& out);
+    /// The operands of a state that is an external choice; empty for other states. `span` as in `steps`.
+    [[nodiscard]] std::vector<Bytes> choice_operands(std::span<const std::uint8_t> state, Span span);
     [[nodiscard]] std::string describe(std::span<const std::uint8_t> state);
 
     [[nodiscard]] process::EventTable& events() const { return events_; }

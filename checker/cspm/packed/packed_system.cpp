@@ -62,6 +62,13 @@ void PackedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     }
 }
 
+std::vector<std::vector<lts::Word>> PackedSystem::choice_operands(lts::StateView state) {
+    std::vector<std::vector<lts::Word>> operands;
+    for (const Bytes& operand : processes_->choice_operands(bytes_of(state), span_))
+        fill_row(operand, operands.emplace_back(width_));
+    return operands;
+}
+
 std::string PackedSystem::describe(lts::StateView state) const {
     return processes_->describe(bytes_of(state));
 }

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] std::size_t width() const override { return width_; }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] std::vector<std::vector<lts::Word>> choice_operands(lts::StateView state) override;
     [[nodiscard]] const process::EventTable& events() const override { return processes_->events(); }
     void set_budget(diagnostics::Pollable& budget) override { processes_->set_budget(budget); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;

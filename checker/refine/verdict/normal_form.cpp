@@ -16,92 +16,10 @@ using lts::StateIndex;
 using process::Event;
 using process::EventSet;
 
-class LazyGraph::Collector final : public lts::SuccessorSink {
-public:
-    explicit Collector(LazyGraph& graph) : graph_(graph) {}
-    void add(Event event, lts::StateView target, Event /*revealed*/) override {
-        graph_.edges_.push_back({event, graph_.states_.insert(target).index});
-    }
-
-private:
-    LazyGraph& graph_;
-};
-
-LazyGraph::LazyGraph(lts::TransitionSystem& system, Budget& budget)
-    : system_(system), budget_(budget), states_(system.width()) {}
-
-StateIndex LazyGraph::initial() {
-    std::vector<lts::Word> state(system_.width());
-    system_.initial(state);
-    const StateIndex index = states_.insert(state).index;
-    extents_.resize(states_.size());
-    return index;
-}
-
-void LazyGraph::expand(StateIndex state) {
-    assert(state < extents_.size() && !extents_[state].expanded);
-    budget_.charge();
-    const std::size_t first = edges_.size();
-    Collector collector(*this);
-    try {
-        system_.successors(states_[state], collector);
-    } catch (...) {
-        edges_.resize(first);
-        throw;
-    }
-    budget_.states(states_.size());
-    std::stable_sort(edges_.begin() + static_cast<std::ptrdiff_t>(first), edges_.end(),
-                     [](const Edge& a, const Edge& b) { return a.event < b.event; });
-    extents_.resize(states_.size());
-    extents_[state] = {first, static_cast<std::uint32_t>(edges_.size() - first), true};
-}
-
-std::span<const LazyGraph::Edge> LazyGraph::edges(StateIndex state) {
-    if (!extents_[state].expanded) expand(state);
-    const Extent& extent = extents_[state];
-    return std::span<const Edge>(edges_).subspan(extent.first, extent.count);
-}
-
-std::span<const LazyGraph::Edge> LazyGraph::edges(StateIndex state, Event event) {
-    const std::span<const Edge> all = edges(state);
-    const auto first = std::ranges::lower_bound(all, event, {}, &Edge::event);
-    const auto last = std::find_if(first, all.end(), [event](const Edge& e) { return e.event != event; });
-    return {first, last};
-}
-
-Offer LazyGraph::state_offer(StateIndex state) {
-    Offer offer;
-    for (const Edge& edge : edges(state)) {
-        if (edge.event == process::tau)
-            offer.tau = true;
-        else if (offer.events.empty() || offer.events.back() != edge.event)
-            offer.events.push_back(edge.event);
-    }
-    return offer;
-}
-
 namespace {
 
 constexpr std::size_t few_nodes = 256;
 constexpr NormalForm::Node unresolved = std::numeric_limits<NormalForm::Node>::max();
-
-bool is_shorter(const EventSet& a, const EventSet& b) {
-    return a.size() != b.size() ? a.size() < b.size() : a < b;
-}
-
-/// Keeps the sets that contain no other set.
-std::vector<EventSet> minimal(std::vector<EventSet> sets, Budget& budget) {
-    std::ranges::sort(sets, is_shorter);
-    diagnostics::erase_repeated(sets);
-    std::vector<EventSet> minimal;
-    for (EventSet& set : sets) {
-        budget.charge();
-        const bool contains_smaller =
-            std::ranges::any_of(minimal, [&](const EventSet& smaller) { return std::ranges::includes(set, smaller); });
-        if (!contains_smaller) minimal.push_back(std::move(set));
-    }
-    return minimal;
-}
 
 }  // namespace
 
@@ -145,7 +63,7 @@ void NormalForm::close_under_tau(Members& members) {
     };
     std::erase_if(members, [&](StateIndex state) { return !first_visit(state); });
     for (std::size_t next = 0; next < members.size(); ++next)
-        for (const LazyGraph::Edge& edge : graph_.edges(members[next], process::tau))
+        for (const ChoiceGraph::Edge& edge : graph_.edges(members[next], process::tau))
             if (first_visit(edge.target)) members.push_back(edge.target);
     std::ranges::sort(members);
     assert(std::ranges::adjacent_find(members) == members.end());
@@ -156,7 +74,7 @@ std::vector<NormalForm::Arc>& NormalForm::arcs_of(Node node) {
     if (data.arcs) return *data.arcs;
     std::vector<Event> events;
     for (StateIndex member : *data.members)
-        for (const LazyGraph::Edge& edge : graph_.edges(member))
+        for (const ChoiceGraph::Edge& edge : graph_.edges(member))
             if (edge.event != process::tau && (events.empty() || events.back() != edge.event))
                 events.push_back(edge.event);
     diagnostics::sort_unique(events);
@@ -172,7 +90,7 @@ std::optional<NormalForm::Node> NormalForm::node_after(Node node, Event event) {
     if (arc->target == unresolved) {
         Members targets;
         for (StateIndex member : *nodes_[node].members)
-            for (const LazyGraph::Edge& edge : graph_.edges(member, event)) targets.push_back(edge.target);
+            for (const ChoiceGraph::Edge& edge : graph_.edges(member, event)) targets.push_back(edge.target);
         arc->target = node_of(std::move(targets));
     }
     return arc->target;
@@ -201,8 +119,8 @@ const std::vector<EventSet>& NormalForm::acceptances(Node node) {
     if (data.acceptances) return *data.acceptances;
     std::vector<EventSet> all;
     for (StateIndex member : *data.members)
-        if (std::optional<EventSet> own = acceptance(graph_.state_offer(member))) all.push_back(std::move(*own));
-    data.acceptances = minimal(std::move(all), budget_);
+        for (EventSet& own : graph_.acceptances(member)) all.push_back(std::move(own));
+    data.acceptances = minimal_sets(std::move(all), budget_);
     return *data.acceptances;
 }
 
@@ -232,7 +150,7 @@ bool NormalForm::state_diverges(StateIndex root) {
     bool found = false;  // everything on the path diverges
     while (!path.empty()) {
         Frame& top = path.back();
-        const std::span<const LazyGraph::Edge> taus = graph_.edges(top.state, process::tau);
+        const std::span<const ChoiceGraph::Edge> taus = graph_.taus_or_operands(top.state);
         if (found || top.next == taus.size()) {
             status(top.state) = found ? infinite : finite;
             path.pop_back();

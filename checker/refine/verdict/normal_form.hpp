@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The specification, normalised on demand. A node is a tau-closed set of states of the specification and represents its
-// behaviour after a trace (UCS 10.4.2, "normalisation").
+// behaviour after a trace (UCS 10.4.2, "normalisation"). A choice over taus is one state (choice_graph.hpp).
 #pragma once
 
 #include <cstdint>
@@ -10,45 +10,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "checker/lts/state_store.hpp"
-#include "checker/refine/search/budget.hpp"
-#include "checker/refine/search/stability.hpp"
+#include "checker/refine/verdict/choice_graph.hpp"
 
 namespace robochart::refine {
-
-/// The states of a system explored on demand, with their transitions sorted by event.
-class LazyGraph {
-public:
-    explicit LazyGraph(lts::TransitionSystem& system, Budget& budget);
-
-    struct Edge {
-        process::Event event;
-        lts::StateIndex target;
-    };
-    lts::StateIndex initial();
-    /// Valid until the next call.
-    std::span<const Edge> edges(lts::StateIndex state);
-    std::span<const Edge> edges(lts::StateIndex state, process::Event event);
-    [[nodiscard]] Offer state_offer(lts::StateIndex state);
-    [[nodiscard]] std::size_t size() const { return states_.size(); }
-    /// The packed state with a number.
-    [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
-
-private:
-    struct Extent {
-        std::uint64_t first = 0;
-        std::uint32_t count = 0;
-        bool expanded = false;
-    };
-    class Collector;
-    void expand(lts::StateIndex state);
-
-    lts::TransitionSystem& system_;
-    Budget& budget_;
-    lts::StateStore states_;
-    std::vector<Extent> extents_;
-    std::vector<Edge> edges_;
-};
 
 /// Thrown if the normal form of a specification has too many nodes to be useful.
 class SpecificationGrows : public std::runtime_error {
@@ -74,7 +38,8 @@ public:
     bool diverges(Node node);
     /// Whether all states of one node are states of the other.
     [[nodiscard]] bool includes(Node larger, Node smaller) const;
-    /// The specification's states in a node.
+    /// The specification's states in a node. The states that taus of a choice reach are not listed if the choice is
+    /// whole (choice_graph.hpp).
     [[nodiscard]] std::vector<lts::StateView> states(Node node) const;
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     /// After this call, SpecificationGrows is thrown when there are far more nodes than states.
@@ -101,7 +66,7 @@ private:
     std::vector<Arc>& arcs_of(Node node);
     bool state_diverges(lts::StateIndex state);
 
-    LazyGraph graph_;
+    ChoiceGraph graph_;
     Budget& budget_;
     std::unordered_map<Members, Node, Hash> ids_;
     std::deque<NodeData> nodes_;

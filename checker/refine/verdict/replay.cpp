@@ -74,7 +74,9 @@ Conduct conduct_of(lts::TransitionSystem& system, const State& state, Budget& bu
     return conduct;
 }
 
-/// All states in which a system can be after a trace.
+/// All states in which a system can be after a trace. An external choice with taus is stored as the powersets of its
+/// operands: P [] Q performs what P or Q performs, settles for what both settle for, terminates if P or Q does, and
+/// diverges if P or Q does. A choice to which taus of its own operands lead is a state like any other.
 class Powerset {
 public:
     /// Thrown if there are more states than the limit.
@@ -82,38 +84,67 @@ public:
 
     Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most = std::numeric_limits<std::size_t>::max())
         : system_(system), budget_(budget), most_(most) {
-        states_.insert(initial_of(system));
-        close_under_tau();
+        add_closure({initial_of(system)});
     }
 
     void perform_event(Event event) {
         std::set<State> next;
-        for (const State& state : states_)
-            for (RunStep& move : steps_from(system_, state, budget_))
-                if (move.event == event) next.insert(std::move(move.state));
-        states_.swap(next);
-        close_under_tau();
+        add_targets(event, next);
+        states_.clear();
+        choices_.clear();
+        add_closure(next);
     }
-    [[nodiscard]] bool has_no_states() const { return states_.empty(); }
+    [[nodiscard]] bool has_no_states() const { return states_.empty() && choices_.empty(); }
     bool can_perform(Event event) {
-        Powerset next = *this;
-        next.perform_event(event);
-        return !next.has_no_states();
+        std::set<State> next;
+        add_targets(event, next);
+        return !next.empty();
     }
     bool can_settle_for(const EventSet& accepted) {
+        EventSet visible = accepted;
+        std::erase(visible, process::tick);
+        const bool may_terminate = visible.size() < accepted.size() && can_perform(process::tick);
+        return may_terminate || some_state(&Conduct::can_settle_for, accepted) ||
+               std::ranges::any_of(choices_, [&](std::vector<Powerset>& operands) {
+                   return std::ranges::all_of(operands,
+                                              [&](Powerset& operand) { return operand.can_settle_for(visible); });
+               });
+    }
+    bool diverges() {
+        const auto some_operand = [](std::vector<Powerset>& operands) {
+            return std::ranges::any_of(operands, [](Powerset& operand) { return operand.diverges(); });
+        };
+        return has_endless_taus() || std::ranges::any_of(choices_, some_operand);
+    }
+
+private:
+    /// An operand of the choice, which is the last of the open ones.
+    Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most, std::vector<State> open, State operand)
+        : system_(system), budget_(budget), most_(most), open_(std::move(open)) {
+        add_closure({std::move(operand)});
+    }
+
+    bool some_state(bool (Conduct::*can)(const EventSet&) const, const EventSet& events) {
         return std::ranges::any_of(
-            states_, [&](const State& state) { return conduct_of(system_, state, budget_).can_settle_for(accepted); });
+            states_, [&](const State& state) { return (conduct_of(system_, state, budget_).*can)(events); });
+    }
+    void add_targets(Event event, std::set<State>& targets) {
+        for (const State& state : states_)
+            for (RunStep& move : steps_from(system_, state, budget_))
+                if (move.event == event) targets.insert(std::move(move.state));
+        for (std::vector<Powerset>& operands : choices_)
+            for (Powerset& operand : operands) operand.add_targets(event, targets);
     }
     /// Removes states without a tau, and then states whose taus all lead to removed states. This ends when no state
     /// remains, or when every remaining state has a tau to a remaining state.
-    bool diverges() {
+    bool has_endless_taus() {
         std::map<State, std::size_t> taus_left;
         std::map<State, std::vector<State>> sources;
         std::vector<State> finite;
         for (const State& state : states_) {
             std::set<State> targets;
             for (RunStep& move : steps_from(system_, state, budget_))
-                if (move.event == process::tau) targets.insert(std::move(move.state));
+                if (move.event == process::tau && states_.contains(move.state)) targets.insert(std::move(move.state));
             for (const State& target : targets) sources[target].push_back(state);
             taus_left[state] = targets.size();
             if (targets.empty()) finite.push_back(state);
@@ -126,24 +157,41 @@ public:
         }
         return removed < states_.size();
     }
-
-private:
-    void close_under_tau() {
-        std::vector<State> work(states_.begin(), states_.end());
+    /// Adds the states and those that taus reach.
+    void add_closure(const std::set<State>& seeds) {
+        std::set<State> known = seeds;
+        std::vector<State> work(seeds.begin(), seeds.end());
         while (!work.empty()) {
             const State state = std::move(work.back());
             work.pop_back();
-            if (states_.size() > most_) throw TooLarge();
-            for (RunStep& move : steps_from(system_, state, budget_))
-                if (move.event == process::tau && states_.insert(move.state).second)
-                    work.push_back(std::move(move.state));
+            if (known.size() > most_) throw TooLarge();
+            const std::vector<RunStep> moves = steps_from(system_, state, budget_);
+            if (splits_choice(state, moves)) continue;
+            states_.insert(state);
+            for (const RunStep& move : moves)
+                if (move.event == process::tau && known.insert(move.state).second) work.push_back(move.state);
         }
+    }
+    bool splits_choice(const State& state, const std::vector<RunStep>& moves) {
+        constexpr std::size_t most_open = 100;
+        const auto is_tau = [](const RunStep& move) { return move.event == process::tau; };
+        if (std::ranges::none_of(moves, is_tau) || open_.size() == most_open) return false;
+        if (std::ranges::find(open_, state) != open_.end()) return false;
+        const std::vector<State> operands = system_.choice_operands(state);
+        if (operands.empty()) return false;
+        std::vector<State> open = open_;
+        open.push_back(state);
+        std::vector<Powerset>& choice = choices_.emplace_back();
+        for (const State& operand : operands) choice.push_back(Powerset(system_, budget_, most_, open, operand));
+        return true;
     }
 
     lts::TransitionSystem& system_;
     Budget& budget_;
     std::size_t most_;
-    std::set<State> states_;
+    std::set<State> states_;                      ///< closed under taus, except those to choices
+    std::vector<std::vector<Powerset>> choices_;  ///< the operands of the other states
+    std::vector<State> open_;                     ///< the choices to whose operands these states belong
 };
 
 void confirm_loop(lts::TransitionSystem& system, const Violation& violation, Budget& budget) {

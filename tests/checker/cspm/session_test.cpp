@@ -26,6 +26,31 @@ assert not P [F= Q
                     "hfhhh");
 }
 
+// The 8 states of each operand of P give 8^6 states before the first event. P accepts all of h, or one event of d.
+TEST(SessionTest, ChoicesOverInternalChoicesAreNotMultipliedOut) {
+    const Reading reading(R"(channel h, d, x : {1..6}
+P = [] e : {|h|} @ (e -> P |~| (|~| f : {|d|} @ f -> P))
+ALL = h?i -> ALL
+MOST = h?i:{2..6} -> MOST
+DROPS = d.3 -> DROPS
+assert P [F= ALL
+assert P [FD= DROPS
+assert P [T= MOST
+assert P [F= MOST
+assert P [FD= x.1 -> STOP
+)");
+    for (const std::optional<std::size_t> from_terms : {std::optional<std::size_t>(), std::optional<std::size_t>(0)}) {
+        Session session(reading.script);
+        session.set_packing({from_terms, std::nullopt, false});
+        refine::Limits limits;
+        limits.max_states = 2000;
+        std::string found;
+        for (const DeclPtr& assertion : session.assertions())
+            found += outcome_letter(session.check(*assertion, limits).verdict.outcome);
+        EXPECT_EQ(found, "hhhff") << (from_terms ? "packed" : "terms");
+    }
+}
+
 TEST(SessionTest, Properties) {
     expect_outcomes(R"(channel a : {0..2}
 P(n) = a.n -> P((n+1)%3)

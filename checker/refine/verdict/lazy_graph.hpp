@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The states of a system, numbered and expanded when they are needed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "checker/lts/state_store.hpp"
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/search/stability.hpp"
+
+namespace robochart::refine {
+
+/// The states of a system explored on demand, with their transitions sorted by event.
+class LazyGraph {
+public:
+    explicit LazyGraph(lts::TransitionSystem& system, Budget& budget);
+
+    struct Edge {
+        process::Event event;
+        lts::StateIndex target;
+    };
+    lts::StateIndex initial();
+    /// The operands of a state that is an external choice (TransitionSystem::choice_operands).
+    std::vector<lts::StateIndex> choice_operands(lts::StateIndex state);
+    /// Valid until the next call.
+    std::span<const Edge> edges(lts::StateIndex state);
+    std::span<const Edge> edges(lts::StateIndex state, process::Event event);
+    [[nodiscard]] Offer state_offer(lts::StateIndex state);
+    [[nodiscard]] std::size_t size() const { return states_.size(); }
+    /// The packed state with a number.
+    [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
+
+private:
+    struct Extent {
+        std::uint64_t first = 0;
+        std::uint32_t count = 0;
+        bool expanded = false;
+    };
+    class Collector;
+    lts::StateIndex number_state(lts::StateView state);
+    void expand(lts::StateIndex state);
+
+    lts::TransitionSystem& system_;
+    Budget& budget_;
+    lts::StateStore states_;
+    std::vector<Extent> extents_;
+    std::vector<Edge> edges_;
+};
+
+}  // namespace robochart::refine
