@@ -27,6 +27,7 @@ public:
     virtual void add(Event event, StateView target, Event revealed) = 0;
 };
 
+class FinerSystem;
 class ReducedSystem;
 
 /// A system that can be searched: an initial packed state, the successors of a state, names of events.
@@ -58,6 +59,11 @@ public:
     /// that of this system, which preserves every model. The result may outlive this system. Null if no reduction is
     /// known. Polls the budget.
     [[nodiscard]] virtual std::unique_ptr<ReducedSystem> make_reduced_system(diagnostics::Pollable& /*budget*/) const;
+    /// Returns the same process before its parts were minimised, or null if that is not known or too large. It is
+    /// strongly bisimilar to this system, and its transitions have the names of hidden events that the process gives
+    /// them: a state of a minimised part has the names of one of the states that it represents. For the display of
+    /// runs. Polls the budget.
+    [[nodiscard]] virtual std::unique_ptr<FinerSystem> make_finer_system(diagnostics::Pollable& /*budget*/) const;
     /// Returns sets of equal parts of the states that can be exchanged. Each exchange is an automorphism of the system
     /// (docs/search.md, "Symmetry"). Empty if none are known. Polls the budget.
     [[nodiscard]] virtual std::vector<ReplicaSet> replicas(diagnostics::Pollable& /*budget*/) const { return {}; }
@@ -79,6 +85,19 @@ public:
     /// Returns the states on the path of taus from `state` to its representative. Empty if the state represents itself.
     [[nodiscard]] virtual std::vector<std::vector<Word>> tau_path(StateView state) = 0;
 };
+
+/// A system before its parts were minimised.
+class FinerSystem : public TransitionSystem {
+public:
+    /// Writes the state of the minimised system to which a reachable state is strongly bisimilar.
+    virtual void minimised_state(StateView state, std::span<Word> minimised) const = 0;
+    /// The width of the minimised system.
+    [[nodiscard]] virtual std::size_t minimised_width() const = 0;
+};
+
+inline std::unique_ptr<FinerSystem> TransitionSystem::make_finer_system(diagnostics::Pollable& /*budget*/) const {
+    return nullptr;
+}
 
 inline std::unique_ptr<ReducedSystem> TransitionSystem::make_reduced_system(diagnostics::Pollable& /*budget*/) const {
     return nullptr;

@@ -11,6 +11,7 @@
 #include "checker/lts/state_store.hpp"
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/not_compiled.hpp"
+#include "checker/machine/unminimised_system.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -116,6 +117,22 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
                     use(region.participants[who], event);
     }
     return used;
+}
+
+/// Returns what `work` makes, or null if the process cannot be compiled.
+template <typename Work>
+auto unless_refused(const Work& work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const process::Interrupted&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::logic_error&) {
+        throw;  // an internal error
+    } catch (const std::exception&) {
+        return nullptr;
+    }
 }
 
 }  // namespace
@@ -232,38 +249,78 @@ ComponentPtr Compiler::region(TermId term, diagnostics::Pollable& budget) {
     if (const auto known = components_.find(term); known != components_.end()) return known->second;
     const auto system = compile(term, budget);
     if (!system) return component(term, budget);
+    regions_.insert(term);
     return components_[term] =
                minimise_component(RowCollector(*system, term, bounds_.compressed_states).run(budget), budget);
 }
 
+/// Returns the component before its minimisation. The components of a region are not minimised either.
+ComponentPtr Compiler::unminimised_component(const Node& node, diagnostics::Pollable& budget) {
+    if (node.kind == Node::Kind::gate) return make_gate(node);
+    ExplicitMachine machine;
+    const auto compiled = regions_.contains(node.term) ? compile(node.term, budget) : nullptr;
+    if (compiled) {
+        const auto finer = compiled->make_finer_system(budget);
+        lts::TransitionSystem& explored = finer ? static_cast<lts::TransitionSystem&>(*finer) : *compiled;
+        machine = RowCollector(explored, node.term, bounds_.compressed_states).run(budget);
+    } else {
+        std::size_t states = 0;
+        Exploration exploration(semantics_, bounds_.component_states, states);
+        exploration.run(node.term, budget);
+        machine = std::move(exploration.found);
+    }
+    return std::make_shared<const Component>(machine.rows, std::move(machine.meaning));
+}
+
+std::unique_ptr<lts::FinerSystem> Compiler::finer_system(const Skeleton& skeleton,
+                                                         const std::shared_ptr<const Supercombinator>& minimised,
+                                                         diagnostics::Pollable& budget) {
+    std::vector<ComponentPtr> components;
+    std::vector<StateMap> maps;
+    for (std::size_t slot = 0; slot < skeleton.slots.size(); ++slot) {
+        components.push_back(unminimised_component(skeleton.nodes[skeleton.slots[slot]], budget));
+        std::optional<StateMap> map = StateMap::make(*components.back(), *minimised->components[slot], budget);
+        if (!map) return nullptr;
+        maps.push_back(std::move(*map));
+    }
+    Supercombinator combined = combine(semantics_.terms(), skeleton, std::move(components), bounds_.rules, budget);
+    list_leading(combined, budget);
+    return std::make_unique<UnminimisedSystem>(std::make_shared<const Supercombinator>(std::move(combined)), minimised,
+                                               std::move(maps), semantics_.terms());
+}
+
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, diagnostics::Pollable& budget) {
-    process::TermStore& terms = semantics_.terms();
     stage_ = {};
-    try {
+    return unless_refused([&]() -> std::unique_ptr<SupercombinatorSystem> {
         std::optional<Skeleton> skeleton = this->skeleton(term, {}, budget);
         if (!skeleton || (skeleton->prefixes > few_prefixes && is_small(term, budget))) return nullptr;
         std::vector<ComponentPtr> components = this->components(*skeleton, budget);
         const std::set<TermId> regions = small_regions(*skeleton, components);
-        for (TermId each : regions) region(each, budget);
+        for (const TermId prioritised : regions) region(prioritised, budget);
         if (auto simpler = this->skeleton(term, regions, budget)) {
             skeleton = std::move(simpler);
             components = this->components(*skeleton, budget);
         }
-        Supercombinator combined = combine(terms, *skeleton, components, bounds_.rules, budget);
-        while (prune_unused_edges(combined, components, budget))
-            combined = combine(terms, *skeleton, components, bounds_.rules, budget);
-        list_leading(combined, budget);
-        return std::make_unique<SupercombinatorSystem>(std::make_shared<const Supercombinator>(std::move(combined)),
-                                                       terms);
-    } catch (const process::Interrupted&) {
-        throw;
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::logic_error&) {
-        throw;  // an internal error
-    } catch (const std::exception&) {
-        return nullptr;
-    }
+        return combine_components(std::move(*skeleton), std::move(components), budget);
+    });
+}
+
+std::unique_ptr<SupercombinatorSystem> Compiler::combine_components(Skeleton skeleton,
+                                                                    std::vector<ComponentPtr> components,
+                                                                    diagnostics::Pollable& budget) {
+    process::TermStore& terms = semantics_.terms();
+    Supercombinator combined = combine(terms, skeleton, components, bounds_.rules, budget);
+    while (prune_unused_edges(combined, components, budget))
+        combined = combine(terms, skeleton, components, bounds_.rules, budget);
+    list_leading(combined, budget);
+    const auto minimised = std::make_shared<const Supercombinator>(std::move(combined));
+    auto system = std::make_unique<SupercombinatorSystem>(minimised, terms);
+    if (bounds_.minimised_states == 0) return system;
+    const auto operators = std::make_shared<const Skeleton>(std::move(skeleton));
+    system->set_finer_system([this, operators, minimised](diagnostics::Pollable& polled) {
+        return unless_refused([&] { return finer_system(*operators, minimised, polled); });
+    });
+    return system;
 }
 
 std::optional<process::Machine> Compiler::explore(TermId term, lts::Equivalence up_to, diagnostics::Pollable& budget) {

@@ -41,7 +41,8 @@ public:
     /// Returns the compiled process. Returns null in these cases. The process has no parallel operator, or one is
     /// reached only after many events and the process has few states. A component has too many states. A component
     /// cannot be explored separately, because of an evaluation error that the whole process may never reach. There are
-    /// too many rules. Polls the budget and passes on process::Interrupted.
+    /// too many rules. The compiler must outlive the finer systems of the result. Polls the budget and passes on
+    /// process::Interrupted.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, diagnostics::Pollable& budget);
     /// The current or last exploration; for progress and for the description of a limit.
     struct Stage {
@@ -65,6 +66,12 @@ private:
     std::vector<ComponentPtr> components(const Skeleton& skeleton, diagnostics::Pollable& budget);
     std::set<TermId> small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const;
     ComponentPtr region(TermId term, diagnostics::Pollable& budget);
+    std::unique_ptr<SupercombinatorSystem> combine_components(Skeleton skeleton, std::vector<ComponentPtr> components,
+                                                              diagnostics::Pollable& budget);
+    ComponentPtr unminimised_component(const Node& node, diagnostics::Pollable& budget);
+    std::unique_ptr<lts::FinerSystem> finer_system(const Skeleton& skeleton,
+                                                   const std::shared_ptr<const Supercombinator>& minimised,
+                                                   diagnostics::Pollable& budget);
     ComponentPtr minimise_component(ExplicitMachine machine, diagnostics::Pollable& budget) const;
     bool prune_unused_edges(const Supercombinator& combined, std::vector<ComponentPtr>& components,
                             diagnostics::Pollable& budget) const;
@@ -72,6 +79,7 @@ private:
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
     std::map<TermId, ComponentPtr> components_;
+    std::set<TermId> regions_;  ///< the components that are compiled processes
     Stage stage_;
 };
 

@@ -2,6 +2,7 @@
 // A compiled process as a transition system.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -23,6 +24,12 @@ public:
         return std::make_unique<SupercombinatorSystem>(combined_, terms_);
     }
     [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(diagnostics::Pollable& budget) const override;
+    /// Builds the process before its components were minimised; null if that is not possible.
+    using MakeFiner = std::function<std::unique_ptr<lts::FinerSystem>(diagnostics::Pollable&)>;
+    void set_finer_system(MakeFiner make) { make_finer_ = std::move(make); }
+    [[nodiscard]] std::unique_ptr<lts::FinerSystem> make_finer_system(diagnostics::Pollable& budget) const override {
+        return make_finer_ ? make_finer_(budget) : nullptr;
+    }
     [[nodiscard]] std::vector<lts::ReplicaSet> replicas(diagnostics::Pollable& budget) const override;
     [[nodiscard]] const process::EventTable& events() const override { return terms_.events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
@@ -61,6 +68,7 @@ private:
 
     std::shared_ptr<const Supercombinator> combined_;
     const process::TermStore& terms_;
+    MakeFiner make_finer_;
     std::vector<Local> locals_;
     std::vector<Moves> moves_;         // by region
     std::vector<Assignment> changes_;  // changes of the current rules, those of inner regions last

@@ -21,7 +21,7 @@ struct Replayed {
 };
 
 /// Checks the model in both times (`core`: also the generated assertions), and replays the counterexamples. Adds to
-/// `sum`. `concrete`: in the finite instantiation.
-void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum, bool concrete = false);
+/// `sum`.
+void replay(const std::vector<std::string>& inputs, bool core, Replayed& sum);
 
 }  // namespace robochart::app::testing

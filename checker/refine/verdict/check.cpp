@@ -179,7 +179,7 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
         earlier, verdict, [&] { return search_reduced(implementation, budget, verdict.statistics, question); });
     if (!violation) return;
     const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
-        const bool by_reference = &system != &implementation && specification.reference() != nullptr;
+        const bool by_reference = &system == implementation.reference() && specification.reference() != nullptr;
         confirm_refinement_violation(by_reference ? *specification.reference() : specification, system, model, shown,
                                      own);
     };

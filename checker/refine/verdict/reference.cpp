@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches for the run breadth first, in three stages. First it matches exactly the actions and the hidden events of
-// taus. Then it matches only the actions, which suffices for strongly bisimilar components. Finally it matches only the
-// trace, because compressed components may perform other taus.
+// Searches for the run breadth first, in four stages. First it matches exactly the actions and the hidden events of
+// taus. Then it does the same with the run before the components were minimised. Then it matches only the actions,
+// which suffices for strongly bisimilar components. Finally it matches only the trace, because compressed components
+// may perform other taus.
 #include "checker/refine/verdict/reference.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "checker/refine/search/poll_guard.hpp"
 #include "checker/refine/search/steps.hpp"
+#include "checker/refine/verdict/unfolding.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -19,6 +21,8 @@ using State = std::vector<lts::Word>;
 
 /// The time limit for the reference. Reaching it does not affect the verdict.
 constexpr std::chrono::seconds longest_replay{20};
+/// The time limit for the names of hidden events if the reference has reached its limit.
+constexpr std::chrono::seconds longest_naming{2};
 
 struct Moves {
     std::vector<RunStep> list;
@@ -190,48 +194,126 @@ std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem&
     return [](const State&, const Moves&) { return true; };
 }
 
-Limits share_of(Limits limits) {
-    const auto end = std::chrono::steady_clock::now() + longest_replay;
-    limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+Limits until(Limits limits, std::chrono::steady_clock::time_point end) {
+    limits.deadline = end;
     return limits;
+}
+
+Limits share_of(const Limits& limits) {
+    const auto end = std::chrono::steady_clock::now() + longest_replay;
+    return until(limits, limits.deadline ? std::min(*limits.deadline, end) : end);
+}
+
+/// Searches for violations of a system in its reference.
+class Comparison {
+public:
+    Comparison(lts::TransitionSystem& system, lts::TransitionSystem& reference, const Violation& violation,
+               Budget& budget)
+        : reference_(reference),
+          violation_(violation),
+          budget_(budget),
+          ends_(as_bad_as(system, reference, violation, budget)),
+          paths_(reference, budget) {}
+
+    /// Matches the actions and the hidden events of taus.
+    std::optional<Violation> with_names() { return found(find(revealed_actions_of(violation_.run), false)); }
+    /// Matches the actions, or only the trace.
+    std::optional<Violation> without_names() {
+        std::optional<Run> run = find(actions_of(violation_.run), false);
+        if (!run) run = find(trace_of(violation_.run), true);
+        return found(std::move(run));
+    }
+
+private:
+    std::optional<Run> find(const std::vector<Action>& actions, bool free_taus) {
+        return paths_.find(initial_of(reference_), actions, free_taus, ends_);
+    }
+    std::optional<Violation> found(std::optional<Run> run) {
+        if (!run) return std::nullopt;
+        Violation again{violation_.kind, std::move(*run), {}, violation_.event, violation_.shortest};
+        if (violation_.kind == ViolationKind::divergence) {
+            Lasso lasso = tau_loop(reference_, again.run.last_state(), violation_.loop, budget_).value();
+            append(again.run, lasso.stem);
+            again.loop = std::move(lasso.loop);
+        }
+        return again;
+    }
+
+    lts::TransitionSystem& reference_;
+    const Violation& violation_;
+    Budget& budget_;
+    std::function<bool(const State&, const Moves&)> ends_;
+    Paths paths_;
+};
+
+/// A violation in the system before minimisation. Both are null if there is no such system.
+struct FinerForm {
+    std::shared_ptr<lts::FinerSystem> system;
+    std::optional<Violation> violation;
+};
+
+FinerForm finer_form(lts::TransitionSystem& system, const Violation& violation, Budget& budget) {
+    FinerForm form{system.make_finer_system(budget), std::nullopt};
+    if (form.system) form.violation = refine_violation(*form.system, violation, budget);
+    if (form.system && !form.violation) throw std::logic_error("a run has no counterpart before minimisation");
+    return form;
+}
+
+/// The names of hidden events in minimised components may be wrong, and without names taus match too much. So the names
+/// are corrected before the search does without them.
+Violation found_in_reference(lts::TransitionSystem& system, lts::TransitionSystem& reference,
+                             const Violation& violation, FinerForm& finer, Budget& budget) {
+    Comparison comparison(system, reference, violation, budget);
+    std::optional<Violation> again = comparison.with_names();
+    if (!again) finer = finer_form(system, violation, budget);
+    if (!again && finer.violation) again = Comparison(*finer.system, reference, *finer.violation, budget).with_names();
+    if (!again) again = comparison.without_names();
+    if (!again) throw std::logic_error("a counterexample failed its replay: the terms have no such run");
+    return std::move(*again);
+}
+
+/// The violation if the reference has not found it in time.
+Confirmed confirmed_by_system(lts::TransitionSystem& system, const Violation& violation, FinerForm finer,
+                              const Limits& limits, const Judge& judge) {
+    Budget own(limits);
+    try {
+        if (!finer.system) finer = finer_form(system, violation, own);
+        if (!finer.system) return {violation, &system};
+        judge(*finer.system, *finer.violation, own);
+        lts::TransitionSystem* const shown = finer.system.get();
+        return {std::move(*finer.violation), shown, false, std::move(finer.system)};
+    } catch (const process::Interrupted&) {
+        if (limits.interrupted && limits.interrupted()) throw;
+        return {violation, &system};
+    }
 }
 
 }  // namespace
 
 Violation found_again(lts::TransitionSystem& system, lts::TransitionSystem& reference, const Violation& violation,
                       Budget& budget) {
-    const auto ends = as_bad_as(system, reference, violation, budget);
-    const State from = initial_of(reference);
-    Paths paths(reference, budget);
-    std::optional<Run> run = paths.find(from, revealed_actions_of(violation.run), false, ends);
-    if (!run) run = paths.find(from, actions_of(violation.run), false, ends);
-    if (!run) run = paths.find(from, trace_of(violation.run), true, ends);
-    if (!run) throw std::logic_error("a counterexample failed its replay: the terms have no such run");
-    Violation again{violation.kind, std::move(*run), {}, violation.event, violation.shortest};
-    if (violation.kind == ViolationKind::divergence) {
-        Lasso lasso = tau_loop(reference, again.run.last_state(), violation.loop, budget).value();
-        append(again.run, lasso.stem);
-        again.loop = std::move(lasso.loop);
-    }
-    return again;
+    FinerForm finer;
+    return found_in_reference(system, reference, violation, finer, budget);
 }
 
 Confirmed confirm_violation(lts::TransitionSystem& system, const Violation& violation, Budget& budget,
-                            const std::function<void(lts::TransitionSystem&, const Violation&, Budget&)>& judge) {
+                            const Judge& judge) {
     judge(system, violation, budget);
     if (system.reference() == nullptr) return {violation, &system, system.states_are_terms()};
     lts::TransitionSystem& reference = *system.reference();
     const Limits share = share_of(budget.limits());
     Budget own(share);
     const PollGuard guard({&reference}, own);
+    FinerForm finer;
     try {
-        Violation again = found_again(system, reference, violation, own);
+        Violation again = found_in_reference(system, reference, violation, finer, own);
         judge(reference, again, own);
         return {std::move(again), &reference, true};
     } catch (const process::Interrupted&) {
         if (share.interrupted && share.interrupted()) throw;
-        return {violation, &system, false};
     }
+    return confirmed_by_system(system, violation, std::move(finer),
+                               until(share, std::chrono::steady_clock::now() + longest_naming), judge);
 }
 
 }  // namespace robochart::refine

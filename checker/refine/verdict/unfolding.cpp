@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <stdexcept>
 
 #include "checker/refine/search/steps.hpp"
@@ -106,7 +107,76 @@ private:
     lts::Symmetry::Permutation permutation_;
 };
 
+/// A run of the finer system along a run of the minimised one. Both are in bisimilar states after each step, so the
+/// finer system can take the next step. If it can take several, the one with the shown name comes first.
+class FinerRun {
+public:
+    FinerRun(lts::FinerSystem& finer, Budget& budget)
+        : finer_(finer), budget_(budget), run_{initial_of(finer), {}}, minimised_(finer.minimised_width()) {}
+
+    /// Returns whether there is such a run.
+    bool follow_run(const Run& shown) {
+        return std::ranges::all_of(shown.steps, [&](const RunStep& step) { return follow_step(step); });
+    }
+    [[nodiscard]] bool is_at(const State& minimised) { return represents(run_.last_state(), minimised); }
+    /// Returns the run and starts another one at its end.
+    Run take_run() {
+        Run result = std::move(run_);
+        run_ = {result.last_state(), {}};
+        return result;
+    }
+
+private:
+    bool follow_step(const RunStep& shown) {
+        std::vector<RunStep> steps = steps_from(finer_, run_.last_state(), budget_);
+        std::erase_if(steps, [&](const RunStep& step) {
+            return step.event != shown.event || !represents(step.state, shown.state);
+        });
+        if (steps.empty()) return false;
+        const auto named = std::ranges::find(steps, shown.revealed, &RunStep::revealed);
+        run_.steps.push_back(std::move(named == steps.end() ? steps.front() : *named));
+        return true;
+    }
+    bool represents(const State& state, const State& minimised) {
+        finer_.minimised_state(state, minimised_);
+        return minimised_ == minimised;
+    }
+
+    lts::FinerSystem& finer_;
+    Budget& budget_;
+    Run run_;
+    State minimised_;
+};
+
+/// Repeats the loop until a round begins in the first state of an earlier round. Adds the rounds before that one to
+/// `run`. A state of the minimised system represents several states, so the loop may close after several rounds.
+std::optional<Run> finer_loop(FinerRun& finer, const Run& shown, Run& run) {
+    std::vector<Run> rounds;
+    for (;;) {
+        if (!finer.follow_run(shown)) return std::nullopt;
+        rounds.push_back(finer.take_run());
+        const auto first = std::ranges::find(rounds, rounds.back().last_state(), &Run::initial);
+        if (first == rounds.end()) continue;
+        Run loop{first->initial, {}};
+        for (auto round = rounds.begin(); round != rounds.end(); ++round)
+            std::ranges::copy(round->steps, std::back_inserter(round < first ? run.steps : loop.steps));
+        return loop;
+    }
+}
+
 }  // namespace
+
+std::optional<Violation> refine_violation(lts::FinerSystem& finer, const Violation& shown, Budget& budget) {
+    FinerRun following(finer, budget);
+    if (!following.is_at(shown.run.initial) || !following.follow_run(shown.run)) return std::nullopt;
+    Violation result = shown;
+    result.run = following.take_run();
+    if (shown.loop.steps.empty()) return result;
+    std::optional<Run> loop = finer_loop(following, shown.loop, result.run);
+    if (!loop) return std::nullopt;
+    result.loop = std::move(*loop);
+    return result;
+}
 
 Violation unfold_violation(lts::TransitionSystem& system, const Reduction& reduction, const Violation& shown) {
     Violation result = shown;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts runs of a system's reduced forms to runs of the system. It inserts the confluent taus that were followed,
-// and moves every replica back to its place (docs/search.md, "Confluent taus", "Symmetry").
+// Converts runs of a system's reduced or minimised forms to runs of the system. For reduced forms it inserts the
+// confluent taus that were followed, and moves every replica back to its place (docs/search.md, "Confluent taus",
+// "Symmetry").
 #pragma once
+
+#include <optional>
 
 #include "checker/lts/symmetry.hpp"
 #include "checker/lts/transition_system.hpp"
+#include "checker/refine/search/budget.hpp"
 #include "checker/refine/search/run.hpp"
 #include "checker/refine/verdict/findings.hpp"
 
@@ -20,5 +24,10 @@ struct Reduction {
 /// Converts a violation that was found in the reduced form to a violation of the system.
 [[nodiscard]] Violation unfold_violation(lts::TransitionSystem& system, const Reduction& reduction,
                                          const Violation& shown);
+
+/// Converts a violation of a minimised system to one of the system before its minimisation, with the names of hidden
+/// events there. No value if the finer system does not have the run, which is an error of the minimisation.
+[[nodiscard]] std::optional<Violation> refine_violation(lts::FinerSystem& finer, const Violation& shown,
+                                                        Budget& budget);
 
 }  // namespace robochart::refine
