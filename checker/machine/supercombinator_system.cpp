@@ -152,7 +152,8 @@ private:
             return;
         }
         if (rule.level != 0 && rule.level != no_level && system_.best_level(number_) < rule.level) return;
-        const Event revealed = rule.revealed == tau ? revealed_by_participant : rule.revealed;
+        Event revealed = rule.revealed == tau ? revealed_by_participant : rule.revealed;
+        if (rule.event == tau && revealed == process::tick) revealed = tau;  // of P ; Q, which has no name
         if (sink_ != nullptr)
             to_sink(rule, revealed);
         else

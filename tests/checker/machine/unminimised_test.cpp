@@ -91,6 +91,17 @@ TEST_F(Unminimised, HiddenStepsHaveTheirOwnNames) {
     EXPECT_EQ(shown_by_minimised.size(), 1U);
 }
 
+// The tau between P and Q in P ; Q is no hidden event, as in the rules of terms.
+TEST_F(Unminimised, TerminationInASequenceHasNoName) {
+    const TermId both = s.over(Op::parallel, {s.skip(), s.skip()}, {});
+    const auto system = compiled(s.op(Op::sequential, {both, s.prefix("c", stop)}));
+    process::TermSystem specification(semantics, stop);
+    const Verdict verdict = refine::refines(specification, *system, refine::Model::traces, {});
+    ASSERT_EQ(verdict.outcome, refine::Outcome::fails) << verdict.reason;
+    ASSERT_EQ(verdict.counterexample->steps.size(), 2U);
+    EXPECT_EQ(verdict.counterexample->steps[0].revealed, process::tau);
+}
+
 // LOOP0 and LOOP1 perform h0 and h1 in turn. Minimised, they are one state with a loop.
 TEST_F(Unminimised, LoopsOfHiddenStepsCloseInTheProcess) {
     const TermId loop = s.cycle("LOOP", {"h0", "h1"});
