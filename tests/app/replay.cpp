@@ -79,6 +79,7 @@ private:
     void fault(const std::string& text) {
         if (faults_.size() < 5) faults_.push_back(obligation_.title + ": " + text);
     }
+    [[nodiscard]] const csp_emit::EventMeaning* meaning_of(std::string name) const;
     States perform(const States& from, const Raw& event);
     States instantiated(TermId start);
     void step(const json& step, States& states);
@@ -116,6 +117,17 @@ std::string Replay::claimed(const std::string& component) const {
     const std::string& title = obligation_.component;
     return obligation_.property == ir::no_id ? title.substr(title.rfind(' ') + 1)
                                              : ir::qualified_name(system_.properties[obligation_.property].subject);
+}
+
+/// The meaning of an event, whose name may end in values; null if it has none.
+const csp_emit::EventMeaning* Replay::meaning_of(std::string name) const {
+    for (;;) {
+        const auto found = emission_.provenance.events.find(name);
+        if (found != emission_.provenance.events.end()) return &found->second;
+        const std::size_t value = name.rfind('.');
+        if (value == std::string::npos) return nullptr;
+        name.erase(value);
+    }
 }
 
 Replay::States Replay::perform(const States& from, const Raw& event) {
@@ -285,9 +297,8 @@ void Replay::step(const json& step, States& states) {
     for (std::size_t i = 0; i < count; ++i) {
         const Raw event = raw_event(raw_.at(next_++));
         if (i == 0) offers_of(step, states);
-        const auto meaning = emission_.provenance.events.find(event.name);
-        const bool memory =
-            meaning != emission_.provenance.events.end() && meaning->second.kind == csp_emit::MeaningKind::memory;
+        const csp_emit::EventMeaning* const meaning = meaning_of(event.name);
+        const bool memory = meaning != nullptr && meaning->kind == csp_emit::MeaningKind::memory;
         // A read or write of a memory after the first event belongs to the step, but is hidden and has other values.
         const bool follows = memory && i > 0;
         if (!follows && event.hidden != step["hidden"]) fault("hidden or not: " + raw_.at(next_ - 1));
@@ -295,7 +306,7 @@ void Replay::step(const json& step, States& states) {
         if (states.empty())
             return fault(fmt::format("the process cannot do {} (step {})", raw_.at(next_ - 1), step["n"].dump()));
         if (event.name == "tock" || event.name == "tock'") ++units;
-        const bool noted = memory && meaning->second.component.empty();
+        const bool noted = memory && meaning->component.empty();
         if (!noted && !follows) values_of(step, event.name);
     }
     time_ += units;
