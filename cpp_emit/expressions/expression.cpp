@@ -285,7 +285,8 @@ std::string ExpressionWriter::bound_by_let(const ir::Expr& expr, std::size_t cou
 
 CppExpr ExpressionWriter::cpp_expression(const ir::Expr& expr) const {
     generation_.inst.poll();
-    CppExpr text = of_kind(expr);
+    CppExpr text = write_fold(expr);
+    if (text.empty()) text = of_kind(expr);
     if (text.empty()) throw std::logic_error("generated code reads a value without a place, in " + unit_.machine->name);
     return text;
 }

@@ -108,6 +108,16 @@ private:
     [[nodiscard]] std::string block_operand(const ir::Expr&, ir::TypeId entry) const;
     [[nodiscard]] CppExpr block_arithmetic_text(const ir::Expr&) const;
 
+    // expression_views.cpp: collections that are visited in place
+    [[nodiscard]] CppExpr write_fold(const ir::Expr&) const;
+    [[nodiscard]] CppExpr fold_of_toolkit(const ir::Expr&) const;
+    [[nodiscard]] CppExpr membership_in_view(const ir::Expr&) const;
+    [[nodiscard]] CppExpr view_has_elements(const ir::Expr& view) const;
+    [[nodiscard]] std::string write_view(const ir::Expr&) const;
+    [[nodiscard]] std::string view_of_interval(const ir::Expr&) const;
+    [[nodiscard]] std::string view_of_comprehension(const ir::Expr&) const;
+    [[nodiscard]] CppExpr predicate_of(const ir::Expr& binder) const;
+
     [[nodiscard]] std::string frame_of(const Unit& owner) const;
 
     const Generation& generation_;

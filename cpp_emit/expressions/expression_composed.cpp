@@ -8,6 +8,7 @@
 
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/views.hpp"
 #include "semantics/evaluate/toolkit.hpp"
 
 namespace robochart::cpp_emit {
@@ -16,30 +17,33 @@ using ir::ExprKind;
 using ir::TypeKind;
 
 /// Writes calls of `visit` for the values of the bound variables from index `from` on, until it returns true:
-/// any_Nat([&](Nat bound_x) { ... }).
+/// any_Nat([&](Nat bound_x) { ... }). A variable with a generator ranges over the elements of its collection.
 std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, const std::string& visit) const {
     assert(from <= expr.bound_names.size() && expr.bound_types.size() >= expr.bound_names.size());
     if (from == expr.bound_names.size()) return visit;
     const ir::TypeId type = expr.bound_types.at(from);
     const std::string inner = write_any(expr, from + 1, visit);
     const std::string body = from + 1 == expr.bound_names.size() ? inner : fmt::format("return {};", inner);
-    return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})",
-                       generation_.component.find_carrier(type).method, type_text(type),
+    const ir::Expr* const collection = generators(generation_.system, expr)[from].collection;
+    const std::string source = collection == nullptr ? generation_.component.find_carrier(type).method
+                                                     : write_view(*collection) + ".any";
+    return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})", source, type_text(type),
                        bound_identifier(expr.bound_names[from]), body);
 }
 
 /// The test whether the body holds for all, for some, or for exactly one of the values that satisfy the predicate.
 CppExpr ExpressionWriter::write_quantifier(const ir::Expr& expr) const {
     assert(expr.args.size() >= 2);
-    const std::string predicate = write_operand(*expr.args[0]);
     const std::string body = write_operand(*expr.args[1]);
+    const CppExpr predicate = predicate_of(expr);
+    const std::string premise = predicate.empty() ? "" : predicate.as_operand() + " && ";
     if (expr.kind == ExprKind::forall)
-        return negation(CppExpr(write_any(expr, 0, fmt::format("return {} && !{};", predicate, body))));
+        return negation(CppExpr(write_any(expr, 0, fmt::format("return {}!{};", premise, body))));
     if (expr.kind == ExprKind::exists)
-        return CppExpr(write_any(expr, 0, fmt::format("return {} && {};", predicate, body)));
+        return CppExpr(write_any(expr, 0, fmt::format("return {}{};", premise, body)));
     return CppExpr(
         fmt::format("[&] {{ std::size_t found = 0; (void){}; return found == 1; }}()",
-                    write_any(expr, 0, fmt::format("if ({} && {}) ++found; return false;", predicate, body))));
+                    write_any(expr, 0, fmt::format("if ({}{}) ++found; return false;", premise, body))));
 }
 
 /// The bound variables as one value of the type: the variable itself, or a tuple.
@@ -64,7 +68,9 @@ std::string ExpressionWriter::write_collection(const ir::Expr& expr) const {
     const std::string item = collected_item(expr);
     const std::string take =
         expr.kind == ExprKind::the ? fmt::format("chosen = {};", item) : fmt::format("chosen.insert({});", item);
-    const std::string visit = fmt::format("if ({}) {{ {} }} return false;", write(*expr.args[0]), take);
+    const CppExpr predicate = predicate_of(expr);
+    const std::string visit = fmt::format("if ({}) {{ {} }} return false;",
+                                          predicate.empty() ? "true" : predicate.whole_text(), take);
     return fmt::format("[&] {{ {} chosen{{}}; (void){}; return chosen; }}()", type_text(expr.type),
                        write_any(expr, 0, visit));
 }

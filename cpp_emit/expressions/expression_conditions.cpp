@@ -11,6 +11,7 @@
 
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/views.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 
 namespace robochart::cpp_emit {
@@ -44,9 +45,12 @@ std::vector<CppExpr> ExpressionWriter::preconditions(const ir::Expr& expr) const
     const bool called = expr.kind == ExprKind::toolkit || expr.kind == ExprKind::call;
     if (!called || !ir::precondition_can_fail(generation_.system, generation_.inst, unit_.constants, expr))
         return result;
-    result.push_back(expr.kind == ExprKind::toolkit
-                         ? CppExpr(fmt::format("{}.size() > 0", write_operand(*expr.args.at(0))), Binding::order)
-                         : CppExpr(fmt::format("{}({})", hook_of(expr.function).precondition, call_arguments(expr))));
+    if (expr.kind == ExprKind::call)
+        result.emplace_back(fmt::format("{}({})", hook_of(expr.function).precondition, call_arguments(expr)));
+    else if (is_view(generation_.system, *expr.args.at(0)))
+        result.push_back(view_has_elements(*expr.args[0]));
+    else
+        result.emplace_back(fmt::format("{}.size() > 0", write_operand(*expr.args[0])), Binding::order);
     return result;
 }
 
@@ -62,7 +66,7 @@ std::vector<CppExpr> ExpressionWriter::bound_preconditions(const ir::Expr& expr)
     if (!of_predicate.empty()) never_false({}, of_predicate);
     if (expr.args.size() < 2 || !expr.args[1]) return result;
     const std::vector<CppExpr> of_body = preconditions(*expr.args[1]);
-    if (!of_body.empty()) never_false(expr.args[0] ? cpp_expression(*expr.args[0]) : CppExpr(), of_body);
+    if (!of_body.empty()) never_false(predicate_of(expr), of_body);
     return result;
 }
 

@@ -53,6 +53,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string matrix_header();
 [[nodiscard]] std::string eigen_header();
 [[nodiscard]] std::string toolkit_header();
+[[nodiscard]] std::string views_header();
 [[nodiscard]] std::string text_header();
 [[nodiscard]] std::string explore_helpers();
 [[nodiscard]] std::string explore_values();

@@ -22,7 +22,8 @@ std::vector<OutputFile> shipped_headers() {
             {"robochart/timer.hpp", timer_header()},
             {"robochart/toolkit.hpp", toolkit_header()},
             {"robochart/tracked.hpp", tracked_header()},
-            {"robochart/trace.hpp", trace_helpers()}};
+            {"robochart/trace.hpp", trace_helpers()},
+            {"robochart/views.hpp", views_header()}};
 }
 
 std::vector<OutputFile> value_headers(const Component& component) {
@@ -30,6 +31,7 @@ std::vector<OutputFile> value_headers(const Component& component) {
     if (component.matrices) result.push_back({"robochart/matrix.hpp", matrix_header()});
     if (component.matrices) result.push_back({"robochart/eigen.hpp", eigen_header()});
     if (component.toolkit) result.push_back({"robochart/toolkit.hpp", toolkit_header()});
+    if (component.views) result.push_back({"robochart/views.hpp", views_header()});
     if (component.strings) result.push_back({"robochart/text.hpp", text_header()});
     return result;
 }

@@ -202,6 +202,7 @@ struct Component {
     bool matrices = false;                 ///< whether vectors or matrices are used: robochart/matrix.hpp
     bool toolkit = false;  ///< whether functions or relations, conversions, or sets of composed values are used:
                            ///< robochart/toolkit.hpp
+    bool views = false;    ///< whether collections may be visited in place: robochart/views.hpp
     bool strings = false;  ///< whether strings are used: robochart/text.hpp
     bool ordered = false;  ///< whether composed values are elements of sets
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/views.hpp"
 #include "cpp_emit/plan/walk.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/evaluate/toolkit.hpp"
@@ -15,10 +16,15 @@ using ir::TypeKind;
 
 namespace {
 
-/// The types whose values an expression enumerates.
+/// The types whose values an expression enumerates. A bound variable with a generator ranges over a collection instead.
 std::vector<ir::TypeId> visited_types(const ir::System& system, const ir::Expr& expr) {
-    if (ir::binds_names(expr.kind)) return expr.bound_types;
     std::vector<ir::TypeId> result;
+    if (ir::binds_names(expr.kind)) {
+        const std::vector<Generator> sources = generators(system, expr);
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            if (sources[i].collection == nullptr) result.push_back(expr.bound_types.at(i));
+        return result;
+    }
     if (expr.kind == ExprKind::function_value) result.push_back(system.type(expr.type).args.at(0));
     if (expr.kind == ExprKind::range) {
         const ir::TypeId member = system.type(expr.type).args.at(0);
@@ -69,6 +75,7 @@ private:
         component_.toolkit = component_.toolkit || (converts && (with_parts || expr.kind != ExprKind::cast));
         for (const ir::ExprPtr& part : expr.args)
             if (part && part->type.is_valid() && with_parts && has_parts(part->type)) component_.toolkit = true;
+        component_.views = component_.views || visits_in_place(system_, expr);
         for (const ir::TypeId type : visited_types(system_, expr)) use_carrier(type);
     }
 

@@ -8,6 +8,7 @@
 #include "cpp_emit/plan/functions.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "cpp_emit/plan/views.hpp"
 #include "cpp_emit/plan/walk.hpp"
 #include "semantics/evaluate/carrier.hpp"
 #include "semantics/evaluate/preconditions.hpp"
@@ -88,6 +89,11 @@ private:
         if (!is_supported(system_, id)) diagnostics_.report(rules::unsupported_type, span, {element, type.name});
     }
 
+    /// Checks the sets that code for the expression builds.
+    void check_sizes(const std::string& where, const ir::Expr& root) {
+        visit_values(system_, root, [&](const ir::Expr& expr) { check_size(where, expr.type, expr.span); });
+    }
+
     /// Checks the capacity of a set, which needs a place for every possible element.
     void check_size(const std::string& where, ir::TypeId id, Span span) {
         const ir::Type& type = system_.type(id);
@@ -123,11 +129,16 @@ private:
             if (!hook.guarded) continue;
             const ir::Function& function = system_.functions[hook.id.index];
             for (const ir::ExprPtr& condition : function.preconditions)
-                visit(condition, [&](const ir::Expr& expr) { check_expression(function.name, expr); });
+                check_condition(function.name, condition);
             if (asks_for_itself(hook.id))
                 diagnostics_.report(rules::unsupported_expr, function.origin.span,
                                     {"a precondition that uses itself", function.name});
         }
+    }
+
+    void check_condition(const std::string& function, const ir::ExprPtr& condition) {
+        visit(condition, [&](const ir::Expr& expr) { check_expression(function, expr); });
+        if (condition) check_sizes(function, *condition);
     }
 
     [[nodiscard]] bool asks_for_itself(ir::FunctionId function) const {
@@ -150,6 +161,7 @@ private:
         for (const auto& node : machine.nodes) check_node(machine, node);
         for (const auto& transition : machine.transitions) check_transition(machine, transition);
         visit_expressions(machine, [&](const ir::Expr& expr) { check_expression(machine.name, expr); });
+        ir::visit_running(machine, [&](const ir::Expr& root, ir::ExprRole) { check_sizes(machine.name, root); });
         for (const auto& variable : machine.variables)
             if (!unit.root) check_type(variable.type, variable.origin.element, variable.origin.span);
     }
@@ -185,7 +197,6 @@ private:
                                 {"arithmetic on values that are not numbers", where});
         if (expr.kind == ExprKind::is_type && !is_numeric(system_.type(expr.bound_types.at(0)).kind))
             diagnostics_.report(rules::unsupported_expr, expr.span, {"`is` with a type other than numbers", where});
-        check_size(where, expr.type, expr.span);
         if (expr.kind == ExprKind::real && (expr.decimal.unscaled > max_exact || expr.decimal.unscaled < -max_exact))
             diagnostics_.report(rules::too_large, expr.span, {where, "a decimal has more than 15 digits"});
     }
