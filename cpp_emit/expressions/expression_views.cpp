@@ -62,7 +62,7 @@ std::string ExpressionWriter::write_view(const ir::Expr& expr) const {
         default:
             break;
     }
-    const std::string function = toolkit_function(expr);
+    const std::string function = expr.kind == ExprKind::concat ? "concat" : toolkit_function(expr);
     if (function == "ran") return write_view(*expr.args.at(0));
     return fmt::format("robochart::view::{}({}, {})", function == "union" ? "union_" : function,
                        write_view(*expr.args.at(0)), write_view(*expr.args.at(1)));
@@ -80,12 +80,13 @@ CppExpr ExpressionWriter::fold_of_toolkit(const ir::Expr& expr) const {
     const auto call = [&](const char* name) {
         return CppExpr(fmt::format("robochart::view::{}<{}>({})", name, type_text(expr.type), write_view(first)));
     };
-    if (function == "min") return call("least");
-    if (function == "max") return call("greatest");
+    if (function == "min") return call("min");
+    if (function == "max") return call("max");
     if (function == "hasMin" || function == "hasMax" || function == "isNonEmpty") return view_has_elements(first);
     if (function == "notin") return negation(membership_in_view(expr));
     if (function == "subseteq")
-        return CppExpr(fmt::format("robochart::view::subseteq({}, {})", write_view(first), write_view(*expr.args.at(1))));
+        return CppExpr(
+            fmt::format("robochart::view::subseteq({}, {})", write_view(first), write_view(*expr.args.at(1))));
     assert(function == "size");
     const ir::Expr* const sequence = sequence_of_pairs(generation_.system, first);
     if (sequence == nullptr) return call("size");

@@ -22,6 +22,10 @@ bool is_toolkit(const Expr& expr, std::string_view function) {
     return expr.kind == ExprKind::toolkit && expr.text == function;
 }
 
+bool is_concatenation(const Expr& expr) {
+    return expr.kind == ExprKind::concat || is_toolkit(expr, "sequence_toolkit_concat");
+}
+
 bool is_collection(const System& system, const Expr& expr) {
     const TypeKind kind = system.type(expr.type).kind;
     return kind == TypeKind::sequence || kind == TypeKind::set;
@@ -49,7 +53,7 @@ bool visits_parts(const System& system, const Expr& expr) {
     const TypeId element = element_type(system, expr);
     const auto part = [&](std::size_t i) { return can_be_visited(system, *expr.args.at(i), element); };
     if (is_toolkit(expr, "set_toolkit_union") || is_toolkit(expr, "set_toolkit_inter") ||
-        is_toolkit(expr, "set_toolkit_diff") || is_toolkit(expr, "sequence_toolkit_filter"))
+        is_toolkit(expr, "set_toolkit_diff") || is_toolkit(expr, "sequence_toolkit_filter") || is_concatenation(expr))
         return part(0) && part(1);
     if (is_toolkit(expr, "sequence_toolkit_extract")) {
         const Expr& places = *expr.args.at(0);
@@ -83,6 +87,7 @@ bool is_view(const System& system, const Expr& expr) {
             return !expr.args.empty();
         case ExprKind::set_comprehension:
             return expr.bound_names.size() == 1 && generators(system, expr).front().collection != nullptr;
+        case ExprKind::concat:
         case ExprKind::toolkit:
             return visits_parts(system, expr);
         default:
@@ -96,9 +101,7 @@ bool can_be_visited(const System& system, const Expr& expr, TypeId element) {
 
 bool folds(const System& system, const Expr& expr, std::size_t operand) {
     const auto argument = [&](std::size_t i) -> const Expr& { return *expr.args.at(i); };
-    const auto has_elements_of = [&](std::size_t i, TypeId type) {
-        return element_type(system, argument(i)) == type;
-    };
+    const auto has_elements_of = [&](std::size_t i, TypeId type) { return element_type(system, argument(i)) == type; };
     switch (expr.kind) {
         case ExprKind::is_in:
             return operand == 1 && !is_interval(system, argument(1)) && is_view(system, argument(1));
@@ -172,14 +175,14 @@ bool holds_stored_values(const System& system, const Expr& expr) {
     if (is_toolkit(expr, "relation_toolkit_ran"))
         return holds_stored_values(system, *sequence_of_pairs(system, *expr.args.at(0)));
     if (is_toolkit(expr, "sequence_toolkit_extract")) return holds_stored_values(system, *expr.args.at(1));
-    const bool both = is_toolkit(expr, "set_toolkit_union");
+    const bool both = is_toolkit(expr, "set_toolkit_union") || is_concatenation(expr);
     return holds_stored_values(system, *expr.args.at(0)) && (!both || holds_stored_values(system, *expr.args.at(1)));
 }
 
 bool uses_bound_name(const Expr& expr, const std::vector<std::string>& names) {
     const bool used = expr.kind == ExprKind::bound && std::ranges::find(names, expr.text) != names.end();
-    return used || std::ranges::any_of(
-                       expr.args, [&](const ir::ExprPtr& part) { return part && uses_bound_name(*part, names); });
+    return used || std::ranges::any_of(expr.args,
+                                       [&](const ir::ExprPtr& part) { return part && uses_bound_name(*part, names); });
 }
 
 bool may_have_generators(const System& system, const Expr& expr) {
@@ -232,8 +235,7 @@ bool visits_in_place(const System& system, const Expr& expr) {
 
 std::vector<const Expr*> conditions_besides_generators(const System& system, const Expr& expr) {
     std::vector<const Expr*> result = conjuncts_of_predicate(expr);
-    for (std::size_t i = 0; i < expr.bound_names.size(); ++i)
-        std::erase(result, generating_condition(system, expr, i));
+    for (std::size_t i = 0; i < expr.bound_names.size(); ++i) std::erase(result, generating_condition(system, expr, i));
     return result;
 }
 
@@ -242,7 +244,8 @@ namespace {
 /// Whether the operand of a view is a collection that the view visits.
 bool is_visited(const System& system, const Expr& view, std::size_t operand) {
     const Expr& part = *view.args.at(operand);
-    return view.kind == ExprKind::toolkit && (is_view(system, part) || sequence_of_pairs(system, part) != nullptr);
+    return (view.kind == ExprKind::toolkit || view.kind == ExprKind::concat) &&
+           (is_view(system, part) || sequence_of_pairs(system, part) != nullptr);
 }
 
 class ValueVisitor {

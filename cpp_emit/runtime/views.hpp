@@ -84,9 +84,11 @@ public:
     constexpr bool any_place(std::int64_t first, std::int64_t last, Visit visit) const noexcept {
         const std::int64_t end = last < high_ ? last : high_;
         std::int64_t place = first > low_ ? first : low_;
-        for (bool more = place <= end; more; more = place < end, place = plus(place, std::int64_t{1}))
+        if (place > end) return false;
+        for (;; ++place) {
             if (visit(place)) return true;
-        return false;
+            if (place == end) return false;
+        }
     }
     [[nodiscard]] constexpr bool has(Number number) const noexcept {
         return low_ <= place_of(number) && place_of(number) <= high_;
@@ -173,6 +175,29 @@ private:
 template <class A, class B>
 constexpr Union<A, B> union_(A a, B b) noexcept {
     return Union<A, B>(a, b);
+}
+
+/// The items of one sequence, then those of another.
+template <class A, class B>
+class Concatenation {
+public:
+    using value_type = typename A::value_type;
+    static constexpr bool distinct = false;
+    static constexpr bool tests_members = false;
+
+    constexpr Concatenation(A a, B b) noexcept : a_(static_cast<A&&>(a)), b_(static_cast<B&&>(b)) {}
+    template <class Visit>
+    constexpr bool any(Visit visit) const noexcept {
+        return a_.any(visit) || b_.any(visit);
+    }
+
+private:
+    A a_;
+    B b_;
+};
+template <class A, class B>
+constexpr Concatenation<A, B> concat(A a, B b) noexcept {
+    return Concatenation<A, B>(static_cast<A&&>(a), static_cast<B&&>(b));
 }
 
 /// The elements of `whole` that satisfy a condition.
@@ -273,26 +298,32 @@ template <class View>
 constexpr bool empty(const View& view) noexcept {
     return !view.any([](const auto&) { return true; });
 }
-/// The least element; a default-constructed value if there is none.
-template <class R, class View>
-constexpr R least(const View& view) noexcept {
-    bool found = false;
+/// An element that is not NaN, if there is one. Otherwise some element, or a default-constructed value.
+template <class View>
+constexpr typename View::value_type first_number(const View& view) noexcept {
     typename View::value_type result{};
     view.any([&](const auto& element) {
-        if (!found || element < result) result = element;
-        found = true;
+        result = element;
+        return element == element;
+    });
+    return result;
+}
+/// The least element; a default-constructed value if there is none. NaN counts only if there is nothing else.
+template <class R, class View>
+constexpr R min(const View& view) noexcept {
+    auto result = first_number(view);
+    view.any([&](const auto& element) {
+        if (element < result) result = element;
         return false;
     });
     return convert<R>(result);
 }
-/// The greatest element; a default-constructed value if there is none.
+/// The greatest element; a default-constructed value if there is none. NaN counts only if there is nothing else.
 template <class R, class View>
-constexpr R greatest(const View& view) noexcept {
-    bool found = false;
-    typename View::value_type result{};
+constexpr R max(const View& view) noexcept {
+    auto result = first_number(view);
     view.any([&](const auto& element) {
-        if (!found || result < element) result = element;
-        found = true;
+        if (result < element) result = element;
         return false;
     });
     return convert<R>(result);

@@ -208,8 +208,10 @@ TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
         const auto has = [&](const char* function) {
             const Emission emission = testing::emit_ok(system, component_named(system, "M"), options);
             return std::ranges::any_of(emission.files, [&](const OutputFile& file) {
-                return file.path == "M_core.hpp" &&
-                       file.text.find("toolkit::" + std::string(function) + "<") != std::string::npos;
+                const std::string name = function;
+                return file.path == "M_core.hpp" && (file.text.find("toolkit::" + name + "<") != std::string::npos ||
+                                                     file.text.find("view::" + name + "<") != std::string::npos ||
+                                                     file.text.find("view::" + name + "(") != std::string::npos);
             });
         };
         EXPECT_TRUE(has(pair.other)) << pair.condition;
