@@ -11,6 +11,7 @@
 #include "cpp_emit/faults/faulty_model.hpp"
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/shipped_headers.hpp"
+#include "cpp_emit/plan/list_capacities.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/unsupported.hpp"
@@ -79,14 +80,19 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     const std::optional<Component> component = resolve_component(system, inst, ref, diagnostics);
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
-    const FaultyModel model(system, inst, *component, mutation);
+    const std::optional<ir::System> sized = with_capacities(system, *component, options);
+    const FaultyModel model(sized ? *sized : system, inst, *component, mutation);
     const Generation generation{model.system(), inst, options, model.component(), mutation};
+    if (!options.explored) report_capacities(system, *component, options, diagnostics);
+    for (const auto& [name, capacity] : options.capacities)
+        if (has_capacity(system, *component, name)) emission.sized_names.push_back(name);
     const bool explored = check_explorable(generation, diagnostics);
     if (!explored && options.explored) return emission;
     const Core core = make_core(generation);
     if (core.layout.size > max_state_bytes) {
-        diagnostics.report(rules::too_large, component->origin.span,
-                           {component->name, "its state takes more than 64 KiB (operations that call operations)"});
+        diagnostics.report(
+            rules::too_large, component->origin.span,
+            {component->name, "its state takes more than 64 KiB (long lists, or operations that call operations)"});
         return emission;
     }
     const ClassApi api = make_class_api(generation);

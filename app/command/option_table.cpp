@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "app/command/rules.hpp"
+#include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/spelling.hpp"
 
 namespace robochart::app {
@@ -140,6 +141,21 @@ void take_scheduler(Options& o, const std::string& word) {
 
 void take_choices(Options& o, const std::string&) {
     o.code.choices = true;
+}
+
+/// EVENT=N: the capacity of the lists of an event or variable.
+void take_capacity(Options& o, const std::string& word) {
+    const std::size_t equals = word.find('=');
+    const std::string number = equals == std::string::npos ? "" : word.substr(equals + 1);
+    std::size_t capacity = 0;
+    const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), capacity);
+    const bool whole = code == std::errc() && end == number.data() + number.size();
+    if (!whole || equals == 0 || capacity < 1 || capacity > cpp_emit::greatest_capacity)
+        throw UsageError(fmt::format("--capacity {}: expected EVENT=N, with a whole number N from 1 to {}",
+                                     diagnostics::escape_for_display(word), cpp_emit::greatest_capacity));
+    if (!o.code.capacities.emplace(word.substr(0, equals), capacity).second)
+        throw UsageError(
+            fmt::format("--capacity {} is given twice", diagnostics::escape_for_display(word.substr(0, equals))));
 }
 
 void take_threads(Options& o, const std::string& word) {
@@ -304,6 +320,9 @@ const std::vector<OptionRow>& option_table() {
          [](Options& o, const std::string& word) {
              o.code.strategy = static_cast<cpp_emit::Strategy>(index_of(word, "auto,switch,table"));
          }},
+        {"--capacity", Group::code, verb_bit(Verb::emit_cpp), {.kind = Kind::text, .name = "EVENT=N", .repeated = true},
+         "largest number of items in the lists of an event or variable: 1 to 65536 [64; lists of lists 16]",
+         take_capacity},
         {"--choices", Group::code, verb_bit(Verb::emit_cpp), {},
          "generate code that asks its platform (`pick`) if the model leaves a choice, instead of taking the first",
          take_choices},

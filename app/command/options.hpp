@@ -157,6 +157,7 @@ struct CodeOptions {
     cpp_emit::Target target = cpp_emit::Target::sources;          ///< only the classes, or a kind of project
     std::string mapping;                                          ///< --target ros2: file that assigns messages
     cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic;  ///< how the code finds the effect of an event
+    std::map<std::string, std::size_t> capacities;                ///< capacities of lists, by event or variable
     bool choices = false;                                         ///< emit cpp --choices, conform --all-choices
 };
 

@@ -287,6 +287,16 @@ std::vector<ir::ComponentRef> mapped_component(driver::Project& project,
     return {};
 }
 
+/// Throws UsageError if a capacity is given for a name that no component has.
+void check_capacities(const Options& options, const std::vector<cpp_emit::Emission>& emissions) {
+    for (const auto& [name, capacity] : options.code.capacities)
+        if (std::ranges::none_of(emissions, [&](const cpp_emit::Emission& emission) {
+                return std::ranges::find(emission.sized_names, name) != emission.sized_names.end();
+            }))
+            throw UsageError(fmt::format("--capacity {0}={1}: no event or variable '{0}' has lists",
+                                         diagnostics::escape_for_display(name), capacity));
+}
+
 }  // namespace
 
 bool write_cpp(driver::Project& project, const Options& options, Report& report) {
@@ -303,6 +313,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
     generator.strategy = options.code.strategy;
     generator.choices = options.code.choices;
     generator.explored = false;
+    generator.capacities = options.code.capacities;
     std::optional<cpp_emit::ros2::Mapping> mapping;
     if (!options.code.mapping.empty()) {
         mapping = read_mapping(project, options);
@@ -311,13 +322,17 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
         if (components.empty()) return false;
         generator.mapping = &*mapping;
     }
+    std::vector<cpp_emit::Emission> emissions;
     for (const ir::ComponentRef& component : components) {
-        const cpp_emit::Emission emission =
-            cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics);
+        emissions.push_back(
+            cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics));
         if (!project.diagnostics.ok()) return false;
-        if (!write_all(cpp_folder(project, options, component), emission.files, report.cpp_files, options, project))
-            return false;
     }
+    check_capacities(options, emissions);
+    for (std::size_t i = 0; i < components.size(); ++i)
+        if (!write_all(cpp_folder(project, options, components[i]), emissions[i].files, report.cpp_files, options,
+                       project))
+            return false;
     return true;
 }
 

@@ -19,6 +19,8 @@ void write_event_type(const Generation&, CodeWriter&);
 /// Writes Step::dispatch. `direct` is its text for a machine whose programs never wait. For other machines it is "",
 /// and dispatch runs a cycle with one input.
 void write_dispatch(const Generation&, const std::string& direct, CodeWriter&);
+/// The members of Inputs whose values contain lists, which may have more items than their capacity.
+[[nodiscard]] std::vector<std::string> list_inputs(const Generation&);
 /// Writes the functions of the event API in the core's namespace.
 void write_dispatch_functions(const Generation&, CodeWriter&);
 

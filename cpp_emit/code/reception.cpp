@@ -137,7 +137,10 @@ std::string store_received(const Generation& generation, const Unit& unit, const
     if (!communication.variable.is_valid()) return {};
     const ir::Type& type = generation.system.type(unit.machine->variables[communication.variable.index].type);
     const bool fields = type.kind == ir::TypeKind::record || type.kind == ir::TypeKind::product;
-    const std::string stored = as_variable(generation, unit, communication, value);
+    std::string stored = as_variable(generation, unit, communication, value);
+    const bool register_value = stored == value && value.starts_with("inputs_.");  // refused if it has overflowed
+    if (!register_value && has_lists(generation.system, unit.machine->variables[communication.variable.index].type))
+        stored = fmt::format("fit<Types>({})", stored);
     if (fields && generation.mutation.hits(Fault::fields_lost))
         return last_field(generation, unit, communication.variable, stored, type_members(type).back().name);
     return store_statement(generation, unit, communication.variable, stored);

@@ -215,6 +215,14 @@ std::string ExpressionWriter::write_cast(const ir::Expr& expr) const {
 
 /// Functions are specified only by contracts: the platform computes them.
 std::string ExpressionWriter::write_call(const ir::Expr& expr) const {
+std::string ExpressionWriter::write_fitting(const ir::Expr& expr, ir::TypeId type) const {
+    const bool stored = expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value ||
+                        expr.kind == ExprKind::constant || expr.args.empty();
+    const bool copied = stored && type_text(expr.type) == type_text(type);
+    if (copied || !has_lists(generation_.system, type)) return write_as(expr, type);
+    return fmt::format("fit<Types>({})", write_as(expr, type));
+}
+
     return platform_call(expr.function, call_arguments(expr));
 }
 

@@ -99,6 +99,25 @@ void write_makers(const Generation& generation, CodeWriter& out, const ir::Type&
     }
 }
 
+/// Writes the members of a struct with lists that find out whether a list has overflowed.
+void write_overflow(const Generation& generation, CodeWriter& out, const ir::Type& type) {
+    std::vector<std::string> tests, drops;
+    for (const TypeMember& member : type_members(type)) {
+        if (!has_lists(generation.system, member.type)) continue;
+        tests.push_back(fmt::format("robochart::overflowed({})", member.name));
+        drops.push_back(fmt::format("dropped = robochart::drop_overflow({}) || dropped;", member.name));
+    }
+    if (tests.empty()) return;
+    out.open("[[nodiscard]] constexpr bool overflowed() const noexcept {");
+    out.line(fmt::format("return {};", fmt::join(tests, " || ")));
+    out.close();
+    out.open("constexpr bool drop_overflow() noexcept {");
+    out.line("bool dropped = false;");
+    for (const std::string& line : drops) out.line(line);
+    out.line("return dropped;");
+    out.close();
+}
+
 void write_value_struct(const Generation& generation, CodeWriter& out, const ir::Type& type) {
     std::vector<Field> fields;
     for (const TypeMember& member : type_members(type)) {
@@ -129,6 +148,7 @@ void write_value_struct(const Generation& generation, CodeWriter& out, const ir:
     write_makers(generation, out, type);
     write_comparison(out, declared_name(type), compared);
     if (generation.component.ordered) write_order(out, declared_name(type), compared);
+    write_overflow(generation, out, type);
     out.close("};");
 }
 
@@ -195,6 +215,26 @@ void write_state(const Generation& generation, CodeWriter& out, const FrameLayou
     write_struct(generation, out, "State", layout);
 }
 
+/// Writes the test whether a list in the inputs has more items than its capacity.
+void write_input_overflow(const Generation& generation, CodeWriter& out) {
+    const std::vector<std::string> lists = list_inputs(generation);
+    if (lists.empty()) return;
+    std::string test;
+    for (const std::string& input : lists)
+        test += fmt::format("{}(inputs.{}.present && robochart::overflowed(inputs.{}.value))",
+                            test.empty() ? "" : " || ", input, input);
+    out.gap();
+    out.doc("Whether a list has more items than its capacity: such inputs are refused.");
+    out.line("template <class Types>");
+    out.open("[[nodiscard]] constexpr bool overflowed(const Inputs<Types>& inputs) noexcept {");
+    out.open("if constexpr (!robochart::HasCarriers<Types>::value) {");
+    out.line(fmt::format("return {};", test));
+    out.reopen_block("} else {");
+    out.line("return false;");
+    out.close();
+    out.close();
+}
+
 void write_inputs(const Generation& generation, CodeWriter& out) {
     out.gap();
     out.doc("What the control cycle reads: events received, shared variables written from outside.");
@@ -214,6 +254,7 @@ void write_inputs(const Generation& generation, CodeWriter& out) {
             out.line(fmt::format("robochart::Message<{}> {};", cpp_type(generation.system, variable.variable->type),
                                  variable.input));
     out.close("};");
+    write_input_overflow(generation, out);
 }
 
 std::string parameter_list(const Generation& generation, const ir::OperationSignature& signature) {
@@ -521,3 +562,4 @@ std::string core_header(const Generation& generation, const Core& core) {
 }
 
 }  // namespace robochart::cpp_emit
+    if (!list_inputs(generation).empty()) out.line("if (overflowed(inputs)) return robochart::StepResult::capacity;");

@@ -17,6 +17,16 @@ std::vector<const EventPort*> input_events(const Component& component) {
     return result;
 }
 
+std::vector<std::string> list_inputs(const Generation& generation) {
+    std::vector<std::string> result;
+    for (const EventPort* event : input_events(generation.component))
+        if (event->type && has_lists(generation.system, *event->type)) result.push_back(event->input);
+    for (const StoredVariable& variable : generation.component.variables)
+        if (!variable.input.empty() && !variable.copy && has_lists(generation.system, variable.variable->type))
+            result.push_back(variable.input);
+    return result;
+}
+
 std::string event_type(const Generation& generation) {
     std::set<std::string> taken;
     for (const ir::TypeId id : generation.component.enumerations)
@@ -87,6 +97,7 @@ void write_dispatch_functions(const Generation& generation, CodeWriter& out) {
     out.line(fmt::format("robochart::StepResult dispatch(State<Types>& state, {} event, const Inputs<Types>& values,",
                          type));
     out.open("                               Platform& platform) noexcept {");
+    if (!list_inputs(generation).empty()) out.line("if (overflowed(values)) return robochart::StepResult::capacity;");
     out.line("return Step<Types, Platform>(state, values, platform).dispatch(event);");
     out.close();
     out.gap();

@@ -109,6 +109,7 @@ private:
         for (const char* name : {"Real", "Nat", "Int"})
             out_.line(fmt::format("using {0} = robochart::{1}<{0}Carrier>;", name, number));
         out_.line(fmt::format("[[maybe_unused]] static constexpr std::size_t longest = {};", longest(inst)));
+        out_.line("[[maybe_unused]] static constexpr bool finite = true;");
         out_.close("};");
         out_.line("using Real = Checking::Real;");
         out_.line("using Nat = Checking::Nat;");

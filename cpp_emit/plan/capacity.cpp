@@ -118,6 +118,8 @@ Count members_of(const ir::System& system, const ir::Type& type, const Rules& ru
 }  // namespace
 
 std::string set_capacity(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
+    if (const std::size_t given = given_capacity(type); given != 0)
+        return fmt::format("robochart::capacity<{}>({})", spelling.types, given);
     const auto text = members_of<std::string>(system, type, Texts{spelling.types});
     const bool simple = text.find_first_of("*(+") == std::string::npos;
     return simple ? text : fmt::format("robochart::places({})", text);

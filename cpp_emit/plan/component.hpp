@@ -100,7 +100,7 @@ struct StoredVariable {
     std::string held_up;    ///< method of Step, if there are holders: whether the next write has to wait
     std::string propagate;  ///< method of Step, if there are holders: the steps after a write
 
-    /// Whether the variable is a member of the state. A shared variable that is never read is not a member.
+    /// Whether the variable is a member of the state or of Step. A shared variable that is never read is not a member.
     [[nodiscard]] bool has_member() const { return read || !shared; }
 };
 

@@ -2,7 +2,9 @@
 // The options of a generation, and its result.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,9 @@ enum class Strategy {
     table,          ///< a dense table of cases, one switch over them
 };
 
+/// The greatest capacity of lists that can be given.
+inline constexpr std::size_t greatest_capacity = 65'536;
+
 /// The options of a generation.
 struct Options {
     Target target = Target::sources;
@@ -51,6 +56,8 @@ struct Options {
     /// If the model leaves a choice between transitions or in a wait: if true, the code asks its platform (`pick`); if
     /// false, the code takes the first alternative and contains no call.
     bool choices = false;
+    /// The capacities of lists in deployed code, by the name of an event or variable; 1 to greatest_capacity.
+    std::map<std::string, std::size_t> capacities = {};
     /// Whether the exploration interface is required. If true, a component with more values than the interface's tables
     /// can hold is rejected (RC-G13). If false, the interface is omitted in this case, with a note (RC-G15).
     bool explored = true;
@@ -87,8 +94,9 @@ struct Emission {
     std::vector<OutputFile> files;  ///< headers, sources, CMakeLists.txt, the runtime headers
     std::string
         shim;  ///< path of the source that exports the exploration interface (runtime/explore_abi.h); "" if none
-    std::vector<std::string> sources;  ///< paths of the sources to compile with it
-    std::uint32_t fault_sites = 0;     ///< number of places to which the requested fault applies
+    std::vector<std::string> sources;      ///< paths of the sources to compile with it
+    std::vector<std::string> sized_names;  ///< the names in Options::capacities that the component has
+    std::uint32_t fault_sites = 0;         ///< number of places to which the requested fault applies
     std::vector<EventPlace> event_places;
 };
 

@@ -108,8 +108,8 @@ bool is_supported(const ir::System& system, ir::TypeId id) {
 
 std::vector<TypeMember> type_members(const ir::Type& type) {
     std::vector<TypeMember> result;
-    NameScope names({"filler", "kind", "Kind", "make", "of", "Real", "Nat", "Int", "Types", "robochart", "std",
-                     "result", declared_name(type)});
+    NameScope names({"filler", "kind", "Kind", "make", "of", "overflowed", "drop_overflow", "Real", "Nat", "Int",
+                     "Types", "robochart", "std", "result", declared_name(type)});
     for (const std::string& label : type.labels)
         if (type.kind == TypeKind::enumeration) (void)names.unique_name(label);
     for (std::size_t i = 0; i < type.args.size() && type.kind != TypeKind::enumeration; ++i)
@@ -120,6 +120,32 @@ std::vector<TypeMember> type_members(const ir::Type& type) {
         for (const ir::TypeId argument : type.literal_args[literal])
             result.push_back({names.numbered_name(type.labels[literal]), argument, literal});
     return result;
+}
+
+namespace {
+
+bool contains_lists(const ir::System& system, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (type.kind == TypeKind::sequence) return true;
+    const bool of_set = type.kind == TypeKind::set || has_pairs(type);
+    const auto unbounded = [&](ir::TypeId part) {
+        const TypeKind kind = system.type(part).kind;
+        return contains_lists(system, part) || (of_set && (is_numeric(kind) || kind == TypeKind::string));
+    };
+    return std::ranges::any_of(type.args, unbounded) ||
+           std::ranges::any_of(type.literal_args,
+                               [&](const auto& arguments) { return std::ranges::any_of(arguments, unbounded); });
+}
+
+}  // namespace
+
+bool has_lists(const ir::System& system, ir::TypeId id) {
+    return is_supported(system, id) && contains_lists(system, id);
+}
+
+std::size_t given_capacity(const ir::Type& type) {
+    const bool list = type.kind == TypeKind::sequence || type.kind == TypeKind::set;
+    return list && !type.sizes.empty() ? static_cast<std::size_t>(type.sizes.front()) : 0;
 }
 
 namespace {
@@ -144,6 +170,17 @@ std::string declared_name(const ir::Type& type) {
     return method_like(name) ? name + "_type" : name;
 }
 
+namespace {
+
+std::string sequence_capacity(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
+    if (const std::size_t given = given_capacity(type); given != 0)
+        return fmt::format("robochart::capacity<{}>({})", spelling.types, given);
+    if (has_lists(system, type.args.at(0))) return fmt::format("robochart::outer_capacity<{}>()", spelling.types);
+    return spelling.types + "::longest";
+}
+
+}  // namespace
+
 std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& spelling) {
     const ir::Type& type = system.type(id);
     const auto part = [&](std::size_t place) { return cpp_type(system, type.args.at(place), spelling); };
@@ -159,7 +196,7 @@ std::string cpp_type(const ir::System& system, ir::TypeId id, const Spelling& sp
         case TypeKind::string:
             return fmt::format("robochart::String<{}>", longest_string);
         case TypeKind::sequence:
-            return fmt::format("robochart::Sequence<{}, {}::longest>", part(0), spelling.types);
+            return fmt::format("robochart::Sequence<{}, {}>", part(0), sequence_capacity(system, type, spelling));
         case TypeKind::set:
             return fmt::format("robochart::Set<{}, {}>", part(0), set_capacity(system, type, spelling));
         case TypeKind::relation:
@@ -232,8 +269,9 @@ Extent cpp_extent(const ir::System& system, const ir::Instantiation& inst, ir::T
         const Extent part =
             has_pairs(type) ? pair_extent(system, inst, type) : cpp_extent(system, inst, type.args.at(0));
         if (is_block_type(type)) return {part.size * entry_count(type), part.alignment, part.varies};
-        const std::size_t places =
+        std::size_t places =
             type.kind == TypeKind::sequence ? longest(inst) : std::min(set_capacity(system, inst, type), largest_set);
+        places = std::max(places, given_capacity(type));
         return {part.size * places + part.alignment, part.alignment, true};
     }
     Extent whole{type.kind == TypeKind::enumeration ? 1U : 0U};

@@ -128,8 +128,7 @@ private:
         for (const FunctionHook& hook : component_.functions) {
             if (!hook.guarded) continue;
             const ir::Function& function = system_.functions[hook.id.index];
-            for (const ir::ExprPtr& condition : function.preconditions)
-                check_condition(function.name, condition);
+            for (const ir::ExprPtr& condition : function.preconditions) check_condition(function.name, condition);
             if (asks_for_itself(hook.id))
                 diagnostics_.report(rules::unsupported_expr, function.origin.span,
                                     {"a precondition that uses itself", function.name});
@@ -223,6 +222,27 @@ bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir:
     return count > max_listed;
 }
 
+/// The option that bounds the values of a type: "--range real=LOW..HIGH"; "" if no range does.
+std::string range_option(const ir::System& system, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (is_numeric(type.kind)) return "--range " + type.name + "=LOW..HIGH";
+    std::string found;
+    const auto look = [&](ir::TypeId part) {
+        if (found.empty()) found = range_option(system, part);
+    };
+    std::ranges::for_each(type.args, look);
+    for (const auto& arguments : type.literal_args) std::ranges::for_each(arguments, look);
+    if (type.kind != ir::TypeKind::sequence) return found;
+    return "--range Seq=0..N" + (found.empty() ? "" : " or " + found);
+}
+
+/// A limit of the exploration interface, with the carrier that exceeds it.
+std::string limit_text(const ir::System& system, ir::TypeId type, const std::string& limit) {
+    const std::string option = is_supported(system, type) ? range_option(system, type) : "";
+    return "`conform` lists the values of " + system.type(type).name + ", and " + limit +
+           (option.empty() ? "" : " (fewer with " + option + ")");
+}
+
 }  // namespace
 
 std::vector<BeyondExploration> beyond_exploration(const ir::System& system, const ir::Instantiation& inst,
@@ -230,9 +250,11 @@ std::vector<BeyondExploration> beyond_exploration(const ir::System& system, cons
     std::vector<BeyondExploration> result;
     const auto look = [&](ir::TypeId type, const std::string& name, std::size_t most, const char* limit) {
         if (!has_at_most(system, inst, type, most))
-            result.push_back({name, limit});
+            result.push_back({name, limit_text(system, type, limit)});
         else if (lists_too_much(system, inst, type))
-            result.push_back({name, "all values of an input or output have at most 524288 numbers and literals"});
+            result.push_back(
+                {name, limit_text(system, type,
+                                  "all values of an input or output have at most 524288 numbers and literals")});
     };
     for (const Register& input : exploration_registers(component))
         if (input.type) look(*input.type, input.name, max_input_values, "an input has at most 4096 values");

@@ -1,5 +1,6 @@
-// Sequences and sets as values of fixed size. They use no heap, and equal values have equal bytes. Delivered with the
-// generated code. Copyright: see LICENSE (Apache-2.0).
+// Sequences and sets as values of fixed size. They use no heap, and equal values have equal bytes. A list that is given
+// more items than its capacity keeps those that fit, and knows that it has overflowed. Delivered with the generated code.
+// Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_COMPOSED_HPP
 #define ROBOCHART_COMPOSED_HPP
 
@@ -7,11 +8,26 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "robochart/runtime.hpp"
+
 namespace robochart {
 
-/// A counter as wide as the items, so that there is no padding.
-template <class T>
-using Count = std::conditional_t<(alignof(T) > 1), std::uint64_t, std::uint8_t>;
+/// A counter of two bytes without alignment.
+class ByteCount {
+public:
+    constexpr ByteCount(std::size_t count = 0) noexcept  // NOLINT: converts like a number
+        : low_(static_cast<std::uint8_t>(count % 256)), high_(static_cast<std::uint8_t>(count / 256)) {}
+    constexpr operator std::size_t() const noexcept { return std::size_t{256} * high_ + low_; }
+
+private:
+    std::uint8_t low_;
+    std::uint8_t high_;
+};
+
+/// A counter up to `capacity + 1` as wide as the items, so that there is no padding.
+template <class T, std::size_t capacity>
+using Count = std::conditional_t<(alignof(T) > 1), std::uint64_t,
+                                 std::conditional_t<(capacity < 255), std::uint8_t, ByteCount>>;
 
 /// Lexicographic order; a prefix comes first.
 template <class T>
@@ -21,7 +37,7 @@ constexpr bool ordered_before(const T* a, std::size_t count_a, const T* b, std::
     return count_a < count_b;
 }
 
-/// A sequence of at most `capacity` items; further items are dropped.
+/// A sequence of at most `capacity` items.
 template <class T, std::size_t capacity>
 class Sequence {
 public:
@@ -34,10 +50,30 @@ public:
         (result.append(T(items)), ...);
         return result;
     }
+    /// Adds the item; if the sequence is full, it overflows.
     constexpr void append(T item) noexcept {
-        if (count_ < capacity) item_[count_++] = item;
+        if (count_ >= capacity) return mark_overflow();
+        item_[size()] = item;
+        count_ = static_cast<Number>(count_ + 1);
     }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
+    [[nodiscard]] constexpr std::size_t size() const noexcept {
+        return count_ < capacity ? static_cast<std::size_t>(count_) : capacity;
+    }
+    constexpr void mark_overflow() noexcept { count_ = static_cast<Number>(capacity + 1); }
+    [[nodiscard]] constexpr bool overflowed() const noexcept {
+        if (count_ > capacity) return true;
+        if constexpr (HoldsLists<T>::value)
+            for (std::size_t i = 0; i < size(); ++i)
+                if (item_[i].overflowed()) return true;
+        return false;
+    }
+    constexpr bool drop_overflow() noexcept {
+        bool dropped = count_ > capacity;
+        count_ = static_cast<Number>(size());
+        if constexpr (HoldsLists<T>::value)
+            for (std::size_t i = 0; i < size(); ++i) dropped = item_[i].drop_overflow() || dropped;
+        return dropped;
+    }
     [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }
     [[nodiscard]] constexpr const T* end() const noexcept { return item_ + size(); }
     /// Counted from 1, as in the model; outside the sequence: a default-constructed value.
@@ -48,6 +84,7 @@ public:
     friend constexpr Sequence concat(const Sequence& a, const Sequence& b) noexcept {
         Sequence result = a;
         for (std::size_t i = 0; i < b.size(); ++i) result.append(b.item_[i]);
+        if (b.count_ > capacity) result.mark_overflow();
         return result;
     }
     friend constexpr bool operator==(const Sequence& a, const Sequence& b) noexcept {
@@ -62,12 +99,14 @@ public:
     }
 
 private:
+    using Number = Count<T, capacity>;
+
     [[nodiscard]] constexpr bool has(std::int64_t place) const noexcept {
         return place >= 1 && static_cast<std::uint64_t>(place) <= size();
     }
 
     T item_[capacity]{};
-    Count<T> count_ = 0;
+    Number count_ = 0;  ///< capacity + 1 after an overflow
 };
 
 /// A set of at most `capacity` elements, sorted.
@@ -84,12 +123,23 @@ public:
         return result;
     }
     constexpr void insert(T member) noexcept {
-        if (contains(member) || count_ == capacity) return;
-        std::size_t place = static_cast<std::size_t>(count_++);
+        if (contains(member)) return;
+        if (count_ >= capacity) return mark_overflow();
+        std::size_t place = size();
+        count_ = static_cast<Number>(count_ + 1);
         for (; place > 0 && member < item_[place - 1]; --place) item_[place] = item_[place - 1];
         item_[place] = member;
     }
-    [[nodiscard]] constexpr std::size_t size() const noexcept { return static_cast<std::size_t>(count_); }
+    [[nodiscard]] constexpr std::size_t size() const noexcept {
+        return count_ < capacity ? static_cast<std::size_t>(count_) : capacity;
+    }
+    constexpr void mark_overflow() noexcept { count_ = static_cast<Number>(capacity + 1); }
+    [[nodiscard]] constexpr bool overflowed() const noexcept { return count_ > capacity; }
+    constexpr bool drop_overflow() noexcept {
+        const bool dropped = overflowed();
+        count_ = static_cast<Number>(size());
+        return dropped;
+    }
     [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }
     [[nodiscard]] constexpr const T* end() const noexcept { return item_ + size(); }
     [[nodiscard]] constexpr bool contains(T member) const noexcept {
@@ -109,8 +159,10 @@ public:
     }
 
 private:
+    using Number = Count<T, capacity>;
+
     T item_[capacity]{};
-    Count<T> count_ = 0;
+    Number count_ = 0;  ///< capacity + 1 after an overflow
 };
 
 }  // namespace robochart

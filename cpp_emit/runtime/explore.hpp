@@ -68,6 +68,7 @@ inline rc_result to_abi(StepResult result) noexcept {
             return RC_PRECONDITION;
         case StepResult::deadline:
             return RC_DEADLINE;
+        case StepResult::capacity:  // does not occur: lists over finite carriers are bounded by these
         case StepResult::quiescent:
             break;
     }

@@ -72,6 +72,7 @@ enum class StepResult : std::uint8_t {
     step_bound,    ///< a loop that takes no time: the model diverges
     precondition,  ///< an operation was called outside its precondition
     deadline,      ///< a deadline was missed
+    capacity,      ///< a list had more items than its capacity: an input, so that nothing happened, or a computed one
 };
 
 #ifndef ROBOCHART_PROBES
@@ -116,14 +117,71 @@ struct Flag {
     friend constexpr bool operator==(Flag a, Flag b) noexcept { return a.mark == b.mark; }
 };
 
+/// A variable that no later cycle reads.
+template <class T>
+struct Local {
+    T value{};
+    bool written = false;  ///< whether this cycle has written it
+
+    constexpr void write(const T& newest) noexcept {
+        value = newest;
+        written = true;
+    }
+};
+
+template <class T, class = void>
+struct HoldsLists : std::false_type {};
+template <class T>
+struct HoldsLists<T, std::void_t<decltype(std::declval<const T&>().overflowed())>> : std::true_type {};
+
+/// Whether a list of the value was given more items than its capacity.
+template <class T>
+[[nodiscard]] constexpr bool overflowed([[maybe_unused]] const T& value) noexcept {
+    if constexpr (HoldsLists<T>::value) {
+        return value.overflowed();
+    } else {
+        return false;
+    }
+}
+/// Forgets the items that did not fit; returns whether there were any.
+template <class T>
+constexpr bool drop_overflow([[maybe_unused]] T& value) noexcept {
+    if constexpr (HoldsLists<T>::value) {
+        return value.drop_overflow();
+    } else {
+        return false;
+    }
+}
+
 /// The model's basic types on the robot.
 struct Deployment {
     using Real = double;
     using Nat = std::int64_t;
     using Int = std::int64_t;
-    /// The maximal length of sequences and size of sets.
-    static constexpr std::size_t longest = 16;
+    /// The capacity of sequences, and of sets whose elements are not few.
+    static constexpr std::size_t longest = 64;
 };
+
+/// Whether the types are the finite carriers of the conformance check, which have `static constexpr bool finite`.
+template <class Types, class = void>
+struct HasCarriers : std::false_type {};
+template <class Types>
+struct HasCarriers<Types, std::enable_if_t<Types::finite>> : std::true_type {};
+
+/// The capacity of lists for which the generator was given one. Over finite carriers all lists have the same capacity.
+template <class Types>
+constexpr std::size_t capacity(std::size_t given) noexcept {
+    if constexpr (HasCarriers<Types>::value) {
+        return Types::longest;
+    } else {
+        return given;
+    }
+}
+/// The capacity of lists of lists: smaller, because their sizes multiply.
+template <class Types>
+constexpr std::size_t outer_capacity() noexcept {
+    return capacity<Types>(Types::longest < 16 ? Types::longest : 16);
+}
 
 /// A real as a whole number, rounded down; the nearest number of the type if it is out of range, and 0 for NaN.
 template <class Whole>
@@ -417,6 +475,16 @@ public:
         budget_ = 0;
     }
     [[nodiscard]] constexpr bool violated() const noexcept { return violated_; }
+    /// The value; its lists have lost the items beyond their capacity. If there were any, the cycle ends with
+    /// StepResult::capacity, unless the lists are bounded by finite carriers.
+    template <class Types, class T>
+    [[nodiscard]] constexpr T fit(T value) noexcept {
+        if (drop_overflow(value) && !HasCarriers<Types>::value) {
+            overflowed_ = true;
+            budget_ = 0;
+        }
+        return value;
+    }
     [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }
     /// Whether another round of transitions may begin. Nothing but this object and the state survives a round.
     [[nodiscard]] bool next_round() noexcept {
@@ -430,6 +498,7 @@ public:
     }
     [[nodiscard]] constexpr StepResult result(bool terminated) const noexcept {
         if (violated_) return StepResult::precondition;
+        if (overflowed_) return StepResult::capacity;
         if (budget_ == 0) return StepResult::step_bound;
         return terminated ? StepResult::terminated : StepResult::quiescent;
     }
@@ -437,6 +506,7 @@ public:
 private:
     std::uint32_t budget_;
     bool violated_ = false;
+    bool overflowed_ = false;
     bool late_ = false;
 };
 

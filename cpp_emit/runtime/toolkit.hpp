@@ -101,6 +101,13 @@ struct IsPair<T, std::void_t<decltype(T{}.item_1), decltype(T{}.item_2)>> : std:
 
 }  // namespace detail
 
+/// A list that is computed from one that has overflowed has overflowed, too.
+template <class Result, class From>
+constexpr void inherit_overflow([[maybe_unused]] Result& result, [[maybe_unused]] const From& from) noexcept {
+    if constexpr (HoldsLists<Result>::value)
+        if (overflowed(from)) result.mark_overflow();
+}
+
 /// The value converted to another type: numbers to its unit, sequences to functions from 1.
 template <class To, class From>
 constexpr To convert(const From& from) noexcept {
@@ -113,14 +120,17 @@ constexpr To convert(const From& from) noexcept {
         using Place = decltype(Member{}.item_1);
         using Item = decltype(Member{}.item_2);
         for (const auto& item : from) result.insert(Member::make(Place(++place), convert<Item>(item)));
+        inherit_overflow(result, from);
         return result;
     } else if constexpr (detail::IsSequence<From>::value) {
         To result;
         for (const auto& item : from) result.append(convert<typename To::value_type>(item));
+        inherit_overflow(result, from);
         return result;
     } else if constexpr (detail::IsSet<From>::value) {
         To result;
         for (const auto& item : from) result.insert(convert<typename To::value_type>(item));
+        inherit_overflow(result, from);
         return result;
     } else if constexpr (is_block<From>) {
         To result;
@@ -161,7 +171,7 @@ constexpr Numbers whole_range(Number low, Number high, std::int64_t less_low, st
     Numbers result;
     const std::int64_t last = minus(place_of(high), less_high);
     std::int64_t i = plus(place_of(low), less_low);
-    for (bool more = i <= last; more && result.size() < Numbers::most; more = i < last, i = plus(i, std::int64_t{1})) {
+    for (bool more = i <= last; more && !result.overflowed(); more = i < last, i = plus(i, std::int64_t{1})) {
         if constexpr (detail::IsSequence<Numbers>::value) {
             result.append(typename Numbers::value_type(i));
         } else {
@@ -178,12 +188,14 @@ namespace toolkit {
 template <class R, class Items>
 constexpr void take_all(R& result, const Items& items) noexcept {
     for (const auto& item : items) result.insert(convert<typename R::value_type>(item));
+    inherit_overflow(result, items);
 }
 template <class R, class Items, class Keep>
 constexpr R kept(const Items& items, Keep keep) noexcept {
     R result;
     for (const auto& item : items)
         if (keep(item)) result.insert(convert<typename R::value_type>(item));
+    inherit_overflow(result, items);
     return result;
 }
 template <class Set, class Value>
@@ -467,6 +479,7 @@ template <class R, class Items>
 constexpr R part_of(const Items& items, std::size_t from, std::size_t to) noexcept {
     R result;
     for (std::size_t i = from; i < to; ++i) result.append(convert<typename R::value_type>(items.begin()[i]));
+    inherit_overflow(result, items);
     return result;
 }
 template <class R, class A>
@@ -484,12 +497,14 @@ template <class R, class A, class B>
 constexpr R concat(const A& a, const B& b) noexcept {
     R result = convert<R>(a);
     for (const auto& item : b) result.append(convert<typename R::value_type>(item));
+    inherit_overflow(result, b);
     return result;
 }
 template <class R, class A>
 constexpr R reverse(const A& items) noexcept {
     R result;
     for (std::size_t i = items.size(); i > 0; --i) result.append(convert<typename R::value_type>(items.begin()[i - 1]));
+    inherit_overflow(result, items);
     return result;
 }
 template <class R, class A>
@@ -520,6 +535,7 @@ constexpr R extract(const S& places, const A& items) noexcept {
     for (std::size_t i = 0; i < items.size(); ++i)
         if (places.contains(typename S::value_type(static_cast<std::int64_t>(i) + 1)))
             result.append(convert<typename R::value_type>(items.begin()[i]));
+    inherit_overflow(result, items);
     return result;
 }
 template <class R, class A, class S>
@@ -527,6 +543,7 @@ constexpr R filter(const A& items, const S& set) noexcept {
     R result;
     for (const auto& item : items)
         if (has(set, item)) result.append(convert<typename R::value_type>(item));
+    inherit_overflow(result, items);
     return result;
 }
 template <class A, class B>
@@ -554,6 +571,7 @@ constexpr R dconcat(const A& sequences) noexcept {
     R result;
     for (const auto& items : sequences)
         for (const auto& item : items) result.append(convert<typename R::value_type>(item));
+    inherit_overflow(result, sequences);
     return result;
 }
 

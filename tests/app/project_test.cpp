@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "command.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::Folder;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::repository;
 using testing::run;
 using testing::TemporaryFile;
@@ -59,6 +61,39 @@ TEST(EmitCppTarget, RefusesByName) {
     const auto unknown = run({"emit", "cpp", model.path(), "--target", "arduino"});
     EXPECT_EQ(unknown.exit, 4);
     EXPECT_THAT(unknown.err, HasSubstr("arduino"));
+}
+
+/// A capacity is a number from 1 to 65536 for an event or variable with lists. Without one, a note names the event.
+TEST(EmitCppCapacity, IsCheckedAndUsed) {
+    const TemporaryFile model("m.rct",
+                              "stm M { event found : Seq(nat) event stop event last : Seq(nat) var s : Seq(nat)\n"
+                              "initial i state A { } transition t0 { from i to A }\n"
+                              "transition t1 { from A to A trigger found?s } transition t2 { from A to A trigger stop\n"
+                              "action last!s } }\n");
+    const Folder folder;
+    const auto emitted = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"emit", "cpp", model.path(), "--out", folder.path()};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    };
+    for (const char* wrong : {"found=0", "found=-1", "found=1000000000", "found=", "found=many", "=4", "found"}) {
+        const auto ran = emitted({"--capacity", wrong});
+        EXPECT_EQ(ran.exit, 4) << wrong;
+        EXPECT_THAT(ran.err, HasSubstr("expected EVENT=N, with a whole number N from 1 to 65536")) << wrong;
+    }
+    for (const char* name : {"stop", "nothing"}) {
+        const auto ran = emitted({"--capacity", std::string(name) + "=4"});
+        EXPECT_EQ(ran.exit, 4) << name;
+        EXPECT_THAT(ran.err, HasSubstr("no event or variable '" + std::string(name) + "' has lists"));
+    }
+    EXPECT_FALSE(fs::exists(folder.path() + "/cpp")) << "nothing is written if the command is wrong";
+    EXPECT_THAT(emitted({}).err, HasSubstr("note[RC-G16]: the lists of 'found' have at most 64 items"));
+    const auto good = emitted({"--capacity", "found=360"});
+    EXPECT_EQ(good.exit, 0) << good.err;
+    EXPECT_THAT(good.err, Not(HasSubstr("RC-G16")));
+    std::ifstream core(folder.path() + "/cpp/M/M_core.hpp");
+    const std::string text{std::istreambuf_iterator<char>(core), {}};
+    EXPECT_THAT(text, HasSubstr("robochart::Sequence<Nat, robochart::capacity<Types>(360)> s"));
 }
 
 /// A machine `M` with an operation, and a mapping for it.

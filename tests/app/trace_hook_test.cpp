@@ -170,7 +170,7 @@ int main() {
     if (!log.open("run.trace")) return 1;
     robot.SetTracer(&log);
     robot.step();
-    robot.raise_path(robochart::Sequence<std::int64_t, 16>::of(2, 0));
+    robot.raise_path(robochart::Sequence<std::int64_t, Types::longest>::of(2, 0));
     robot.step();
     robot.raise_pose(core::Pose<Types>::make(0.5, true));
     robot.raise_seen(robochart::Set<core::Colour, 2>::of(core::Colour::Green, core::Colour::Red));

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The capacities of the lists in deployed code: how many items a sequence, or a set of numbers, can have. A type has
+// one capacity in the whole component, so that values pass between events, variables and expressions without
+// conversion.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "cpp_emit/plan/component.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// Whether the component has an event or variable of this name whose values contain lists, so that a capacity can be
+/// given for it (Options::capacities).
+[[nodiscard]] bool has_capacity(const ir::System&, const Component&, const std::string& name);
+
+/// The model with the given capacities in the types of its lists (Type::sizes), at least the number of elements of
+/// every list literal. Nothing if all lists have the usual capacity.
+[[nodiscard]] std::optional<ir::System> with_capacities(const ir::System&, const Component&, const Options&);
+
+/// Notes the events whose lists have the usual capacity, and the variables that an assignment may make longer in every
+/// cycle (RC-G16).
+void report_capacities(const ir::System&, const Component&, const Options&, diagnostics::Diagnostics&);
+
+}  // namespace robochart::cpp_emit
