@@ -106,7 +106,7 @@ private:
 
     void add_variables() {
         for (const StoredVariable& stored : component_.variables)
-            if (!stored.copy)
+            if (!stored.copy && !stored.local)
                 class_of_interface(stored.variable->interface)
                     .variables.push_back(
                         {&stored, unique_member(stored.variable->name, "_variable"), copy_paths(stored)});

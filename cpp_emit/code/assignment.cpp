@@ -16,6 +16,7 @@ std::string store_statement(const Generation& generation, const Unit& unit, ir::
     if (stored != nullptr && stored->visible) return fmt::format("{}({});{}", stored->writer, value, propagate);
     const bool propagated = stored != nullptr && stored->shared && generation.component.is_composed();
     if (propagated && generation.mutation.hits(Fault::write_not_relayed)) return {};
+    if (stored != nullptr && stored->local) return fmt::format("{}.write({});", stored->field, value);
     const std::string place = ExpressionWriter(generation, unit).variable_member(id);
     return place.empty() ? propagate : fmt::format("{} = {};{}", place, value, propagate);
 }

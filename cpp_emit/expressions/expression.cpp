@@ -102,8 +102,10 @@ CppExpr ExpressionWriter::expression_as(const ir::Expr& expr, ir::TypeId id) con
 
 std::string ExpressionWriter::variable_member(ir::VariableId id) const {
     const Component& component = generation_.component;
-    if (const StoredVariable* stored = component.stored_variable(unit_, id))
-        return stored->has_member() ? "state_." + stored->path : "";
+    if (const StoredVariable* stored = component.stored_variable(unit_, id)) {
+        if (stored->local) return stored->field + ".value";
+        return stored->in_state() ? "state_." + stored->path : "";
+    }
     assert(id.index < unit_.variable_owners.size());
     const Owner& place = unit_.variable_owners[id.index];
     const Unit& owner = component.unit_at(place.unit);
@@ -213,8 +215,6 @@ std::string ExpressionWriter::write_cast(const ir::Expr& expr) const {
     return down ? fmt::format("rounded_down<{}>({})", type, write(from)) : fmt::format("{}({})", type, write(from));
 }
 
-/// Functions are specified only by contracts: the platform computes them.
-std::string ExpressionWriter::write_call(const ir::Expr& expr) const {
 std::string ExpressionWriter::write_fitting(const ir::Expr& expr, ir::TypeId type) const {
     const bool stored = expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value ||
                         expr.kind == ExprKind::constant || expr.args.empty();
@@ -223,6 +223,8 @@ std::string ExpressionWriter::write_fitting(const ir::Expr& expr, ir::TypeId typ
     return fmt::format("fit<Types>({})", write_as(expr, type));
 }
 
+/// Functions are specified only by contracts: the platform computes them.
+std::string ExpressionWriter::write_call(const ir::Expr& expr) const {
     return platform_call(expr.function, call_arguments(expr));
 }
 

@@ -145,7 +145,7 @@ std::vector<Field> common_fields(const Generation& generation) {
                               1, 1});
     if (!generation.component.is_composed()) return fields;
     for (const StoredVariable& stored : generation.component.variables) {
-        if (!stored.has_member() || stored.home != no_part) continue;
+        if (!stored.in_state() || stored.home != no_part) continue;
         const Extent extent = cpp_extent(generation.system, generation.inst, stored.variable->type);
         fields.push_back({cpp_type(generation.system, stored.variable->type), stored.field,
                           cpp_value(generation.system, generation.inst, stored.variable->type, stored.initial),

@@ -400,6 +400,15 @@ void write_hook(const Generation& generation, CodeWriter& out) {
     out.close();
 }
 
+/// Writes the variables that no later cycle reads.
+void write_local_variables(const Generation& generation, CodeWriter& out) {
+    for (const StoredVariable& variable : generation.component.variables)
+        if (variable.local)
+            out.line_with_doc(fmt::format("robochart::Local<{}> {};",
+                                          cpp_type(generation.system, variable.variable->type), variable.field),
+                              generation.place_text(variable.variable->origin) + ": no later cycle reads it");
+}
+
 void write_step_class(const Generation& generation, const Core& core, CodeWriter& out) {
     out.gap();
     out.line("ROBOCHART_MODEL_BEGIN");
@@ -432,6 +441,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.line("Inputs<Types> inputs_;");
     out.line("Platform& platform_;");
     if (generation.options.choices) out.line("[[maybe_unused]] robochart::Turn turn_;");
+    write_local_variables(generation, out);
     out.close("};");
     out.line("ROBOCHART_MODEL_END");
 }
@@ -553,6 +563,7 @@ std::string core_header(const Generation& generation, const Core& core) {
     out.line("#if defined(__cpp_concepts) && __cpp_concepts >= 201907L");
     out.line("static_assert(PlatformOf<Platform, Types>, \"the platform lacks a method, or one may throw\");");
     out.line("#endif");
+    if (!list_inputs(generation).empty()) out.line("if (overflowed(inputs)) return robochart::StepResult::capacity;");
     out.line("return Step<Types, Platform>(state, inputs, platform).cycle();");
     out.close();
     write_dispatch_functions(generation, out);
@@ -562,4 +573,3 @@ std::string core_header(const Generation& generation, const Core& core) {
 }
 
 }  // namespace robochart::cpp_emit
-    if (!list_inputs(generation).empty()) out.line("if (overflowed(inputs)) return robochart::StepResult::capacity;");

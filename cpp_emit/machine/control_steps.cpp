@@ -122,6 +122,7 @@ void ControlSteps::mark_entered(NodeId id, CodeWriter& out) {
 /// stays (semantics 3.3, 3.4).
 bool ControlSteps::write_ways(NodeId id, CodeWriter& out, const char* end) {
     const auto& outgoing = plan_.node(id).outgoing;
+    write_blocking(id, out, end);
     if (generation_.options.choices && outgoing.size() > 1) return pick_way(id, out, end);
     for (const ir::TransitionId way : outgoing) {
         const ir::Transition& transition = plan_.machine().transitions[way.index];
@@ -136,6 +137,21 @@ bool ControlSteps::write_ways(NodeId id, CodeWriter& out, const char* end) {
         if (condition.empty()) return false;
     }
     return true;
+}
+
+/// Writes that control stays in the node, if it is there since an earlier cycle and the guards read variables of that
+/// cycle: their values are the same as then, so no guard holds.
+void ControlSteps::write_blocking(NodeId id, CodeWriter& out, const char* end) {
+    if (unit_.awaited_locals.empty()) return;
+    CppExpr written;
+    for (const ir::VariableId variable : unit_.awaited_locals.at(id.index))
+        written =
+            conjunction(written, CppExpr(generation_.component.stored_variable(unit_, variable)->field + ".written"));
+    if (written.empty()) return;
+    out.open(fmt::format("if ({}) {{", negation(written).whole_text()));
+    out.line(control_.go_statement(plan_.label_of(id)));
+    out.line(*end == 'b' ? "return moved;" : "return;");
+    out.close();
 }
 
 /// Does the same, but the platform picks one of the transitions whose guards hold.

@@ -37,6 +37,7 @@ public:
     /// Writes the code that takes the first transition whose guard holds. Returns true if there may be none; control
     /// then stays (semantics 3.3, 3.4).
     bool write_ways(ir::NodeId, CodeWriter&, const char* end);
+    void write_blocking(ir::NodeId, CodeWriter&, const char* end);
     /// The guard preceded by its preconditions; `incoming` is the text of the incoming value. Empty if there is no
     /// guard.
     [[nodiscard]] CppExpr guard_condition(const ir::Transition&, const std::string& incoming) const;

@@ -33,8 +33,7 @@ std::vector<Field> FrameCode::variable_fields() const {
     };
     const std::size_t home = generation_.component.is_composed() ? unit_.part : no_part;
     for (const auto& stored : generation_.component.variables)
-        if (unit_.root && stored.has_member() && stored.home == home)
-            add(stored.field, *stored.variable, stored.initial);
+        if (unit_.root && stored.in_state() && stored.home == home) add(stored.field, *stored.variable, stored.initial);
     for (std::size_t index = 0; index < unit_.variable_fields.size(); ++index) {
         if (unit_.variable_fields[index].empty()) continue;
         add(unit_.variable_fields[index], unit_.machine->variables[index], unit_.initials[index]);

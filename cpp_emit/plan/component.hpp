@@ -87,6 +87,7 @@ struct StoredVariable {
     bool visible = false;         ///< whether writes are visible outside: set_x
     bool external = false;        ///< whether it may be written from outside: set_EXT_x
     bool read = false;            ///< whether some expression depends on it
+    bool local = false;           ///< whether no later cycle reads it: a member of Step instead of State
     bool copy = false;  ///< whether this is a copy of an earlier entry; the earlier entry has the names at the boundary
     ir::Value initial;
     std::string field;         ///< member of the frame
@@ -102,6 +103,8 @@ struct StoredVariable {
 
     /// Whether the variable is a member of the state or of Step. A shared variable that is never read is not a member.
     [[nodiscard]] bool has_member() const { return read || !shared; }
+    /// Whether it is a member of the state.
+    [[nodiscard]] bool in_state() const { return has_member() && !local; }
 };
 
 /// An operation that the platform implements.
@@ -161,8 +164,11 @@ struct Unit {
     std::vector<ir::Value> initials;           ///< initial values of its variables; for shared ones the default of
                                                ///< their type
     std::vector<std::string> clock_fields;     ///< members of the frame; "" for clocks of other units
-    std::vector<bool> clock_read;              ///< whether this machine, or an operation that shares the clock, reads
-                                               ///< it
+    /// By node: the local variables (StoredVariable::local) that control needs to leave the node. It stays there unless
+    /// the cycle has written them.
+    std::vector<std::vector<ir::VariableId>> awaited_locals;
+    std::vector<bool> clock_read;  ///< whether this machine, or an operation that shares the clock, reads
+                                   ///< it
 };
 
 /// A machine in its context, with the operations that it calls.

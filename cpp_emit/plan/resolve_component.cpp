@@ -6,6 +6,7 @@
 
 #include "cpp_emit/plan/connection_resolution.hpp"
 #include "cpp_emit/plan/feature_analysis.hpp"
+#include "cpp_emit/plan/liveness.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
@@ -53,6 +54,7 @@ public:
         number_transitions();
         wire_component(component_, system_, module_, contexts(), diagnostics_);
         collect_variables();
+        find_local_variables(component_, system_);
         collect_calls();
         collect_functions();
         collect_types();
@@ -548,6 +550,11 @@ private:
         const std::string& name = entry.variable->name;
         const bool in_part = entry.home != no_part;
         if (entry.copy) return name_copy(entry, state, writers);
+        if (entry.local) {
+            entry.field =
+                writers.unique_name("local_" + (in_part ? component_.parts[entry.home].tag + "_" : "") + name);
+            return;
+        }
         if (entry.has_member()) {
             entry.field = in_part ? frames[entry.home].unique_name(name) : state.unique_name(name);
             entry.path = in_part ? component_.parts[entry.home].tag + "." + entry.field : entry.field;

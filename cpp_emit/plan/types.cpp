@@ -153,9 +153,9 @@ namespace {
 /// Whether the name has the form of the core's functions for elements of the model. A function with this name would
 /// hide the type.
 bool method_like(const std::string& name) {
-    static constexpr const char* prefixes[] = {"accept_", "any_",  "await_", "cut_",   "during_",
-                                               "enter_",  "exit_", "from_",  "leave_", "name_",
-                                               "offers_", "pass_", "sites_", "take_",  "write_"};
+    static constexpr const char* prefixes[] = {"accept_", "any_",   "await_", "cut_",   "during_", "enter_",
+                                               "exit_",   "from_",  "leave_", "local_", "name_",   "offers_",
+                                               "pass_",   "sites_", "take_",  "write_"};
     return std::any_of(std::begin(prefixes), std::end(prefixes),
                        [&](const char* prefix) { return name.starts_with(prefix); });
 }
