@@ -381,6 +381,10 @@ std::optional<runs::Place> declaration_place(const driver::Project& project, con
     return place_of(system.machines[component.definition].origin);
 }
 
+bool has_sequences(const ir::System& system) {
+    return std::ranges::any_of(system.types, [](const ir::Type& type) { return type.kind == ir::TypeKind::sequence; });
+}
+
 }  // namespace
 
 namespace {
@@ -436,6 +440,10 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         if (!unlike_blocks.empty())
             one.result.warnings.push_back(fmt::format(
                 "the csp block Instantiations is not read here: {}; --const sets constants", unlike_blocks));
+        if (has_sequences(project.system))
+            one.result.warnings.push_back(
+                fmt::format("sequences have at most {} items in this check; --range Seq=0..N sets another bound",
+                            project.instantiation.sequence_bound));
         one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const bool exported = options.verb == Verb::verify && !one.result.normal_form.empty() &&
                               options.claims.times != driver::Times::untimed;
