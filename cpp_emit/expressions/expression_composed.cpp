@@ -25,8 +25,8 @@ std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, 
     const std::string inner = write_any(expr, from + 1, visit);
     const std::string body = from + 1 == expr.bound_names.size() ? inner : fmt::format("return {};", inner);
     const ir::Expr* const collection = generators(generation_.system, expr)[from].collection;
-    const std::string source = collection == nullptr ? generation_.component.find_carrier(type).method
-                                                     : write_view(*collection) + ".any";
+    const std::string source =
+        collection == nullptr ? generation_.component.find_carrier(type).method : write_view(*collection) + ".any";
     return fmt::format("{}([&]([[maybe_unused]] const {}& {}) {{ {} }})", source, type_text(type),
                        bound_identifier(expr.bound_names[from]), body);
 }
@@ -39,11 +39,9 @@ CppExpr ExpressionWriter::write_quantifier(const ir::Expr& expr) const {
     const std::string premise = predicate.empty() ? "" : predicate.as_operand() + " && ";
     if (expr.kind == ExprKind::forall)
         return negation(CppExpr(write_any(expr, 0, fmt::format("return {}!{};", premise, body))));
-    if (expr.kind == ExprKind::exists)
-        return CppExpr(write_any(expr, 0, fmt::format("return {}{};", premise, body)));
-    return CppExpr(
-        fmt::format("[&] {{ std::size_t found = 0; (void){}; return found == 1; }}()",
-                    write_any(expr, 0, fmt::format("if ({}{}) ++found; return false;", premise, body))));
+    if (expr.kind == ExprKind::exists) return CppExpr(write_any(expr, 0, fmt::format("return {}{};", premise, body)));
+    return CppExpr(fmt::format("[&] {{ std::size_t found = 0; (void){}; return found == 1; }}()",
+                               write_any(expr, 0, fmt::format("if ({}{}) ++found; return false;", premise, body))));
 }
 
 /// The bound variables as one value of the type: the variable itself, or a tuple.
@@ -69,8 +67,8 @@ std::string ExpressionWriter::write_collection(const ir::Expr& expr) const {
     const std::string take =
         expr.kind == ExprKind::the ? fmt::format("chosen = {};", item) : fmt::format("chosen.insert({});", item);
     const CppExpr predicate = predicate_of(expr);
-    const std::string visit = fmt::format("if ({}) {{ {} }} return false;",
-                                          predicate.empty() ? "true" : predicate.whole_text(), take);
+    const std::string visit =
+        fmt::format("if ({}) {{ {} }} return false;", predicate.empty() ? "true" : predicate.whole_text(), take);
     return fmt::format("[&] {{ {} chosen{{}}; (void){}; return chosen; }}()", type_text(expr.type),
                        write_any(expr, 0, visit));
 }

@@ -51,17 +51,10 @@ std::string ExpressionWriter::write_view(const ir::Expr& expr) const {
     if (const ir::Expr* const sequence = sequence_of_pairs(generation_.system, expr)) return write_view(*sequence);
     if (!is_view(generation_.system, expr)) return fmt::format("robochart::view::items({})", write(expr));
     const ir::TypeId member = generation_.system.type(expr.type).args.at(0);
-    switch (expr.kind) {
-        case ExprKind::range:
-        case ExprKind::set_range:
-            return view_of_interval(expr);
-        case ExprKind::set:
-            return fmt::format("robochart::view::literal<{}>({})", type_text(member), argument_list(expr, {member}));
-        case ExprKind::set_comprehension:
-            return view_of_comprehension(expr);
-        default:
-            break;
-    }
+    if (expr.kind == ExprKind::range || expr.kind == ExprKind::set_range) return view_of_interval(expr);
+    if (expr.kind == ExprKind::set)
+        return fmt::format("robochart::view::literal<{}>({})", type_text(member), argument_list(expr, {member}));
+    if (expr.kind == ExprKind::set_comprehension) return view_of_comprehension(expr);
     const std::string function = expr.kind == ExprKind::concat ? "concat" : toolkit_function(expr);
     if (function == "ran") return write_view(*expr.args.at(0));
     return fmt::format("robochart::view::{}({}, {})", function == "union" ? "union_" : function,
@@ -104,16 +97,11 @@ CppExpr ExpressionWriter::membership_in_view(const ir::Expr& expr) const {
 CppExpr ExpressionWriter::write_fold(const ir::Expr& expr) const {
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i] || !folds(generation_.system, expr, i)) continue;
-        switch (expr.kind) {
-            case ExprKind::is_in:
-                return membership_in_view(expr);
-            case ExprKind::equal:
-                return CppExpr(fmt::format("robochart::view::empty({})", write_view(*expr.args[i])));
-            case ExprKind::not_equal:
-                return view_has_elements(*expr.args[i]);
-            default:
-                return fold_of_toolkit(expr);
-        }
+        if (expr.kind == ExprKind::is_in) return membership_in_view(expr);
+        if (expr.kind == ExprKind::not_equal) return view_has_elements(*expr.args[i]);
+        if (expr.kind == ExprKind::equal)
+            return CppExpr(fmt::format("robochart::view::empty({})", write_view(*expr.args[i])));
+        return fold_of_toolkit(expr);
     }
     return {};
 }

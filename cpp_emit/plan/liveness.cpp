@@ -232,21 +232,13 @@ private:
     }
 
     [[nodiscard]] bool keeps_value(const ir::Expr& part) const {
-        switch (part.kind) {
-            case ExprKind::since:
-            case ExprKind::since_entry:
-            case ExprKind::call:
-            case ExprKind::function_value:
-            case ExprKind::trigger_value:
-                return false;
-            case ExprKind::variable:
-                return machine_.variables[part.variable.index].scope == ir::VariableScope::local &&
-                       std::ranges::none_of(machine_.nodes, [&](const ir::Node& other) {
-                           return used_by(other.during).contains(part.variable);
-                       });
-            default:
-                return true;
-        }
+        if (part.kind == ExprKind::variable)
+            return machine_.variables[part.variable.index].scope == ir::VariableScope::local &&
+                   std::ranges::none_of(machine_.nodes, [&](const ir::Node& other) {
+                       return used_by(other.during).contains(part.variable);
+                   });
+        return part.kind != ExprKind::since && part.kind != ExprKind::since_entry && part.kind != ExprKind::call &&
+               part.kind != ExprKind::function_value && part.kind != ExprKind::trigger_value;
     }
 
     const Component& component_;

@@ -79,20 +79,11 @@ const Expr* sequence_of_pairs(const System& system, const Expr& expr) {
 
 bool is_view(const System& system, const Expr& expr) {
     if (!expr.type.is_valid() || !is_collection(system, expr)) return false;
-    switch (expr.kind) {
-        case ExprKind::range:
-        case ExprKind::set_range:
-            return is_interval(system, expr);
-        case ExprKind::set:
-            return !expr.args.empty();
-        case ExprKind::set_comprehension:
-            return expr.bound_names.size() == 1 && generators(system, expr).front().collection != nullptr;
-        case ExprKind::concat:
-        case ExprKind::toolkit:
-            return visits_parts(system, expr);
-        default:
-            return false;
-    }
+    if (expr.kind == ExprKind::set) return !expr.args.empty();
+    if (expr.kind == ExprKind::set_comprehension)
+        return expr.bound_names.size() == 1 && generators(system, expr).front().collection != nullptr;
+    if (expr.kind == ExprKind::concat || expr.kind == ExprKind::toolkit) return visits_parts(system, expr);
+    return is_interval(system, expr);
 }
 
 bool can_be_visited(const System& system, const Expr& expr, TypeId element) {
@@ -102,17 +93,11 @@ bool can_be_visited(const System& system, const Expr& expr, TypeId element) {
 bool folds(const System& system, const Expr& expr, std::size_t operand) {
     const auto argument = [&](std::size_t i) -> const Expr& { return *expr.args.at(i); };
     const auto has_elements_of = [&](std::size_t i, TypeId type) { return element_type(system, argument(i)) == type; };
-    switch (expr.kind) {
-        case ExprKind::is_in:
-            return operand == 1 && !is_interval(system, argument(1)) && is_view(system, argument(1));
-        case ExprKind::equal:
-        case ExprKind::not_equal:
-            return is_empty_literal(argument(1 - operand)) && is_view(system, argument(operand));
-        case ExprKind::toolkit:
-            break;
-        default:
-            return false;
-    }
+    if (expr.kind == ExprKind::is_in)
+        return operand == 1 && !is_interval(system, argument(1)) && is_view(system, argument(1));
+    if (expr.kind == ExprKind::equal || expr.kind == ExprKind::not_equal)
+        return is_empty_literal(argument(1 - operand)) && is_view(system, argument(operand));
+    if (expr.kind != ExprKind::toolkit) return false;
     if (is_toolkit(expr, "sequence_toolkit_size")) {
         if (operand != 0) return false;
         const Expr* const sequence = sequence_of_pairs(system, argument(0));
@@ -157,21 +142,11 @@ bool calls_partial_function(const System& system, const Expr& expr) {
 /// Whether the elements of the collection are elements of collections that the model stores, and so values of their
 /// type in every instantiation. An interval may contain numbers that are not.
 bool holds_stored_values(const System& system, const Expr& expr) {
-    switch (expr.kind) {
-        case ExprKind::variable:
-        case ExprKind::trigger_value:
-        case ExprKind::constant:
-        case ExprKind::member:
-        case ExprKind::bound:
-        case ExprKind::sequence:
-        case ExprKind::set:
-            return true;
-        case ExprKind::toolkit:
-            break;
-        default:
-            return false;
-    }
-    if (!is_view(system, expr)) return false;
+    if (expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value || expr.kind == ExprKind::constant ||
+        expr.kind == ExprKind::member || expr.kind == ExprKind::bound || expr.kind == ExprKind::sequence ||
+        expr.kind == ExprKind::set)
+        return true;
+    if (expr.kind != ExprKind::toolkit || !is_view(system, expr)) return false;
     if (is_toolkit(expr, "relation_toolkit_ran"))
         return holds_stored_values(system, *sequence_of_pairs(system, *expr.args.at(0)));
     if (is_toolkit(expr, "sequence_toolkit_extract")) return holds_stored_values(system, *expr.args.at(1));
