@@ -56,6 +56,8 @@ public:
             });
         }
         visit_tested_preconditions(component_, system_, [&](const ir::Expr& expr) { use_expression(expr); });
+        // each of these headers includes the next one
+        component_.toolkit = component_.toolkit || component_.views;
         component_.matrices = component_.matrices || component_.toolkit;
     }
 

@@ -200,6 +200,16 @@ TEST(Lists, FoldsVisitTheItemsAndTheStateHasNoLists) {
     EXPECT_EQ(folder.run("./program"), expected);
 }
 
+/// A test of membership in a literal needs no toolkit function, but the header of views includes that of the toolkits.
+TEST(Lists, ViewsComeWithTheHeadersThatTheyInclude) {
+    const ir::System system = testing::load_model(
+        "package p stm M { event a : nat var v : nat initial i transition t0 { from i to A } state A { }\n"
+        "transition t1 { from A to A trigger a?v condition v in {1, 2} } }");
+    const Emission emission = testing::emit_ok(system, component_named(system, "M"));
+    for (const char* header : {"robochart/views.hpp", "robochart/toolkit.hpp", "robochart/matrix.hpp"})
+        EXPECT_EQ(std::ranges::count(emission.files, header, &OutputFile::path), 1) << header;
+}
+
 /// Whether the variable `s` of a machine is a member of the state.
 bool is_stored(const std::string& body) {
     const ir::System system = testing::load_model(
