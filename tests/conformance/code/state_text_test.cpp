@@ -24,7 +24,8 @@ constexpr const char* matrix_model =
     "transition t1 { from A to A trigger e?m action m[1, 2] = false; m[2, 1] = m[1, 1]; out!m } }\n";
 
 /// The machine has variables of every composite type. The report must show the values that `go` assigns. Other
-/// variables have the initial values of semantics 3.6: truth values are true, and numbers are 0.
+/// variables have the initial values of semantics 3.6: truth values are true, and numbers are 0. A list is part of the
+/// state only if a later cycle reads it, here the condition of t2.
 constexpr const char* every_type =
     "enumeration Mode { slow fast } enumeration Colour { Red Put(boolean) }\n"
     "datatype Pose { far : real lit : boolean modes : Seq(Mode) }\n"
@@ -34,7 +35,8 @@ constexpr const char* every_type =
     "initial i state A { } transition t0 { from i to A }\n"
     "transition t1 { from A to A trigger go action m[1, 2] = false; v[2] = -1; p.far = 0.5; p.lit = true;\n"
     "p.modes = <Mode::fast, Mode::slow>; q = <2, 0>; s = {true}; c = Colour::Put(true); d = Mode::fast;\n"
-    "f = {(| true, false |)} as boolean -> boolean; t = \"so far\"; done } }\n";
+    "f = {(| true, false |)} as boolean -> boolean; t = \"so far\"; done }\n"
+    "transition t2 { from A to A trigger go condition q == <1> } }\n";
 
 /// The state after a number of cycles in which all inputs without values occur.
 std::string state_after(const rc_interface& code, int cycles) {
