@@ -122,10 +122,11 @@ private:
             if (system.machines[i].kind == ir::MachineKind::state_machine)
                 components.push_back(
                     {ir::ComponentKind::machine, system.machines[i].name, system.machines[i].package, i});
+        const conformance::Options options;
         for (const ir::ComponentRef& component : components) {
             Diagnostics found;
             found.set_budget(&budget_);
-            const auto candidate = conformance::candidate(system, instantiation, component, {}, sources_, found);
+            const auto candidate = conformance::candidate(system, instantiation, component, options, sources_, found);
             if (!candidate && found.error_count() == 0) return component.path + " has no code, and no error says why";
             if (const std::string complaint = check_findings(sources_, found); !complaint.empty()) return complaint;
         }
