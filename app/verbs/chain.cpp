@@ -3,6 +3,7 @@
 // impossible transitions, and fresh trials may refute the chain.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "app/command/answer.hpp"

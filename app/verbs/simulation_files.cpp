@@ -3,6 +3,7 @@
 // if the programs that make them are on PATH.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/diagnostics/text.hpp"
 #include "csp_emit/claimed_components.hpp"
 #include "semantics/ir/element_at.hpp"

@@ -54,6 +54,7 @@ void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContex
                      const std::function<void()>& give_back) {
     const double most = search.settings.limits.assertion_seconds;
     std::vector<const WaitingClaim*> waiting;
+    waiting.reserve(claims.size());
     for (const WaitingClaim& claim : claims) waiting.push_back(&claim);
     for (double seconds = first_turn(search); !waiting.empty(); seconds *= longer) {
         std::vector<const WaitingClaim*> open;

@@ -2,6 +2,7 @@
 // State machines, operations, nodes, actions, transitions (RoboChart.xtext: StateMachineDef to Action).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "frontend/syntax/parser.hpp"

@@ -2,6 +2,7 @@
 // Evaluation. See code.hpp.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

@@ -105,6 +105,7 @@ ExprPtr parse_literal(const System& system, TypeId id, const std::string& text) 
 
 std::string suggestion_text(const std::string& name, const std::vector<NamedConstant>& constants) {
     std::vector<std::string> candidates;
+    candidates.reserve(constants.size());
     for (const auto& constant : constants) candidates.push_back(constant.path.substr(constant.path.rfind(':') + 1));
     const std::string meant = diagnostics::nearest_spelling(name, candidates);
     return meant.empty() ? "" : "; did you mean '" + meant + "'?";

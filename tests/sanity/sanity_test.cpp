@@ -79,6 +79,23 @@ TEST(Sanity, TestsMakeTemporaryFoldersInOnePlace) {
     }
 }
 
+/// In a build of all sources together, another source may include the header that one forgets.
+TEST(Sanity, FilesThatUseAlgorithmsIncludeThem) {
+    const char* const functions[] = {"all_of", "any_of",  "none_of",     "count_if", "equal",   "fill",
+                                     "find",   "find_if", "max",         "min",      "reverse", "sort",
+                                     "copy",   "rotate",  "stable_sort", "unique"};
+    const std::string header = "#include <algorithm>";
+    for (const fs::path& path : files(root(), {".hpp", ".cpp"})) {
+        const std::string text = read_contents(path);
+        const std::string own = read_contents(fs::path(path).replace_extension(".hpp"));
+        if (text.find(header) != std::string::npos || own.find(header) != std::string::npos) continue;
+        for (const std::string name : functions)
+            for (const char* const scope : {"std::", "std::ranges::"})
+                EXPECT_EQ(text.find(scope + name + "("), std::string::npos)
+                    << path << " uses " << scope << name << " without " << header;
+    }
+}
+
 /// Text from models is ForeignText until a function of base/diagnostics/escape.hpp returns it. This test lists the
 /// files that access it directly: those that compute with its characters, and those that pass it to a syntax tree whose
 /// printer escapes it.

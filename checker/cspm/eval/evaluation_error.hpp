@@ -14,8 +14,8 @@ namespace robochart::cspm {
 /// Contains the place and the CSPM call stack, innermost first.
 class EvaluationError : public std::runtime_error {
 public:
-    EvaluationError(std::string message, diagnostics::Span place, std::vector<std::string> calls)
-        : std::runtime_error(std::move(message)), span(place), stack(std::move(calls)) {}
+    EvaluationError(const std::string& message, diagnostics::Span place, std::vector<std::string> calls)
+        : std::runtime_error(message), span(place), stack(std::move(calls)) {}
     diagnostics::Span span;
     std::vector<std::string> stack;
 };

@@ -7,6 +7,7 @@
 // open level, or the search rolls back to its level.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 

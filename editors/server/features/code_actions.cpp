@@ -58,7 +58,7 @@ Json Models::code_actions(const Request& request) {
     const View only = request.params["context"]["only"];
     Json list = Json::array();
     for (const View kind : only.items())
-        if (kind.text() != "quickfix" && kind.text() != "" && only.items().size() == 1) return list;
+        if (kind.text() != "quickfix" && !kind.text().empty() && only.items().size() == 1) return list;
     for (const Diagnostic& finding : findings_about(target)) {
         if (!spans_overlap(finding.span, requested)) continue;
         for (const FixIt& fix : finding.fixes)

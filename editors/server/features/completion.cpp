@@ -251,7 +251,7 @@ private:
         add_words(statement_words());
     }
 
-    const Component* enclosing_component() const {
+    [[nodiscard]] const Component* enclosing_component() const {
         for (auto enclosing = context_.enclosing.rbegin(); enclosing != context_.enclosing.rend(); ++enclosing)
             if (const auto* found = dynamic_cast<const Component*>(declared_at(file_, enclosing->name))) return found;
         return nullptr;

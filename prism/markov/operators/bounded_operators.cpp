@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Operators for a number of steps: one sweep over the states for each step.
+#include <algorithm>
+
 #include "prism/markov/operators/operators.hpp"
 #include "prism/markov/solve/arithmetic.hpp"
 #include "prism/markov/solve/earnings.hpp"

@@ -6,6 +6,7 @@
 #include <enki/PhysicalEngine.h>
 #include <enki/robots/e-puck/EPuck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>

@@ -3,6 +3,7 @@
 // does not use CSP.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>

@@ -2,6 +2,7 @@
 // The components after the front end with any input. A model without errors is lowered, instantiated, written as CSP in
 // both times and type checked. Its obligations and core properties are decided with small limits, and its components
 // are generated as C++.
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <new>

@@ -3,6 +3,7 @@
 // with it. States, choices, targets and probabilities must be the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>

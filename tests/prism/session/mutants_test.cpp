@@ -3,6 +3,8 @@
 // a finding, stopped by a limit, or answered.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/diagnostics/splitmix64.hpp"
 #include "tests/prism/support.hpp"
 

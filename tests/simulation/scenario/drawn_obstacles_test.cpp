@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "simulation/scenario/read_scenario.hpp"
 #include "tests/temporary_folder.hpp"
 
