@@ -503,8 +503,11 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
     if (!timed.sound || !component_process(timed.script.definitions, component))
         return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
     ForAllValues all = conform_for_all_values(timed, component, options, diagnostics);
-    if (all.result) return std::move(*all.result);
+    const bool differs = all.result && all.result->outcome == Outcome::differs;
+    if (all.result && !differs) return std::move(*all.result);
     Result result = conform_in_carriers(timed, component, options, diagnostics);
+    // A difference between values of carriers is shown in numbers. One beyond the carriers is a difference, too.
+    if (differs && result.outcome != Outcome::differs) return std::move(*all.result);
     // A few values may stand for all although the search with tracked numbers did not decide.
     if (result.represented.empty()) result.not_for_all = std::move(all.reason);
     return result;

@@ -194,7 +194,9 @@ std::string Alphabet::describe_write(std::uint32_t output, process::Event write)
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Carrier carrier = i < shown.arguments.size() ? shown.arguments[i] : Carrier{};
         const auto value = number_of(carrier, parts[i]);
-        texts += (i == 0 ? "" : ", ") + (value ? people_text(carrier, *value, interface_.scale) : parts[i]);
+        std::string text = value ? people_text(carrier, *value, interface_.scale) : parts[i];
+        if (carrier.kind == Carrier::Kind::enumeration && parts[i] == "-1") text = "another value";
+        texts += (i == 0 ? "" : ", ") + text;
     }
     if (starts_with(shown.name, "set_")) return fmt::format("{} = {}", shown.name.substr(4), texts);
     return fmt::format("{}({})", short_name(shown.name), texts);

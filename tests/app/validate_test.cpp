@@ -154,7 +154,7 @@ TEST(Validate, LooksIntoCspBlocks) {
 /// An error caused by the model's text is bad input, with its place. An error caused by an option is wrong usage.
 TEST(Refused, ByTheModelOrByAnOption) {
     const TemporaryFile file("m.rct",
-                             "stm S {\n  var n : nat\n  initial i\n  state s { entry n = 100000000000 }\n"
+                             "stm S {\n  var n : nat\n  initial i\n  state s { entry n = 99999999999999999999 }\n"
                              "  transition t { from i to s }\n}\n");
     const auto by_model = run({"check", "--core", file.path()});
     EXPECT_EQ(by_model.exit, 2) << by_model.err;

@@ -246,7 +246,8 @@ private:
     Paths paths_;
 };
 
-/// A violation in the system before minimisation. Both are null if there is no such system.
+/// A violation in the system before minimisation. Both are null if there is no such system, or if the run was not found
+/// there: hidden steps then have the names that the minimised components give.
 struct FinerForm {
     std::shared_ptr<lts::FinerSystem> system;
     std::optional<Violation> violation;
@@ -255,7 +256,7 @@ struct FinerForm {
 FinerForm finer_form(lts::TransitionSystem& system, const Violation& violation, Budget& budget) {
     FinerForm form{system.make_finer_system(budget), std::nullopt};
     if (form.system) form.violation = refine_violation(*form.system, violation, budget);
-    if (form.system && !form.violation) throw std::logic_error("a run has no counterpart before minimisation");
+    if (!form.violation) form.system = nullptr;
     return form;
 }
 
