@@ -58,7 +58,7 @@ std::set<std::string> outputs_replaced(const System& system, const Places& place
     return result;
 }
 
-/// Classes for the system in which holders replace all groups of related variables but those that are refused.
+/// Finds classes for the system in which holders replace the groups of related variables, except the refused groups.
 class Attempt {
 public:
     Attempt(const System& original, const Instantiation& instantiation, const std::set<GroupId>& refused)

@@ -18,14 +18,14 @@ namespace robochart::ir {
 /// Data that classes replace.
 struct ReplacedData {
     std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
-    std::string term;                 ///< the term of variables that the conditions read, "d - l"; "" for values
+    std::string term;                 ///< the term that the conditions read, "d - l"; "": they read single values
     std::size_t classes = 0;
     std::size_t conditions = 0;
     bool all_values = false;      ///< otherwise, the classes are the values that occur
     bool nothing_tested = false;  ///< no condition reads the values
 };
 
-/// A variable of a group that conditions relate.
+/// A variable that conditions compare with other variables.
 struct RelatedVariable {
     std::string name;
     std::int64_t coefficient = 1;  ///< in the term; not 0
@@ -46,6 +46,7 @@ struct RelatedVariables {
     bool assigned = false;  ///< the machine also changes these variables without an input
 };
 
+/// A system whose data are classes of values, and what is needed to report about it.
 struct ClassModel {
     System system;
     Instantiation instantiation;
@@ -54,8 +55,8 @@ struct ClassModel {
     /// The machines ("P::S") for which classes replace values of outputs and calls. Two outputs of different values may
     /// then have one name, so that a nondeterministic machine may have a deterministic class model.
     std::set<std::string> outputs_replaced;
-    /// Names of inputs of related variables depend on the values of the other variables, so that a class model may be
-    /// deterministic although a machine is not, and the reverse.
+    /// The name of an input of a related variable depends on the values of the other variables. So a class model may be
+    /// deterministic although the machine is not, and a machine may be deterministic although its class model is not.
     std::vector<RelatedVariables> related;
 };
 

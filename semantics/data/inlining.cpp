@@ -49,7 +49,7 @@ bool is_total(const Expr& argument) {
     return result;
 }
 
-/// Replaces calls, and in the body of a function its parameters.
+/// Replaces calls by the bodies of functions, and parameters in these bodies by the arguments.
 class Inliner {
 public:
     explicit Inliner(const System& system) : system_(system) {}

@@ -139,7 +139,7 @@ std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> LinearC
     return result;
 }
 
-/// Points of whole numbers are not in units.
+/// Coordinates of the types nat and int are whole numbers, not units.
 std::vector<int> LinearConditions::signs_at(const Point& point) const {
     Point units = point;
     for (std::size_t i = 0; i < units.size(); ++i)

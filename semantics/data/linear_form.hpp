@@ -27,6 +27,7 @@ struct LinearForm {
     friend auto operator<=>(const LinearForm&, const LinearForm&) = default;
 };
 
+/// The limits of constants, and of coefficients, in absolute value.
 inline constexpr std::int64_t greatest_coordinate = std::int64_t{1} << 56U;
 inline constexpr std::int64_t greatest_coefficient = std::int64_t{1} << 20U;
 

@@ -16,7 +16,7 @@
 namespace robochart::ir {
 namespace {
 
-/// The groups of a machine's variables, by union and find.
+/// Divides the variables of a machine into groups (union-find).
 class Groups {
 public:
     explicit Groups(std::size_t variables) : parents_(variables) { std::iota(parents_.begin(), parents_.end(), 0U); }
@@ -183,8 +183,8 @@ bool MachineRelations::holds_only(VariableId group, PlaceId place) const {
     return groups_.group_of(VariableId{place - places_.variable(id_, VariableId{0})}) == group;
 }
 
-/// A group that may be replaced if the conditions have the form: its variables have the type int or real, and all
-/// places that the values flow through belong to the group or connect it with the platform.
+/// Whether the group may be replaced if its conditions have a common term: its variables have the type int or real, and
+/// all places that the values flow through belong to the group or connect it with the platform.
 bool MachineRelations::is_admissible(VariableId group) const {
     const TypeKind kind = system_.type(type_of(group)).kind;
     if (kind != TypeKind::integer && kind != TypeKind::real) return false;

@@ -19,7 +19,8 @@ namespace robochart::ir {
                                   const std::map<PlaceId, ValueClasses>& classes,
                                   const std::map<PlaceId, std::string>& terms = {});
 
-/// A class of values of a term: "d - l = 1". `scale`: units of one in the witness.
+/// The text of a class of values of a term: "d - l = 1". `witness` is a value in the class; `scale` is its number of
+/// units for 1.
 [[nodiscard]] std::string term_value_text(const System& system, std::int64_t scale, const std::string& term,
                                           TypeId type, const Value& witness);
 

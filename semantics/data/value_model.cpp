@@ -175,8 +175,8 @@ bool Explorer::add_conditions(LinearConditions& linear, TypeId type, const std::
     return true;
 }
 
-/// The values of the regions: at least as many of each as are written and two more, or all. If a condition reads only
-/// some of the numbers, values of one region differ in another number.
+/// Candidates in each region: as many as there are written values, and two more, or all values of a smaller region. If
+/// the conditions do not read all numbers of a value, the candidates of a region differ in an unread number.
 std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearConditions& linear, TypeId type,
                                                               const std::vector<Value>& written) const {
     const std::size_t count = written.size() + fresh_values;
@@ -201,7 +201,8 @@ std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearCondit
     return result;
 }
 
-/// Adds new values of each region.
+/// Adds `fresh_values` values of each region that the model does not write, or all of a smaller region. False if there
+/// are too many.
 bool Explorer::add_regions(const LinearConditions& linear, TypeId type, std::vector<Value>& values) const {
     const std::vector<Value> written = values;
     const auto candidates = values_in_regions(linear, type, written);
@@ -226,7 +227,7 @@ void Explorer::add_cuts(const LinearConditions& linear, TypeId type, std::vector
     }
 }
 
-/// Each value is a class of its own.
+/// Makes one class for each value.
 std::optional<ValueClasses> Explorer::classes_for(PlaceId flow, const std::vector<Value>& values) const {
     ValueClasses result;
     result.witnesses = values;

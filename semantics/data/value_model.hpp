@@ -34,17 +34,19 @@ struct ExploredValues {
     std::vector<std::vector<std::int64_t>> values;
 };
 
+/// A system whose numbers are literals of enumerations, one for each explored value.
 struct ValueModel {
     System system;
     std::int64_t scale = 1;  ///< units of one real
     std::vector<ExploredValues> types;
-    std::vector<ReplacedData> data;  ///< with the classes of the model's own conditions
-    std::vector<Cut> cuts;           ///< all that have one sign in each region, normalized and ascending
+    std::vector<ReplacedData> data;  ///< for reports: the classes by the conditions of the model, without `cuts`
+    std::vector<Cut> cuts;           ///< the forms of all conditions and comparisons, normalized and ascending
 };
 
-/// The value model of these machines, which divides values by its conditions and by `cuts`. No value if the machines
-/// have data that are computed, compared with each other, or no numbers, if they compute with clocks, or if there are
-/// too many regions. The instantiation is the model's own.
+/// The value model of these machines, whose regions are divided by the conditions of the model and by `cuts`. No value
+/// if the machines compute numbers or durations, compare values with each other, or contain other data with numbers or
+/// without a finite set of values (sequences, say). No value either if there are no numbers, a remainder, or too many
+/// regions. The instantiation is that of the model, with its own carriers.
 [[nodiscard]] std::optional<ValueModel> value_model(const System& system, const Instantiation& instantiation,
                                                     const std::vector<MachineId>& machines,
                                                     const std::vector<Cut>& cuts);

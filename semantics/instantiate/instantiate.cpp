@@ -189,7 +189,7 @@ public:
         : literals_(literals), diagnostics_(diagnostics) {}
 
     /// The carrier of a type; it has gaps if the range of the model's numbers is too large. `narrower` is the carrier
-    /// of the type that can be used as this one.
+    /// of the subtype: that of nat for int, and that of int for real.
     [[nodiscard]] std::vector<std::int64_t> whole(const Range& range, const char* name,
                                                   const std::vector<std::int64_t>& narrower) {
         const auto size = checked_subtract(range.high, range.low);
