@@ -284,7 +284,7 @@ Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, 
                         code.event_places);
 }
 
-/// The check of a component for whose types few values may represent all.
+/// Checks a component with few values of some types, which may represent all of their values.
 Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& component, const Representatives& few,
                         const Options& options, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.error_count();
@@ -298,7 +298,7 @@ Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& compone
 }
 
 /// Completes a result for the least number of names: if it is not the result for all values, finds out how many names
-/// are needed, and repeats the check with them. A difference is a difference for any number of names.
+/// are needed, and repeats the check with them. A difference found with the least number is a real difference.
 Result decide_for_all(Result least, const TimedModel& timed, const ir::ComponentRef& component,
                       const cpp_emit::Component& resolved, const Options& options) {
     if (least.outcome != Outcome::conforms) return least;
@@ -337,7 +337,8 @@ std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::Co
     return ValueSearch{std::move(*resolved), std::move(machines), std::move(types), std::move(*values)};
 }
 
-/// Why the numbers of a component without such a search need carriers; "" if it has no numbers at its boundary.
+/// The reason why a component for which value_search has no value needs carriers; "" if no input or output consists of
+/// numbers.
 std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentRef& component) {
     diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
     const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
@@ -366,7 +367,8 @@ std::vector<ir::Cut> undivided_cuts(const TrackedCode& code, const ir::ValueMode
     return result;
 }
 
-/// A search for all values is not the last one: it makes no walks, and leaves half of the time.
+/// If a search for all values does not decide, a search in the carriers follows. So the first one makes no random
+/// walks, and uses half of the remaining time.
 Options options_for_all_values(const Options& options) {
     Options result = options;
     result.walks.cycles = 0;
@@ -395,7 +397,7 @@ std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef
 
 }  // namespace
 
-/// Divides the values by what the code compares, until it compares nothing new.
+/// Repeats the check, with the new comparisons of the code as further cuts, until there are no new ones.
 ForAllValues judge_for_all_values(const TimedModel& timed, const ir::ComponentRef& component, const rc_interface& code,
                                   const Options& options, const EventPlaces& places) {
     constexpr int most_rounds = 8;
@@ -480,7 +482,7 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     }
 }
 
-/// The check for the values of the carriers, or for few values that stand for all.
+/// Checks the values of the carriers, or few values that stand for all.
 Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                            diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;

@@ -33,10 +33,10 @@ struct TimedModel {
 [[nodiscard]] TimedModel timed_model(const ir::System&, const ir::Instantiation&, diagnostics::SourceManager&,
                                      diagnostics::Diagnostics&);
 
-/// What a search for all values found.
+/// The answer of a search for all values.
 struct ForAllValues {
-    std::optional<Result> result;  ///< no value: it did not decide
-    std::string reason;            ///< why not; "": the component has data that need carriers
+    std::optional<Result> result;  ///< no value: the search did not decide
+    std::string reason;            ///< why it did not decide; "": nothing to report
 };
 /// Checks code with tracked numbers (cpp_emit::Options::tracked_scale) for all values of ideal numbers
 /// (docs/conformance.md, "All values").

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides how many names of each represented type a component needs, so that a check with these names is a check with
-// all values (docs/conformance.md, "Few values for all"). The answer depends on the model alone, not on its code.
+// Finds out how many names of each represented type a component needs, so that a check with these names decides for all
+// values (docs/conformance.md, "Few values for all"). The answer depends on the model alone, not on its code.
 #pragma once
 
 #include <cstddef>

@@ -130,11 +130,11 @@ struct Result {
     std::optional<Aside> register_cycles;
     /// Whether no deadline passes while the model waits for an input that does not arrive. No value: not decided.
     std::optional<Aside> deadlines;
-    std::vector<FewValues> represented;
-    /// If the result is about all values of ideal numbers: the data that it is about. The classes are those of the
-    /// model's conditions.
+    std::vector<FewValues> represented;  ///< types of which only some values are explored
+    /// The data of the component, if the result is about all values of ideal numbers; otherwise empty. The classes are
+    /// those of the model's conditions.
     std::vector<ir::ReplacedData> all_values;
-    /// Otherwise, the reason why a search for all values did not decide; "": there was none.
+    /// The reason why a search for all values did not decide; "": it decided, or there was no such search.
     std::string not_for_all;
     std::vector<MissedEvent> missed;        ///< if it conforms: events missed in some state of the code
     std::vector<OvertakenEvent> overtaken;  ///< if it conforms: events that come second in some state of the code

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code whose numbers know how they were made (cpp_emit/runtime/tracked.hpp): which values it is explored with, and what
-// it compares (docs/conformance.md, "All values").
+// Code that computes with tracked numbers (cpp_emit/runtime/tracked.hpp): sets the values with which the code is
+// explored, and reads which comparisons it has made (docs/conformance.md, "All values").
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 
 namespace robochart::conformance {
 
+/// The tracking interface of loaded code, in terms of the model's types.
 class TrackedCode {
 public:
     /// `types` are those of cpp_emit::tracked_types. The code must have `tracking` and outlive this object.
@@ -22,12 +23,12 @@ public:
 
     /// Gives the code the values of the model. False if it has no place for them.
     [[nodiscard]] bool set_values(const ir::ValueModel& model) const;
-    /// The comparisons that the code has made since, normalized and ascending.
+    /// The comparisons that the code has made since set_values, normalized and ascending. `scale`: units of one real.
     [[nodiscard]] std::vector<ir::Cut> comparisons(std::int64_t scale) const;
-    /// The reason why the explored values do not stand for all: the code did more than to compare and copy its inputs.
-    /// "": there is none.
+    /// The reason why the explored values do not stand for all values, if the code did more than compare and copy its
+    /// inputs; otherwise "".
     [[nodiscard]] std::string loss() const;
-    /// True if numbers are wrong since some computation, so that a difference need not be one.
+    /// True if the code has computed a number inexactly. A difference may then be caused by the wrong number.
     [[nodiscard]] bool is_inexact() const { return (code_.tracking->losses() & RC_TRACKED_INEXACT) != 0; }
 
 private:

@@ -239,8 +239,8 @@ private:
         for (const cpp_emit::StoredVariable& stored : component_.variables) take(stored.variable->type, stored.initial);
     }
 
-    /// Represents a kind of numbers at the boundary by the initial and written numbers of the component and further
-    /// numbers as names.
+    /// Represents the numbers of a type by the initial numbers and the numbers that the component writes, and by
+    /// further numbers as names.
     void represent_numbers(ir::TypeKind kind, std::vector<std::int64_t>& carrier) {
         const bool used =
             std::ranges::any_of(seen_, [&](std::uint32_t index) { return system_.types[index].kind == kind; });
