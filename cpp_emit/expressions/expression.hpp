@@ -45,8 +45,8 @@ public:
     [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
         return expression_as(expr, type).whole_text();
     }
-    /// The same as a value that is stored or sent. If its lists may have more items than their capacity, they lose
-    /// these, and the cycle ends with StepResult::capacity.
+    /// The same as a value that is stored or sent. If its lists may have more items than their capacity, the code drops
+    /// the other items, and the cycle ends with StepResult::capacity.
     [[nodiscard]] std::string write_fitting(const ir::Expr&, ir::TypeId) const;
     /// The text as an operand of any operator, in parentheses unless it has the highest precedence.
     [[nodiscard]] std::string write_operand(const ir::Expr& expr) const { return cpp_expression(expr).as_operand(); }

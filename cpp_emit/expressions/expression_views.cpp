@@ -46,7 +46,7 @@ std::string ExpressionWriter::view_of_comprehension(const ir::Expr& expr) const 
                        write_as(*expr.args[1], member));
 }
 
-/// The collection as a view: in place if it is one, otherwise a view of the built collection.
+/// The collection as a view. A collection that cannot be visited in place is built first.
 std::string ExpressionWriter::write_view(const ir::Expr& expr) const {
     if (const ir::Expr* const sequence = sequence_of_pairs(generation_.system, expr)) return write_view(*sequence);
     if (!is_view(generation_.system, expr)) return fmt::format("robochart::view::items({})", write(expr));

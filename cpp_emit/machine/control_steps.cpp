@@ -139,8 +139,8 @@ bool ControlSteps::write_ways(NodeId id, CodeWriter& out, const char* end) {
     return true;
 }
 
-/// Writes that control stays in the node, if it is there since an earlier cycle and the guards read variables of that
-/// cycle: their values are the same as then, so no guard holds.
+/// Writes the test whether this cycle has not written the local variables that the guards read. Then control has been
+/// in the node since an earlier cycle, in which the guards had the same values, so none is true, and control stays.
 void ControlSteps::write_blocking(NodeId id, CodeWriter& out, const char* end) {
     if (unit_.awaited_locals.empty()) return;
     CppExpr written;

@@ -17,12 +17,12 @@ namespace robochart::cpp_emit {
 /// given for it (Options::capacities).
 [[nodiscard]] bool has_capacity(const ir::System&, const Component&, const std::string& name);
 
-/// The model with the given capacities in the types of its lists (Type::sizes), at least the number of elements of
-/// every list literal. Nothing if all lists have the usual capacity.
+/// The model with capacities in the types of its lists (Type::sizes): the given ones, raised to the number of elements
+/// of the longest literal of the type. No value if all lists have the usual capacity.
 [[nodiscard]] std::optional<ir::System> with_capacities(const ir::System&, const Component&, const Options&);
 
-/// Notes the events whose lists have the usual capacity, and the variables that an assignment may make longer in every
-/// cycle (RC-G16).
+/// Reports the events whose lists have the usual capacity, and the variables whose lists an assignment may make longer
+/// in every cycle (RC-G16).
 void report_capacities(const ir::System&, const Component&, const Options&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::cpp_emit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the variables of machines that no later cycle reads. They are members of Step instead of State: a list of
-// hundreds of items that one cycle receives and evaluates takes no place in the state. This is the classical backward
-// analysis of live variables over the control graph of the machine; what it does not know counts as a read.
+// hundreds of items that one cycle receives and evaluates is not part of the state. This is the classical backward
+// analysis of live variables over the control graph of the machine. A use that it does not recognise counts as a read.
 #pragma once
 
 #include "cpp_emit/plan/component.hpp"

@@ -61,8 +61,8 @@ struct Options {
     /// Whether the exploration interface is required. If true, a component with more values than the interface's tables
     /// can hold is rejected (RC-G13). If false, the interface is omitted in this case, with a note (RC-G15).
     bool explored = true;
-    /// The exploration interface: units of one real for numbers that know how they were made (runtime/tracked.hpp). 0:
-    /// it computes with the finite carriers.
+    /// Units of one real, if the code for exploration computes with tracked numbers (runtime/tracked.hpp); 0 if it
+    /// computes with finite carriers.
     std::int64_t tracked_scale = 0;
     /// Target::ros2: the messages for the component's boundary (cpp_emit/ros2/mapping.hpp); null: messages of std_msgs.
     const ros2::Mapping* mapping = nullptr;

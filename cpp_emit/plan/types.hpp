@@ -46,10 +46,10 @@ struct Extent {
 /// Whether the type is a relation or function, whose values are sets of pairs.
 [[nodiscard]] bool has_pairs(const ir::Type&);
 [[nodiscard]] std::vector<TypeMember> type_members(const ir::Type&);
-/// Whether values of the type contain sequences, or sets whose elements are not few, so that their size has no small
-/// bound. False for types that are not supported.
+/// Whether values of the type contain sequences, or sets of numbers or of other elements without a small number of
+/// values. False for types that are not supported.
 [[nodiscard]] bool has_lists(const ir::System&, ir::TypeId);
-/// The capacity of lists in deployed code, if nothing else is given: of lists of lists, and of others.
+/// The usual capacity of lists in deployed code, in items; `usual_outer_capacity` is that of lists of lists.
 inline constexpr std::size_t usual_capacity = 64, usual_outer_capacity = 16;
 /// The capacity of a sequence or set type in deployed code if it is given (list_capacities.hpp); 0 otherwise.
 [[nodiscard]] std::size_t given_capacity(const ir::Type&);

@@ -140,7 +140,7 @@ bool calls_partial_function(const System& system, const Expr& expr) {
 }
 
 /// Whether the elements of the collection are elements of collections that the model stores, and so values of their
-/// type in every instantiation. An interval may contain numbers that are not.
+/// type in every instantiation. An interval may contain numbers outside the carrier.
 bool holds_stored_values(const System& system, const Expr& expr) {
     if (expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value || expr.kind == ExprKind::constant ||
         expr.kind == ExprKind::member || expr.kind == ExprKind::bound || expr.kind == ExprKind::sequence ||

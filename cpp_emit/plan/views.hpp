@@ -13,8 +13,8 @@
 
 namespace robochart::cpp_emit {
 
-/// Whether the expression computes a sequence or set that code can visit without building it. Stored collections are
-/// not included: they exist anyway.
+/// Whether the expression computes a sequence or set that code can visit without building it. False for stored
+/// collections, which need not be built.
 [[nodiscard]] bool is_view(const ir::System&, const ir::Expr&);
 /// Whether the expression is a sequence or set with elements of this type that a view may contain: a view, or any
 /// other collection, which is built first.
@@ -22,7 +22,7 @@ namespace robochart::cpp_emit {
 /// The sequence inside the conversion of a sequence to the set of its pairs of place and item; null for other
 /// expressions.
 [[nodiscard]] const ir::Expr* sequence_of_pairs(const ir::System&, const ir::Expr&);
-/// Whether the operator is a fold that visits its operand with this index: the operand is a view.
+/// Whether the operator is a fold and its operand with this index is a view, so that the code visits it in place.
 [[nodiscard]] bool folds(const ir::System&, const ir::Expr&, std::size_t operand);
 
 /// The collection over whose elements a bound variable ranges, and the rest of the predicate.
@@ -31,9 +31,9 @@ struct Generator {
 };
 /// The generators of the variables that the expression binds, by variable. A generator is a condition
 /// `x in collection` that the predicate requires, if the collection has the same elements for all bound values, its
-/// elements are values that the model stores, and every function in the predicate has a value everywhere (otherwise a
-/// precondition is tested for all values of the type). Of `exists unique` there are none, because a view may repeat
-/// elements.
+/// elements are values that the model stores, and every function in the predicate is defined for all arguments
+/// (otherwise a precondition is tested for all values of the type). `exists unique` has no generators, because a view
+/// may repeat elements.
 [[nodiscard]] std::vector<Generator> generators(const ir::System&, const ir::Expr&);
 /// Whether some variable that the expression binds has a generator.
 [[nodiscard]] bool has_generator(const ir::System&, const ir::Expr&);

@@ -96,7 +96,7 @@ typedef struct rc_comparison {
 #define RC_TRACKED_NATIVE 4U   /* an index, a duration or a loop depended on a value */
 #define RC_TRACKED_INEXACT 8U  /* a number was computed in another way, so the numbers are wrong from there on */
 
-/* Code whose numbers know how they were made (robochart/tracked.hpp). */
+/* The interface of code with tracked numbers (robochart/tracked.hpp). */
 typedef struct rc_tracking {
     uint32_t types;          /* types of numbers at the boundary: of inputs, then of outputs, as they occur */
     const uint32_t* parts;   /* of each type: how many numbers a value has */

@@ -134,7 +134,7 @@ struct HoldsLists : std::false_type {};
 template <class T>
 struct HoldsLists<T, std::void_t<decltype(std::declval<const T&>().overflowed())>> : std::true_type {};
 
-/// Whether a list of the value was given more items than its capacity.
+/// Whether a list in the value was given more items than its capacity.
 template <class T>
 [[nodiscard]] constexpr bool overflowed([[maybe_unused]] const T& value) noexcept {
     if constexpr (HoldsLists<T>::value) {
@@ -143,7 +143,7 @@ template <class T>
         return false;
     }
 }
-/// Forgets the items that did not fit; returns whether there were any.
+/// Resets the overflow of the lists in the value, which keep the items that fit. Returns whether there was any.
 template <class T>
 constexpr bool drop_overflow([[maybe_unused]] T& value) noexcept {
     if constexpr (HoldsLists<T>::value) {
@@ -158,7 +158,7 @@ struct Deployment {
     using Real = double;
     using Nat = std::int64_t;
     using Int = std::int64_t;
-    /// The capacity of sequences, and of sets whose elements are not few.
+    /// The usual capacity of sequences, and of sets of numbers, in items.
     static constexpr std::size_t longest = 64;
 };
 
@@ -168,7 +168,8 @@ struct HasCarriers : std::false_type {};
 template <class Types>
 struct HasCarriers<Types, std::enable_if_t<Types::finite>> : std::true_type {};
 
-/// The capacity of lists for which the generator was given one. Over finite carriers all lists have the same capacity.
+/// The capacity of a list for which `emit cpp --capacity` gives one. Over finite carriers all lists have the same
+/// capacity.
 template <class Types>
 constexpr std::size_t capacity(std::size_t given) noexcept {
     if constexpr (HasCarriers<Types>::value) {
@@ -475,7 +476,7 @@ public:
         budget_ = 0;
     }
     [[nodiscard]] constexpr bool violated() const noexcept { return violated_; }
-    /// The value; its lists have lost the items beyond their capacity. If there were any, the cycle ends with
+    /// The value, whose lists do not contain the items beyond their capacity. If there were any, the cycle ends with
     /// StepResult::capacity, unless the lists are bounded by finite carriers.
     template <class Types, class T>
     [[nodiscard]] constexpr T fit(T value) noexcept {

@@ -1,8 +1,8 @@
-// Numbers that know how they were made, for an exploration whose answer is about all values. A number is known, or it is
-// a linear form of the parts of one input value, or it is neither. Every comparison of a form is recorded, because the
-// explorer has to try values with each answer; so is every use that is no linear comparison and no copy. Arithmetic is
-// ideal: numbers have no carriers (docs/conformance.md, "All values"). Delivered with the generated code. Copyright:
-// see LICENSE (Apache-2.0).
+// Tracked numbers, for an exploration whose answer is about all values. A tracked number stores how it was computed: it
+// is known, or it is a linear form of the parts of one input value. Every comparison of a form is recorded, because the
+// explorer has to try values with each answer. Every use other than a comparison or a copy is recorded as a loss.
+// Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). Delivered with the generated code.
+// Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACKED_HPP
 #define ROBOCHART_TRACKED_HPP
 
@@ -19,8 +19,8 @@ namespace robochart {
 /// Greatest absolute value of a number, in its units.
 inline constexpr std::int64_t greatest_tracked = std::int64_t{1} << 58U;
 
-/// What a number is made of: the sum of coefficients times the parts of input value `index` of a type, plus a constant.
-/// No coefficients: it is known.
+/// The sum of coefficients times the parts of input value `index` of a type, plus a constant. If all coefficients are
+/// 0, the number is known.
 struct LinearForm {
     std::uint32_t type = 0;
     std::uint32_t index = 0;
@@ -39,8 +39,8 @@ struct LinearForm {
     }
 };
 
-/// The explored values of each type, the forms that numbers have, and what the code did with them. Owns no memory,
-/// because a call of generated code may be stopped anywhere.
+/// The explored values of each type, the forms of all numbers, and the recorded comparisons and losses. Does not
+/// allocate memory, because a call of generated code may be stopped anywhere.
 class Tracking {
 public:
     static constexpr std::uint32_t most_types = 16;
@@ -70,7 +70,7 @@ public:
         return table_[type].first + index * table_[type].parts + part;
     }
     [[nodiscard]] const LinearForm& form(std::uint32_t handle) const noexcept { return form_[handle]; }
-    /// The number that a form is for the value that it is made of.
+    /// The value of a form, in units.
     [[nodiscard]] WideInteger value(const LinearForm& form) const noexcept {
         const Table& table = table_[form.type];
         WideInteger sum = form.constant;
@@ -78,7 +78,8 @@ public:
             sum += WideInteger{form.coefficient[i]} * number_[table.first + form.index * table.parts + i];
         return sum;
     }
-    /// The handle of a form; false if there are too many forms, or its number is too large.
+    /// Finds or adds a form and returns its handle in `handle`. False if there are too many forms, or if its value is
+    /// too large.
     bool find(const LinearForm& form, std::uint32_t& handle) noexcept {
         const WideInteger number = value(form);
         if (number > greatest_tracked || number < -greatest_tracked) return false;
@@ -90,6 +91,7 @@ public:
         return true;
     }
 
+    /// Records the comparison of a form with zero.
     void record(const LinearForm& difference) noexcept {
         if (!recording) return;
         rc_comparison found{};
@@ -102,6 +104,7 @@ public:
         comparison_[comparisons_] = found;
         ++comparisons_;
     }
+    /// Records a use after which the explored values may not stand for all: an RC_TRACKED_ flag.
     void lose(std::uint32_t loss) noexcept {
         if (recording) losses_ |= loss;
     }
@@ -110,7 +113,7 @@ public:
         *list = comparison_;
         return comparisons_;
     }
-    /// The value of a type that consists of these numbers; -1: no explored value.
+    /// The index of the explored value of a type that consists of these numbers; -1 if there is none.
     [[nodiscard]] std::int64_t place(std::uint32_t type, const std::int64_t* numbers) const noexcept {
         const Table& table = table_[type];
         for (std::uint32_t v = 0; v < table.count; ++v) {
@@ -148,7 +151,8 @@ namespace {
 [[maybe_unused]] Tracking tracking;
 }  // namespace
 
-/// `Carrier` has `static constexpr std::int64_t scale` and `static constexpr bool natural` (no negative numbers).
+/// A tracked number: a known number of units, or the handle of a form in `tracking`. `Carrier` has
+/// `static constexpr std::int64_t scale` (units of one) and `static constexpr bool natural` (no negative numbers).
 template <class Carrier>
 class Tracked {
 public:
@@ -254,7 +258,7 @@ private:
         result.bits_ = std::int64_t{handle} * 2 + 1;
         return result;
     }
-    /// One coefficient or constant plus a factor times another; false if the sum is too large.
+    /// Adds factor * number; false if the sum is too large.
     static bool add(std::int64_t& to, std::int64_t number, std::int64_t factor) noexcept {
         const WideInteger exact = to + WideInteger{number} * factor;
         if (exact > greatest_tracked || exact < -greatest_tracked) return false;
@@ -304,8 +308,8 @@ private:
     std::int64_t bits_ = 0;  ///< twice a known number, or twice the handle of a form plus one
 };
 
-/// The number of an output: its place among the explored values of its type. An output that is neither known nor a copy
-/// of an input value is noted.
+/// The index of an output among the explored values of its type; -1 if it is none of them. Records a loss if the output
+/// is neither known nor a copy of an input value.
 template <class... Parts>
 std::int64_t place_of_value(std::uint32_t type, Parts... parts) noexcept {
     const std::int64_t numbers[] = {parts.raw()...};
