@@ -19,7 +19,7 @@ public:
     /// and minimising. No value if `minimised` is not this component. Polls the budget.
     static std::optional<StateMap> make(const Component& component, const Component& minimised,
                                         diagnostics::Pollable& budget);
-    /// The state of the smaller component. The argument is reachable without the removed events, or off.
+    /// The state of the smaller component. The argument must be the off state, or reachable without removed events.
     [[nodiscard]] Local image(Local state) const { return state < images_.size() ? images_[state] : off_; }
 
 private:

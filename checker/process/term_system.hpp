@@ -26,7 +26,7 @@ private:
     TermId initial_;
 };
 
-/// The operands of an external choice, also of one behind names; empty for other terms.
+/// The operands of an external choice, or of a name that is defined as one; empty for other terms.
 [[nodiscard]] std::vector<TermId> choice_operands(TermStore& terms, TermId term);
 
 }  // namespace robochart::process

@@ -48,8 +48,8 @@ public:
     /// The minimal acceptances of the state, and for a whole choice those of all states that its taus reach. Empty if
     /// none of them is stable.
     std::vector<process::EventSet> acceptances(lts::StateIndex state);
-    /// Transitions to states one of which diverges iff the state does: its taus, and for a whole choice transitions to
-    /// its operands. Valid until the next call.
+    /// The taus of the state; for a whole choice, taus to its operands. The state diverges iff an infinite path of
+    /// these transitions begins there. Valid until the next call.
     std::span<const Edge> taus_or_operands(lts::StateIndex state);
     /// The number of states known so far.
     [[nodiscard]] std::size_t size() const { return graph_.size(); }

@@ -24,10 +24,12 @@ public:
     lts::StateIndex initial();
     /// The operands of a state that is an external choice (TransitionSystem::choice_operands).
     std::vector<lts::StateIndex> choice_operands(lts::StateIndex state);
-    /// Valid until the next call.
+    /// The transitions of the state, ascending by event. Expands the state if necessary. Valid until the next call.
     std::span<const Edge> edges(lts::StateIndex state);
+    /// The transitions with one event. Valid until the next call.
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
     [[nodiscard]] Offer state_offer(lts::StateIndex state);
+    /// The number of states known so far.
     [[nodiscard]] std::size_t size() const { return states_.size(); }
     /// The packed state with a number.
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }

@@ -21,7 +21,7 @@ using State = std::vector<lts::Word>;
 
 /// The time limit for the reference. Reaching it does not affect the verdict.
 constexpr std::chrono::seconds longest_replay{20};
-/// The time limit for the names of hidden events if the reference has reached its limit.
+/// The time for finding the names of hidden events after the reference has reached its limit.
 constexpr std::chrono::seconds longest_naming{2};
 
 struct Moves {
@@ -260,8 +260,8 @@ FinerForm finer_form(lts::TransitionSystem& system, const Violation& violation, 
     return form;
 }
 
-/// The names of hidden events in minimised components may be wrong, and without names taus match too much. So the names
-/// are corrected before the search does without them.
+/// The names of hidden events in minimised components may be wrong, and a search that ignores the names may find
+/// another run. So the names are corrected before such a search.
 Violation found_in_reference(lts::TransitionSystem& system, lts::TransitionSystem& reference,
                              const Violation& violation, FinerForm& finer, Budget& budget) {
     Comparison comparison(system, reference, violation, budget);
