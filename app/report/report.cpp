@@ -235,7 +235,7 @@ std::string data_text(const ir::ReplacedData& data) {
                        conditions);
 }
 
-/// The numbers that the verdict is about, if it is not about the carriers alone.
+/// The lines that say for which numbers the result holds; "" if no search for all values was possible.
 std::string conformance_values(const conformance::Result& r) {
     std::string out;
     for (const ir::ReplacedData& data : r.all_values) out += fmt::format("               values {}\n", data_text(data));

@@ -12,7 +12,7 @@
 namespace robochart::driver {
 namespace {
 
-/// The values of the variables of one relation in one instance of its machine.
+/// The values of related variables in one instance of their machine.
 class RelatedState {
 public:
     explicit RelatedState(const ir::RelatedVariables& related) : related_(related) {
@@ -43,8 +43,8 @@ public:
     }
     void forget() { known_ = false; }
 
-    /// Shows the variables instead of the one that holds the class. If it holds another class than that of the values,
-    /// the values are not known.
+    /// Shows the variables instead of their holder. If the values are not in the class that the holder has, they are
+    /// not known.
     void show(runs::Machine& machine) {
         const auto holder = std::ranges::find(machine.variables, related_.holder, &runs::Variable::name);
         if (holder == machine.variables.end()) return;
@@ -63,7 +63,7 @@ public:
         }
     }
 
-    /// Shows the change of the variable that differs from `before`, instead of that of the class.
+    /// Shows the change of the variable whose value differs from `before`, instead of the change of the class.
     void show(std::vector<runs::Change>& changes, const std::string& component, const RelatedState& before) const {
         std::vector<runs::Change> result;
         for (runs::Change& change : changes) {
