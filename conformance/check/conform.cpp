@@ -32,6 +32,7 @@
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::conformance {
 
@@ -342,8 +343,14 @@ std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::Co
 std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentRef& component) {
     diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
     const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
-    if (!resolved || cpp_emit::tracked_types(model.system, *resolved).empty()) return "";
-    return "the model does not only copy its numbers and compare them with constants";
+    if (!resolved) return "";
+    const auto has_numbers = [&](ir::TypeId type) { return ir::has_numbers(model.system, type); };
+    bool numbers = false;
+    for (const cpp_emit::Register& input : cpp_emit::exploration_registers(*resolved))
+        numbers = numbers || (input.type && has_numbers(*input.type));
+    for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(*resolved))
+        numbers = numbers || std::ranges::any_of(output.types, has_numbers);
+    return numbers ? "the model does not only copy its numbers and compare them with constants" : "";
 }
 
 /// For each output, the arguments of tracked types. Empty if there are no such arguments.
@@ -360,10 +367,13 @@ Represented tracked_arguments(const ValueSearch& search) {
     return found ? result : Represented();
 }
 
-/// The comparisons of the code that do not have one answer in each region of the model's values.
-std::vector<ir::Cut> undivided_cuts(const TrackedCode& code, const ir::ValueModel& model) {
+/// The comparisons of the code that do not have one answer in each region of the model's values. No value if one is no
+/// form of whole or of real numbers.
+std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, const ir::ValueModel& model) {
+    const auto cuts = code.comparisons(model.scale);
+    if (!cuts) return std::nullopt;
     std::vector<ir::Cut> result;
-    std::ranges::set_difference(code.comparisons(model.scale), model.cuts, std::back_inserter(result));
+    std::ranges::set_difference(*cuts, model.cuts, std::back_inserter(result));
     return result;
 }
 
@@ -414,23 +424,25 @@ ForAllValues judge_for_all_values(const TimedModel& timed, const ir::ComponentRe
         Result result =
             judge_script(script, model.system, timed.model.instantiation, component, code, tracked_arguments(*search),
                          options_for_all_values(options), timed.sources, places);
-        if (tracked.is_inexact()) return {std::nullopt, tracked.loss()};
+        if (tracked.is_inexact()) return {std::nullopt, tracked.loss(), true};
+        const auto more = undivided_cuts(tracked, model);
+        if (!more) return {std::nullopt, "a comparison of the code has numbers that are too large", true};
+        const bool tests_values = !tracked.loss().empty() || !more->empty();
         if (result.outcome == Outcome::error || result.outcome == Outcome::inconclusive)
-            return {std::nullopt, result.reason};
-        const std::vector<ir::Cut> more = undivided_cuts(tracked, model);
-        const bool decided = result.outcome != Outcome::conforms || (tracked.loss().empty() && more.empty());
-        if (!decided && !tracked.loss().empty()) return {std::nullopt, tracked.loss()};
+            return {std::nullopt, result.reason, tests_values};
+        const bool decided = result.outcome != Outcome::conforms || !tests_values;
+        if (!decided && !tracked.loss().empty()) return {std::nullopt, tracked.loss(), true};
         if (decided) {
             result.normal_form = concrete_normal_form(timed, component, options.cycle_length);
             result.all_values = model.data;
-            return {std::move(result), ""};
+            return {std::move(result), "", false};
         }
-        cuts.insert(cuts.end(), more.begin(), more.end());
+        cuts.insert(cuts.end(), more->begin(), more->end());
         auto finer = ir::value_model(timed.model.system, timed.model.instantiation, search->machines, cuts);
-        if (!finer) return {std::nullopt, "the code makes too many comparisons"};
+        if (!finer) return {std::nullopt, "the code makes too many comparisons", true};
         search->model = std::move(*finer);
     }
-    return {std::nullopt, "the code makes too many comparisons"};
+    return {std::nullopt, "the code makes too many comparisons", true};
 }
 
 Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
@@ -463,7 +475,7 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     diagnostics::Budget& budget = diagnostics.budget() != nullptr ? *diagnostics.budget() : own;
     try {
         const auto search = value_search(model, component);
-        if (!search) return {std::nullopt, reason_for_carriers(model, component)};
+        if (!search) return {std::nullopt, reason_for_carriers(model, component), false};
         cpp_emit::Options generator = generator_options(timed, options);
         generator.tracked_scale = search->model.scale;
         const cpp_emit::Emission code =
@@ -510,8 +522,14 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
     Result result = conform_in_carriers(timed, component, options, diagnostics);
     // A difference between values of carriers is shown in numbers. One beyond the carriers is a difference, too.
     if (differs && result.outcome != Outcome::differs) return std::move(*all.result);
-    // A few values may stand for all although the search with tracked numbers did not decide.
-    if (result.represented.empty()) result.not_for_all = std::move(all.reason);
+    if (result.represented.empty()) {
+        result.not_for_all = std::move(all.reason);
+    } else if (all.code_tests_values && result.outcome == Outcome::conforms) {
+        result.outcome = Outcome::inconclusive;
+        result.reason =
+            "no difference for the few values explored, but the code also tests or computes values that the model only "
+            "passes on";
+    }
     return result;
 }
 

@@ -37,6 +37,9 @@ struct TimedModel {
 struct ForAllValues {
     std::optional<Result> result;  ///< no value: the search did not decide
     std::string reason;            ///< why it did not decide; "": nothing to report
+    /// The code computes with values that the model only copies or compares with constants, or compares them with other
+    /// constants.
+    bool code_tests_values = false;
 };
 /// Checks code with tracked numbers (cpp_emit::Options::tracked_scale) for all values of ideal numbers
 /// (docs/conformance.md, "All values").

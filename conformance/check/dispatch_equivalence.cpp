@@ -92,18 +92,42 @@ private:
         if (!compare_on_event(0)) return false;
         for (event_ = 0; event_ < code_.events; ++event_)
             for (std::uint32_t reading = 1; reading < inputs[event_].reading_count(); ++reading)
-                if (!compare_on_event(reading)) return false;
+                if (!compare_on_event(reading) || !ignores_other_values(reading)) return false;
         return true;
     }
 
-    bool compare_on_event(std::uint32_t reading) {
-        reading_ = reading;
+    /// Compares with each value of each other register, because dispatch must not read it.
+    bool ignores_other_values(std::uint32_t reading) {
+        const std::vector<Register>& inputs = alphabet_.interface().inputs;
+        for (std::size_t other = 0; other < inputs.size(); ++other) {
+            if (other == event_) continue;
+            for (std::uint32_t value = 0; value + 2 < inputs[other].reading_count(); ++value) {
+                raise_all(reading);
+                raised_[other] = {1, value};
+                if (!compare_answers()) return false;
+            }
+        }
+        return true;
+    }
+
+    /// Only the register of the event is present for `step`, and all are present for `dispatch`.
+    void raise_all(std::uint32_t reading) {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         alone_.assign(inputs.size(), {0, 0});
         raised_.assign(inputs.size(), {0, 0});
         for (std::size_t i = 0; i < inputs.size(); ++i) raised_[i] = {1, inputs[i].reading_count() - 2};
         if (reading > 0) alone_[event_] = raised_[event_] = {1, reading - 1};
+    }
+
+    bool compare_on_event(std::uint32_t reading) {
+        reading_ = reading;
+        raise_all(reading);
         ++found_.compared;
+        return compare_answers();
+    }
+
+    /// Compares with every answer to the choices of the model.
+    bool compare_answers() {
         cycle_.log.given = 0;
         do {
             budget_.charge();

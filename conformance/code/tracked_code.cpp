@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <span>
 
+#include "base/diagnostics/containers.hpp"
+#include "semantics/ir/arithmetic.hpp"
 #include "semantics/ir/number_parts.hpp"
 
 namespace robochart::conformance {
@@ -22,7 +25,21 @@ bool TrackedCode::set_values(const ir::ValueModel& model) const {
     return true;
 }
 
-std::vector<ir::Cut> TrackedCode::comparisons(std::int64_t scale) const {
+namespace {
+
+/// Multiplies the constant by the scale, and divides the form by what its coefficients and the scale have in common.
+bool convert_constant(ir::Cut& cut, std::int64_t scale) {
+    std::int64_t common = scale;
+    for (const std::int64_t coefficient : cut.coefficients) common = std::gcd(common, coefficient);
+    for (std::int64_t& coefficient : cut.coefficients) coefficient /= common;
+    const auto constant = ir::checked_multiply(cut.constant, scale / common);
+    if (constant) cut.constant = *constant;
+    return constant.has_value();
+}
+
+}  // namespace
+
+std::optional<std::vector<ir::Cut>> TrackedCode::comparisons(std::int64_t scale) const {
     const rc_comparison* list = nullptr;
     const std::uint32_t count = code_.tracking->comparisons(&list);
     std::vector<ir::Cut> result;
@@ -30,12 +47,13 @@ std::vector<ir::Cut> TrackedCode::comparisons(std::int64_t scale) const {
         const ir::TypeId type = types_.at(comparison.type);
         const std::vector<ir::NumberPart> parts = ir::number_parts(system_, type);
         ir::Cut cut{type, {comparison.coefficient, comparison.coefficient + parts.size()}, comparison.constant};
-        const auto first = std::ranges::find_if(cut.coefficients, [](std::int64_t number) { return number != 0; });
-        const auto part = static_cast<std::size_t>(first - cut.coefficients.begin());
-        if (parts.at(part).kind != ir::TypeKind::real) cut.constant *= scale;
+        std::set<bool> real;  // of the parts that the form reads
+        for (std::size_t part = 0; part < parts.size(); ++part)
+            if (cut.coefficients[part] != 0) real.insert(parts[part].kind == ir::TypeKind::real);
+        if (real.size() != 1 || (!real.contains(true) && !convert_constant(cut, scale))) return std::nullopt;
         result.push_back(normalized(std::move(cut)));
     }
-    std::ranges::sort(result);
+    diagnostics::sort_unique(result);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,8 @@ public:
     /// Gives the code the values of the model. False if it has no place for them.
     [[nodiscard]] bool set_values(const ir::ValueModel& model) const;
     /// The comparisons that the code has made since set_values, normalized and ascending. `scale`: units of one real.
-    [[nodiscard]] std::vector<ir::Cut> comparisons(std::int64_t scale) const;
+    /// No value if one reads both whole and real numbers, or a number that does not fit.
+    [[nodiscard]] std::optional<std::vector<ir::Cut>> comparisons(std::int64_t scale) const;
     /// The reason why the explored values do not stand for all values, if the code did more than compare and copy its
     /// inputs; otherwise "".
     [[nodiscard]] std::string loss() const;

@@ -222,10 +222,16 @@ private:
     /// The initial values of variables and constants of the type.
     [[nodiscard]] std::set<ir::Value> fixed_values(ir::TypeId id) const {
         std::set<ir::Value> values{ir::default_value(system_, result_.instantiation, id)};
-        for_each_fixed([&](ir::TypeId type, const ir::Value& value) {
-            if (same_type(system_, id, type)) values.insert(value);
-        });
+        for_each_fixed([&](ir::TypeId type, const ir::Value& value) { collect_values(type, value, id, values); });
         return values;
+    }
+
+    /// The values of a type in a value. Recursion depth: the depth of types.
+    void collect_values(ir::TypeId id, const ir::Value& value, ir::TypeId wanted, std::set<ir::Value>& found) const {
+        if (same_type(system_, wanted, id)) found.insert(value);
+        for_each_part(system_.type(id), value, [&](ir::TypeId part_type, const ir::Value& part) {
+            collect_values(part_type, part, wanted, found);
+        });
     }
 
     template <class Take>

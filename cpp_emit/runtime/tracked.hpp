@@ -108,7 +108,9 @@ public:
     void lose(std::uint32_t loss) noexcept {
         if (recording) losses_ |= loss;
     }
-    [[nodiscard]] std::uint32_t losses() const noexcept { return losses_; }
+    /// A loss that other values do not undo, such as a literal, which may be made only once.
+    void lose_for_good(std::uint32_t loss) noexcept { lasting_losses_ |= loss; }
+    [[nodiscard]] std::uint32_t losses() const noexcept { return losses_ | lasting_losses_; }
     std::uint32_t comparisons(const rc_comparison** list) const noexcept {
         *list = comparison_;
         return comparisons_;
@@ -144,7 +146,7 @@ private:
     std::int64_t number_[most_numbers] = {};
     LinearForm form_[most_forms] = {};
     rc_comparison comparison_[most_comparisons] = {};
-    std::uint32_t numbers_ = 0, forms_ = 0, comparisons_ = 0, losses_ = 0;
+    std::uint32_t numbers_ = 0, forms_ = 0, comparisons_ = 0, losses_ = 0, lasting_losses_ = 0;
 };
 
 namespace {
@@ -159,9 +161,13 @@ public:
     constexpr Tracked() noexcept = default;
     template <class T, std::enable_if_t<std::is_integral_v<T>, int> = 0>
     explicit constexpr Tracked(T value) noexcept : Tracked(Known{}, WideInteger{value} * Carrier::scale) {}
-    explicit constexpr Tracked(double value) noexcept
-        : Tracked(Known{}, static_cast<WideInteger>(value * static_cast<double>(Carrier::scale) +
-                                                    (value < 0.0 ? -0.5 : 0.5))) {}
+    /// The decimal that the literal denotes. A literal that is no whole number of units below 2^53 is not exact.
+    explicit constexpr Tracked(double value) noexcept : Tracked(Known{}, units_near(value)) {
+        const double units = static_cast<double>(units_near(value));
+        constexpr double largest = 9007199254740992.0;
+        const bool exact = units < largest && units > -largest && units / static_cast<double>(Carrier::scale) == value;
+        if (!exact) tracking.lose_for_good(RC_TRACKED_INEXACT);
+    }
     /// Converts the unit; rounds down if the new one is coarser.
     template <class Other>
     explicit constexpr Tracked(Tracked<Other> other) noexcept
@@ -235,6 +241,12 @@ public:
 
 private:
     struct Known {};
+    [[nodiscard]] static constexpr WideInteger units_near(double value) noexcept {
+        const double units = value * static_cast<double>(Carrier::scale);
+        constexpr double beyond = 4e18;
+        if (!(units < beyond && units > -beyond)) return greatest_tracked + WideInteger{1};
+        return static_cast<WideInteger>(units + (units < 0.0 ? -0.5 : 0.5));
+    }
     constexpr Tracked(Known, WideInteger value) noexcept {
         if (value > greatest_tracked || value < -greatest_tracked)
             tracking.lose(RC_TRACKED_INEXACT);

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> forms() const;
     /// The sign of each form at a point.
     [[nodiscard]] std::vector<int> signs_at(const std::vector<std::int64_t>& point) const;
+    [[nodiscard]] bool has_remainders() const { return period_.has_value(); }
     /// The numbers that the conditions read.
     [[nodiscard]] const std::vector<NumberPart>& components() const { return components_; }
     /// For every combination of signs that the linear forms can have, at least one point: the numbers of the components

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/diagnostics/containers.hpp"
 #include "semantics/data/classes.hpp"
 #include "semantics/data/linear.hpp"
 #include "semantics/data/rewriter.hpp"
@@ -70,7 +71,7 @@ public:
         result.system = with_classes(system_, sampling_, places_, divided);
         if (!machines_are_free(result.system)) return std::nullopt;
         result.scale = sampling_.instantiation().scale;
-        std::ranges::sort(result.cuts);
+        diagnostics::sort_unique(result.cuts);
         for (const auto& [flow, classes] : divided) {
             const ValueClasses& own = classes_.at(flow);
             result.data.push_back({names_in(places_, flow), "", own.witnesses.size(), uses_.at(flow).conditions.size(),
@@ -179,6 +180,7 @@ bool Explorer::add_conditions(LinearConditions& linear, TypeId type, const std::
 /// the conditions do not read all numbers of a value, the candidates of a region differ in an unread number.
 std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearConditions& linear, TypeId type,
                                                               const std::vector<Value>& written) const {
+    if (linear.has_remainders()) return std::nullopt;  // points() are those of one period
     const std::size_t count = written.size() + fresh_values;
     std::vector<NumberPart> unread = number_parts(system_, type);
     std::erase_if(unread, [&](const NumberPart& part) {

@@ -418,6 +418,64 @@ TEST(AllValuesOfCopies, OtherUsesAreNotDecided) {
     EXPECT_TRUE(mutants.judge().result);
 }
 
+/// A literal with more decimals than a unit has is not rounded to a threshold of the model.
+TEST(AllValuesOfCopies, LiteralsAreNotRounded) {
+    Mutants mutants(thermostat, "Thermostat",
+                    {{"state_.t = inputs_.degrees.get();",
+                      "{ state_.t = inputs_.degrees.get();"
+                      "if (robochart_mutant == -2 && state_.t > Real(19.500000001)) robochart_mutant = -2; }"}});
+    ASSERT_TRUE(mutants.is_compiled());
+    EXPECT_TRUE(mutants.judge().result);
+    mutants.select(-2);
+    const ForAllValues judged = mutants.judge();
+    EXPECT_FALSE(judged.result);
+    EXPECT_TRUE(judged.code_tests_values);
+}
+
+constexpr const char* gauge = R"(
+interface Plant { open() shut() }
+stm Gauge {
+	event level : int
+	requires Plant
+	var v : int
+	initial i
+	state S { }
+	junction k
+	transition t0 { from i to S }
+	transition t1 { from S to k trigger level?v }
+	transition t2 { from k to S condition v > 1000.1234 action open() }
+	transition t3 { from k to S condition v <= 1000.1234 action shut() }
+}
+)";
+
+/// The code compares a whole number as a real one. The units of 1200.5 times those of the form do not fit into 64 bits.
+TEST(AllValuesOfCopies, WholeNumbersComparedAsRealsHaveTheirThresholds) {
+    Mutants mutants(
+        gauge, "Gauge",
+        {{"Real(state_.v) > Real(1000.1234)",
+          "(Real(state_.v) > Real(1000.1234) && !(robochart_mutant == 1 && Real(state_.v) > Real(1200.5)))"}});
+    ASSERT_TRUE(mutants.is_compiled());
+    const ForAllValues original = mutants.judge();
+    ASSERT_TRUE(original.result) << original.reason;
+    EXPECT_EQ(original.result->outcome, Outcome::conforms) << original.result->reason;
+    mutants.select(1);
+    const ForAllValues judged = mutants.judge();
+    ASSERT_TRUE(judged.result) << judged.reason;
+    EXPECT_EQ(judged.result->outcome, Outcome::differs);
+}
+
+/// Points of one period do not stand for all values, whether or not the conditions read all parts of a value.
+TEST(AllValuesOfModels, RemaindersKeepTheirCarriers) {
+    for (const auto& [type, read] : {std::pair("int", "x"), std::pair("int * int", "x[1]")}) {
+        test::ModelFolder folder(fmt::format(
+            "stm M {{ event a : {} var x : {} initial i state S {{ }} state T {{ }} transition t0 {{ from i to S }} "
+            "transition t1 {{ from S to S trigger a?x }} transition t2 {{ from S to T condition {} % 3 == 1 }} }}",
+            type, type, read));
+        test::Model model(folder.path());
+        EXPECT_FALSE(ir::value_model(model.system, model.instantiation, {ir::MachineId{0}}, {})) << type;
+    }
+}
+
 /// Data that are computed, and variables that are compared with each other, keep their carriers.
 TEST(AllValuesOfModels, ComputedDataKeepTheirCarriers) {
     for (const char* condition : {"x < y", "x + y > 1.0", "x * x > 4.0", "x - x > since(C)"}) {
