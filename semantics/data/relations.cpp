@@ -157,6 +157,7 @@ private:
     void rewrite_assignment(Stmt& stmt);
     [[nodiscard]] StmtPtr rewritten(const StmtPtr& stmt);
     void rewrite_transition(Transition& transition);
+    void refuse_writes_during();
     void rewrite_initial_values(Machine& machine);
     void initialise(Machine& machine, Relation& relation);
 
@@ -482,11 +483,24 @@ void MachineRelations::rewrite_initial_values(Machine& machine) {
     for (auto& [group, relation] : relations_) initialise(machine, relation);
 }
 
+/// A during action goes on between the event of a trigger and the write of its value. If it changes a variable of the
+/// group there, the class of the received value is no longer that of the term.
+void MachineRelations::refuse_writes_during() {
+    for (const Node& node : machine_.nodes) {
+        if (!node.during) continue;
+        visit_statements(*node.during, [&](const Stmt& stmt) {
+            for (const VariableId variable : {stmt.variable, stmt.communication.variable})
+                if (is_replaced(variable)) fail({groups_.group_of(variable)});
+        });
+    }
+}
+
 /// Conditions come first, because they determine the terms.
 Machine MachineRelations::rewrite() {
     Machine result = machine_;
     for (Transition& transition : result.transitions) rewrite_transition(transition);
     visit_statements(machine_, [&](const Stmt& stmt) { (void)condition(stmt.condition, VariableId{}); });
+    refuse_writes_during();
     for (Node& node : result.nodes)
         for (StmtPtr* action : {&node.entry, &node.during, &node.exit}) *action = rewritten(*action);
     for (Transition& transition : result.transitions) transition.action = rewritten(transition.action);

@@ -9,6 +9,9 @@
 // takes every value of its type: a linear form with a coefficient other than 0 maps the reals onto the reals, and one
 // with a coefficient of 1 or -1 maps the integers onto the integers. This is the condition of homogeneity: it is wrong
 // for nat and for all types with bounds (docs/data.md, "Relations of variables").
+//
+// An input is stored after its event. So nothing may change the group in between: no during action writes one of its
+// variables.
 #pragma once
 
 #include <cstdint>

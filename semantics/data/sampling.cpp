@@ -137,7 +137,7 @@ std::optional<Value> Sampling::closed_value(MachineId machine, const Expr& expr)
 }
 
 std::optional<int> Sampling::truth(MachineId machine, const Expr& condition, const Value& value) const {
-    if (is_set_by_property(machine, condition)) return std::nullopt;
+    if (is_set_by_property(machine, condition) || depends_on_carriers(condition)) return std::nullopt;
     std::optional<int> result;
     for (const std::vector<Value>& constants : constants_[machine.index]) {
         Environment environment{{}, constants, {}, value};

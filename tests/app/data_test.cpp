@@ -499,6 +499,27 @@ TEST(Shortcuts, ALoopBoundIsNoClass) {
     EXPECT_EQ(found.verdicts.at("state machine S divergence-free"), "holds") << found.text;
 }
 
+/// A during action changes the group between the event of a trigger and the storing of its value: after d = 1 with l =
+/// 2, `l = d` gives l = 0, so Y is reached.
+TEST(Shortcuts, RelationsThatADuringActionChangesKeepTheirCarriers) {
+    const Answers found = answers_for_text(
+        "stm S { event a : int event go var d : int = 0 , l : int = 2 initial i "
+        "state C { during l = d initial j state X { } state Y { } transition u0 { from j to X } "
+        "transition u1 { from X to X trigger a ? d condition d <= l } "
+        "transition u2 { from X to Y trigger go condition d > l } } transition t0 { from i to C } }");
+    EXPECT_FALSE(found.classes.contains("a")) << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S every transition fires"), "holds") << found.text;
+}
+
+/// A quantifier ranges over a carrier, so its condition needs the values: there are reals above 1.5.
+TEST(Shortcuts, QuantifiersNeedTheValues) {
+    const Answers found = answers_for_text(
+        "stm S { event go var x : real = 1.5 initial i state A { } state B { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger go condition forall y : real @ y <= x } "
+        "transition t2 { from A to B trigger go condition exists y : real @ y > x } }");
+    EXPECT_EQ(found.verdicts.at("state machine S B is reachable"), "holds") << found.text;
+}
+
 /// A claim that compares values is decided with values: the block sends what it has received, and the machine sends 1.
 /// The other claims of the model have classes. The report keeps the order of the claims.
 TEST(Shortcuts, ClaimsThatObserveValuesHaveNoClasses) {
