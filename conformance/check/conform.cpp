@@ -405,25 +405,20 @@ std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef
     }
 }
 
-}  // namespace
-
 /// Repeats the check, with the new comparisons of the code as further cuts, until there are no new ones.
-ForAllValues judge_for_all_values(const TimedModel& timed, const ir::ComponentRef& component, const rc_interface& code,
-                                  const Options& options, const EventPlaces& places) {
+ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRef& component, ValueSearch search,
+                                  const rc_interface& code, const Options& options, const EventPlaces& places) {
     constexpr int most_rounds = 8;
-    auto search = value_search(timed.model, component);
-    if (!search) return {};
-    const TrackedCode tracked(code, timed.model.system, search->types);
+    const TrackedCode tracked(code, timed.model.system, search.types);
     std::vector<ir::Cut> cuts;
     for (int round = 0; round < most_rounds; ++round) {
-        const ir::ValueModel& model = search->model;
+        const ir::ValueModel& model = search.model;
         diagnostics::Diagnostics apart;
         const csp_emit::Emission script =
             csp_emit::emit(model.system, timed.model.instantiation, csp_emit::Time::timed, {}, *timed.sources, apart);
         if (!apart.ok() || !tracked.set_values(model)) return {};
-        Result result =
-            judge_script(script, model.system, timed.model.instantiation, component, code, tracked_arguments(*search),
-                         options_for_all_values(options), timed.sources, places);
+        Result result = judge_script(script, model.system, timed.model.instantiation, component, code,
+                                     tracked_arguments(search), options_for_all_values(options), timed.sources, places);
         if (tracked.is_inexact()) return {std::nullopt, tracked.loss(), true};
         const auto more = undivided_cuts(tracked, model);
         if (!more) return {std::nullopt, "a comparison of the code has numbers that are too large", true};
@@ -438,11 +433,20 @@ ForAllValues judge_for_all_values(const TimedModel& timed, const ir::ComponentRe
             return {std::move(result), "", false};
         }
         cuts.insert(cuts.end(), more->begin(), more->end());
-        auto finer = ir::value_model(timed.model.system, timed.model.instantiation, search->machines, cuts);
+        auto finer = ir::value_model(timed.model.system, timed.model.instantiation, search.machines, cuts);
         if (!finer) return {std::nullopt, "the code makes too many comparisons", true};
-        search->model = std::move(*finer);
+        search.model = std::move(*finer);
     }
     return {std::nullopt, "the code makes too many comparisons", true};
+}
+
+}  // namespace
+
+ForAllValues judge_for_all_values(const TimedModel& timed, const ir::ComponentRef& component, const rc_interface& code,
+                                  const Options& options, const EventPlaces& places) {
+    auto search = value_search(timed.model, component);
+    if (!search) return {};
+    return divide_until_decided(timed, component, std::move(*search), code, options, places);
 }
 
 Result judge_code(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
@@ -474,7 +478,7 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     diagnostics::Budget own(options.limits);
     diagnostics::Budget& budget = diagnostics.budget() != nullptr ? *diagnostics.budget() : own;
     try {
-        const auto search = value_search(model, component);
+        auto search = value_search(model, component);
         if (!search) return {std::nullopt, reason_for_carriers(model, component), false};
         cpp_emit::Options generator = generator_options(timed, options);
         generator.tracked_scale = search->model.scale;
@@ -484,7 +488,8 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
         const diagnostics::Budget::Phase phase(budget, "compiling the generated code");
         const auto object = build_code(code, options, budget, error);
         if (!object) return {};
-        ForAllValues found = judge_for_all_values(timed, component, object->interface(), options, code.event_places);
+        ForAllValues found =
+            divide_until_decided(timed, component, std::move(*search), object->interface(), options, code.event_places);
         if (found.result) diagnostics.add(findings);
         return found;
     } catch (const diagnostics::LimitReached&) {
