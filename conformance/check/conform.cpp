@@ -191,10 +191,7 @@ void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr&
         NormalFormSystem normal_form(graph, alphabet, options.cycle_length);
         const auto found = open_choice(normal_form, alphabet, represented, options.limits);
         if (!found) return;
-        reason = fmt::format(
-            "no difference for the few values explored, but they do not represent all values: after one trace the "
-            "model may make either of {} and {}",
-            found->one, found->other);
+        reason = reason_of(*found);
     } catch (const process::Interrupted& limit) {
         reason = fmt::format("it was not decided whether few values represent all values: {}", limit.what());
     }

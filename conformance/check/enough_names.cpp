@@ -72,10 +72,7 @@ private:
     }
 
     static EnoughNames not_all(const OpenChoice& choice, const std::string& cause) {
-        return {std::nullopt,
-                fmt::format("no difference for the few values explored, but they do not represent all values: after "
-                            "one trace the model may make either of {} and {}, and {}",
-                            choice.one, choice.other, cause)};
+        return {std::nullopt, reason_of(choice) + ", and " + cause};
     }
 
     const RenamedSystem& model_;

@@ -3,6 +3,8 @@
 // numbered in the order of their discovery.
 #include "conformance/check/open_choice.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 
 #include "checker/refine/verdict/normal_form.hpp"
@@ -48,6 +50,14 @@ std::optional<OpenChoice> open_choice(lts::TransitionSystem& normal_form, const 
         budget.states(nodes.size());
     }
     return std::nullopt;
+}
+
+std::string reason_of(const OpenChoice& choice) {
+    return fmt::format(
+        "no difference for the few values explored, but they do not represent all values: after one trace the model "
+        "may "
+        "make either of {} and {}",
+        choice.one, choice.other);
 }
 
 }  // namespace robochart::conformance

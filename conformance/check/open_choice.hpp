@@ -18,6 +18,9 @@ struct OpenChoice {
     std::string one, other;
 };
 
+/// Why the values explored do not represent all values: the model chooses between values.
+[[nodiscard]] std::string reason_of(const OpenChoice&);
+
 /// Finds the first trace of the normal form after which two writes are possible that differ only in represented
 /// arguments. `represented` states for each output which arguments few values represent. Returns no value if there is
 /// no such trace. Throws diagnostics::LimitReached.
