@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <unordered_map>
 
 #include "base/diagnostics/containers.hpp"
@@ -12,6 +11,7 @@
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/not_compiled.hpp"
 #include "checker/machine/unminimised_system.hpp"
+#include "checker/process/refusal.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -117,22 +117,6 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
                     use(region.participants[who], event);
     }
     return used;
-}
-
-/// Returns what `work` makes, or null if the process cannot be compiled.
-template <typename Work>
-auto unless_refused(const Work& work) -> decltype(work()) {
-    try {
-        return work();
-    } catch (const process::Interrupted&) {
-        throw;
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::logic_error&) {
-        throw;  // an internal error
-    } catch (const std::exception&) {
-        return nullptr;
-    }
 }
 
 }  // namespace
@@ -291,7 +275,7 @@ std::unique_ptr<lts::FinerSystem> Compiler::finer_system(const Skeleton& skeleto
 
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, diagnostics::Pollable& budget) {
     stage_ = {};
-    return unless_refused([&]() -> std::unique_ptr<SupercombinatorSystem> {
+    return process::unless_refused([&]() -> std::unique_ptr<SupercombinatorSystem> {
         std::optional<Skeleton> skeleton = this->skeleton(term, {}, budget);
         if (!skeleton || (skeleton->prefixes > few_prefixes && is_small(term, budget))) return nullptr;
         std::vector<ComponentPtr> components = this->components(*skeleton, budget);
@@ -318,7 +302,7 @@ std::unique_ptr<SupercombinatorSystem> Compiler::combine_components(Skeleton ske
     if (bounds_.minimised_states == 0) return system;
     const auto operators = std::make_shared<const Skeleton>(std::move(skeleton));
     system->set_finer_system([this, operators, minimised](diagnostics::Pollable& polled) {
-        return unless_refused([&] { return finer_system(*operators, minimised, polled); });
+        return process::unless_refused([&] { return finer_system(*operators, minimised, polled); });
     });
     return system;
 }

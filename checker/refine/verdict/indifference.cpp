@@ -2,8 +2,8 @@
 #include "checker/refine/verdict/indifference.hpp"
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
+
+#include "checker/process/refusal.hpp"
 
 namespace robochart::refine {
 namespace {
@@ -37,7 +37,7 @@ bool Indifference::holds_for(const lts::EventPermutation& exchange) {
 
 /// Nodes are numbered in the order of their discovery.
 bool Indifference::visit_nodes() {
-    try {
+    return process::unless_refused([this] {
         normal_->initial();
         for (NormalForm::Node node = 0; node < normal_->size(); ++node) {
             if (normal_->size() > most_nodes) return false;
@@ -45,16 +45,8 @@ bool Indifference::visit_nodes() {
             for (const Event event : normal_->initials(node)) static_cast<void>(normal_->node_after(node, event));
             if (model_ != Model::traces) static_cast<void>(normal_->acceptances(node));
         }
-    } catch (const process::Interrupted&) {
-        throw;
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::logic_error&) {
-        throw;  // an internal error
-    } catch (const std::exception&) {
-        return false;
-    }
-    return true;
+        return true;
+    });
 }
 
 bool Indifference::holds_at(NormalForm::Node node, const lts::EventPermutation& exchange) {
