@@ -11,21 +11,21 @@
 namespace robochart {
 
 /// Numbers over finite carriers are integers that count units.
-template <class Carrier>
-void log_value(Tracer& tracer, Finite<Carrier> value) noexcept {
+inline void log_units(Tracer& tracer, std::int64_t units, std::int64_t scale) noexcept {
     char digits[64];
     Text text(digits, sizeof digits);
-    text.add(value.raw(), Carrier::scale);
+    text.add(units, scale);
     tracer.text(digits);
+}
+template <class Carrier>
+void log_value(Tracer& tracer, Finite<Carrier> value) noexcept {
+    log_units(tracer, value.raw(), Carrier::scale);
 }
 
 #ifdef ROBOCHART_TRACKED_HPP
 template <class Carrier>
 void log_value(Tracer& tracer, Tracked<Carrier> value) noexcept {
-    char digits[64];
-    Text text(digits, sizeof digits);
-    text.add(value.raw(), Carrier::scale);
-    tracer.text(digits);
+    log_units(tracer, value.raw(), Carrier::scale);
 }
 #endif
 

@@ -82,12 +82,15 @@ private:
     std::int64_t raw_ = 0;
 };
 
-/// A duration in time units; negative ones are zero.
-template <class Carrier>
-constexpr std::uint32_t duration(Finite<Carrier> units) noexcept {
-    const WideInteger whole = floor_quotient(units.raw(), Carrier::scale);
+/// A number of units as a duration in time units; negative ones are zero.
+constexpr std::uint32_t time_units(std::int64_t units, std::int64_t scale) noexcept {
+    const WideInteger whole = floor_quotient(units, scale);
     if (whole < 0) return 0;
     return whole > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(whole);
+}
+template <class Carrier>
+constexpr std::uint32_t duration(Finite<Carrier> units) noexcept {
+    return time_units(units.raw(), Carrier::scale);
 }
 
 /// A real as a whole number, rounded down.

@@ -339,12 +339,9 @@ std::int64_t place_of_value(std::uint32_t type, Parts... parts) noexcept {
     return tracking.place(type, numbers);
 }
 
-/// A duration in time units; negative ones are zero.
 template <class Carrier>
 constexpr std::uint32_t duration(Tracked<Carrier> units) noexcept {
-    const WideInteger whole = floor_quotient(units.native(), Carrier::scale);
-    if (whole < 0) return 0;
-    return whole > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(whole);
+    return time_units(units.native(), Carrier::scale);
 }
 
 /// A real as a whole number, rounded down.
