@@ -225,9 +225,7 @@ namespace {
 bool write_scripts(driver::Project& project, const std::string& name, const std::vector<std::string>& notes,
                    const Options& options, Report& report) {
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
-        const bool skipped = (options.claims.times == driver::Times::timed && time == csp_emit::Time::untimed) ||
-                             (options.claims.times == driver::Times::untimed && time == csp_emit::Time::timed);
-        if (skipped) continue;
+        if (!includes_time(options.claims.times, time)) continue;
         const csp_emit::Emission& emission = emit_csp(project, options.claims, options.swarm, time);
         if (!project.diagnostics.ok() ||
             !write_all("", csp_emit::files(emission, time, name, notes), report.csp_files, options, project))

@@ -577,15 +577,21 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
     }
 }
 
-/// Puts the claims of one semantics from `first` to `end` in the order of the project's script.
-void order_claims(const Project& project, const csp_emit::Emission& emission, std::size_t first, std::size_t end,
+/// The places in the results of claims in one semantics that are decided in two projects.
+struct DividedClaims {
+    Time time;
+    std::size_t first, end;
+};
+
+/// Puts these claims in the order of the project's script.
+void order_claims(const Project& project, const csp_emit::Emission& emission, const DividedClaims& divided,
                   std::vector<AssertionReport>& assertions) {
     std::map<std::string, std::size_t> order;
     for (const csp_emit::Obligation& obligation : emission.obligations)
         order.emplace(project.label + obligation.title, order.size());
     const auto at = assertions.begin();
-    std::ranges::stable_sort(at + static_cast<std::ptrdiff_t>(first), at + static_cast<std::ptrdiff_t>(end), {},
-                             [&](const AssertionReport& one) {
+    std::ranges::stable_sort(at + static_cast<std::ptrdiff_t>(divided.first),
+                             at + static_cast<std::ptrdiff_t>(divided.end), {}, [&](const AssertionReport& one) {
                                  const auto found = order.find(one.title);
                                  return found == order.end() ? order.size() : found->second;
                              });
@@ -607,27 +613,24 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     Project& decided = classes.project ? *classes.project : project;
     results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
     std::vector<std::unique_ptr<TimeClaims>> times;
-    std::vector<std::function<void()>> orders;  // of claims that are decided in two projects
+    std::vector<DividedClaims> divided;
     for (const Time time : {Time::untimed, Time::timed}) {
-        const bool left_out = search.settings.claims.times == (time == Time::timed ? Times::untimed : Times::timed);
-        if (left_out || !project.diagnostics.ok() || !decided.diagnostics.ok()) continue;
-        const auto add = [&](Project& of, bool in_carriers, Values values) {
-            const auto takes = [&classes, &of, in_carriers](const csp_emit::Obligation& obligation) {
-                return is_decided_in_carriers(classes, of.system, obligation) == in_carriers;
+        if (!includes_time(search.settings.claims.times, time) || !project.diagnostics.ok() ||
+            !decided.diagnostics.ok())
+            continue;
+        const auto add = [&](Project& of, Values values) {
+            const auto takes = [&classes, &of, values](const csp_emit::Obligation& obligation) {
+                return is_decided_in_carriers(classes, of.system, obligation) == (values == Values::of_carriers);
             };
             times.push_back(std::make_unique<TimeClaims>(of, search, time, takes, values, results));
             times.back()->add_to(claims);
         };
         const std::size_t first = results.assertions.size();
-        add(decided, false, Values::of_project);
+        add(decided, Values::of_project);
         const bool open = !(decided.outputs_replaced.empty() && decided.related.empty());
         if (classes.project && (has_observers(project.system) || (classes.small_carriers && open)))
-            add(project, true, Values::of_carriers);
-        if (times.back()->is_in_carriers())
-            orders.push_back([&, time, first, end = results.assertions.size()] {
-                const auto& emission = emit_csp(project, search.settings.claims, search.settings.swarm, time);
-                order_claims(project, emission, first, end, results.assertions);
-            });
+            add(project, Values::of_carriers);
+        if (times.back()->is_in_carriers()) divided.push_back({time, first, results.assertions.size()});
     }
     if (&decided != &project) project.diagnostics.add(decided.diagnostics);
     if (probabilities) probabilities->add_to(claims);
@@ -637,7 +640,9 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         if (probabilities) probabilities->give_back();
     });
     for (const auto& time : times) time->measure_if_asked();
-    for (const auto& order : orders) order();
+    for (const DividedClaims& claims_of_time : divided)
+        order_claims(project, emit_csp(project, search.settings.claims, search.settings.swarm, claims_of_time.time),
+                     claims_of_time, results.assertions);
 }
 
 }  // namespace robochart::driver

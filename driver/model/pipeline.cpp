@@ -306,6 +306,10 @@ std::vector<ClaimName> claims_of(const frontend::Model& model) {
     return claims;
 }
 
+bool includes_time(Times times, csp_emit::Time time) {
+    return times != (time == csp_emit::Time::timed ? Times::untimed : Times::timed);
+}
+
 std::unique_ptr<Project> with_data(const Project& project, ir::System system, ir::Instantiation instantiation) {
     auto result = std::make_unique<Project>(project.texts);
     result->name = project.name;
@@ -408,9 +412,9 @@ void read_blocks(const Part& part, const Settings& settings) {
     if (!project.diagnostics.ok() || project.system.csp_blocks.empty()) return;
     ClaimSettings claims = settings.claims;
     claims.core = core_wanted(part, settings);
-    if (claims.times != Times::timed) (void)emit_csp(project, claims, settings.swarm, csp_emit::Time::untimed);
-    if (claims.times != Times::untimed && project.diagnostics.ok())
-        (void)emit_csp(project, claims, settings.swarm, csp_emit::Time::timed);
+    for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed})
+        if (includes_time(claims.times, time) && project.diagnostics.ok())
+            (void)emit_csp(project, claims, settings.swarm, time);
 }
 
 /// True if every name is that of a claim in some assertion file.

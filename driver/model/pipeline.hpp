@@ -84,6 +84,9 @@ struct ClaimName {
 /// none. False if an earlier part has the same components.
 [[nodiscard]] bool core_wanted(const Part&, const Settings&);
 
+/// Whether claims are decided in this semantics.
+[[nodiscard]] bool includes_time(Times, csp_emit::Time);
+
 /// The timed or untimed semantics as a type-checked script; diagnostics are added to the project's. The script is made
 /// on the first request with the settings of that request, and stored in the project. Throws std::logic_error if the
 /// script is wrong although it contains no text of the user.

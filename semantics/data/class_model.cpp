@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cassert>
 #include <map>
-#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -15,8 +12,6 @@
 #include "semantics/data/relations.hpp"
 #include "semantics/data/rewriter.hpp"
 #include "semantics/evaluate/carrier.hpp"
-#include "semantics/ir/dump_expressions.hpp"
-#include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
 namespace {
