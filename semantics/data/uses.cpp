@@ -71,12 +71,14 @@ std::set<PlaceId> Collector::places_read(const Expr& root) const {
     return result;
 }
 
-/// True if a call or a division in the expression may be undefined.
+/// True if a call, a division or a conversion in the expression may be undefined: no natural number is negative.
 bool Collector::may_be_undefined(const ExprPtr& root) const {
+    const auto is_natural = [this](const Expr& expr) { return system_.type(expr.type).kind == TypeKind::nat; };
     bool result = false;
     visit_operands(*inline_calls(system_, root), [&](const Expr& expr) {
-        result = result || (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) ||
-                 expr.kind == ExprKind::apply || expr.kind == ExprKind::index || expr.kind == ExprKind::the ||
+        result = result || (expr.kind == ExprKind::cast && is_natural(expr) && !is_natural(*expr.args.at(0))) ||
+                 (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) || expr.kind == ExprKind::apply ||
+                 expr.kind == ExprKind::index || expr.kind == ExprKind::the ||
                  (expr.kind == ExprKind::call && expr.function.is_valid() &&
                   !system_.functions.at(expr.function.index).preconditions.empty());
         if (result || (expr.kind != ExprKind::divide && expr.kind != ExprKind::modulus)) return;

@@ -520,6 +520,15 @@ TEST(Shortcuts, QuantifiersNeedTheValues) {
     EXPECT_EQ(found.verdicts.at("state machine S B is reachable"), "holds") << found.text;
 }
 
+/// 3 - 4 is no natural number, so the output has no value after the input 3. As an output that nothing depends on, it
+/// would hide the error.
+TEST(Shortcuts, AConversionMayHaveNoValue) {
+    const Answers found = answers_for_text(
+        "stm S { event e : nat event out_ : nat var x : nat = 0 initial i state A { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger e ? x condition x > 2 action out_ ! ( ( x - 4 ) as nat ) } }");
+    EXPECT_NE(found.verdicts.at("state machine S deadlock-free"), "holds") << found.text;
+}
+
 /// A claim that compares values is decided with values: the block sends what it has received, and the machine sends 1.
 /// The other claims of the model have classes. The report keeps the order of the claims.
 TEST(Shortcuts, ClaimsThatObserveValuesHaveNoClasses) {
