@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cycle ends in a state, in a junction without an enabled way, or inside an action that waits. A variable is local if
-// it is dead in all states and at all places that wait. A junction blocks for ever if its guards read only variables
+// it is dead in all states and at all places that wait. A junction never continues if its guards read only variables
 // that nothing else changes meanwhile, so a local variable may be live there: generated code leaves such a junction
 // only in a cycle in which the variable was written.
 #include "cpp_emit/plan/liveness.hpp"
@@ -62,7 +62,7 @@ public:
     LiveVariables(const Component& component, const Unit& unit)
         : component_(component), unit_(unit), machine_(*unit.machine), at_(machine_.nodes.size()) {}
 
-    /// Computes the variables that are live where a cycle may end, except at junctions that block for ever.
+    /// Computes the variables that are live where a cycle may end, except at junctions that never continue.
     [[nodiscard]] Variables between_cycles() {
         for (bool changed = true; changed;) {
             changed = false;

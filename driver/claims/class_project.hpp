@@ -30,7 +30,7 @@ struct ClassProject {
 /// Whether some claim may observe values of events: comparisons of components, rules, and CSP blocks.
 [[nodiscard]] bool has_observers(const ir::System& system);
 /// True for a claim of determinism that this answer with classes leaves open: if it holds and outputs have names of
-/// classes, and whatever the answer if conditions relate variables (semantics/data/class_model.hpp).
+/// classes; or, for both answers, if conditions relate variables (semantics/data/class_model.hpp).
 [[nodiscard]] bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation, Answer found);
 /// True for a claim of this system that observes values, or that may be open with classes and is decided in the finite
 /// instantiation instead.

@@ -163,7 +163,7 @@ int main() {
 }
 )";
 
-/// ahead = 0, portside = 1, starboard = 2. A scan without a near reading blocks the machine for ever: no later scan has
+/// ahead = 0, portside = 1, starboard = 2. A scan without a near reading stops the machine: no later scan has
 /// an effect. A reading of exactly 0.5 (place 30) is not near. A window beyond the end of a scan has no minimum.
 const char* const expected =
     " 0 0\n 0 0\n 0 0\n 0 0\n 1 0\n 2 0\n"
@@ -172,7 +172,7 @@ const char* const expected =
     // <5, 2, 9, 2>, twice: 4 items, 3 different ones, 3 at the places 2 to 4; ..., 9 % 3 and
     // 5 % 3; {5, 9}; {2, 5}; ...; the least of <9, 2>
     " 4 3 3 11 0 1 0 2 2 2 0 1 1 2 42 4 3 3 11 0 1 0 2 2 2 0 1 1 2 42\n"
-    // <4, 5> has no item at the places 3 to 8: the action waits there for ever
+    // <4, 5> has no item at the places 3 to 8: the action never continues
     " 2 2 1 11 0 0 1 2 1 2 1 1 0\n"
     "\n 0 1\n 1 1\n"
     // the list has at most 2 items; its concatenation with another one is never built
