@@ -178,6 +178,7 @@ private:
             case StmtKind::wait:
             case StmtKind::wait_interval:
             case StmtKind::clock_reset:
+            case StmtKind::choose:
                 break;
         }
         add_own_reads(stmt, live);
@@ -209,6 +210,7 @@ private:
             case StmtKind::if_then_else:
             case StmtKind::assign:
             case StmtKind::clock_reset:
+            case StmtKind::choose:
                 break;
         }
         return false;

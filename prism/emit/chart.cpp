@@ -2,6 +2,7 @@
 #include "prism/emit/chart.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <utility>
 
@@ -51,6 +52,9 @@ private:
             case ir::StmtKind::communicate:
             case ir::StmtKind::call:
                 result.push_back(stmt);
+                return;
+            case ir::StmtKind::choose:  // only in models that are decided by the CSP checker
+                assert(false);
                 return;
         }
     }

@@ -197,7 +197,8 @@ enum class StmtKind {
     wait,
     wait_interval,
     clock_reset,
-    deadline
+    deadline,
+    choose  ///< only in models that semantics/data makes, which are decided and never run
 };
 
 struct Stmt;
@@ -207,7 +208,9 @@ using StmtPtr = std::shared_ptr<const Stmt>;
 struct Stmt {
     StmtKind kind = StmtKind::skip;
     std::uint32_t point = 0;
-    std::vector<StmtPtr> body;  ///< sequence: all; if: then, else (else may be skip); deadline: one
+    /// sequence: all; if: then, else (else may be skip); deadline: one; choose: alternatives, of which the machine
+    /// performs one that nobody else controls; a null one blocks the thread for ever
+    std::vector<StmtPtr> body;
     ExprPtr condition;          ///< if
     VariableId variable;        ///< assign: the variable
     std::vector<ExprPtr> path;  ///< assign: member/index steps below it (literal field index, or index expression)

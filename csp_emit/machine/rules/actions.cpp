@@ -69,6 +69,18 @@ Next branch_on_condition(const MachineTables& tables, const RunningThread& runni
              next_configuration(running.replace(other), values)}};
 }
 
+/// The internal choice between the alternatives.
+Next choose_alternative(const RunningThread& running, const ir::Stmt& stmt, const Program& rest, const Values& values) {
+    Next result{Next::Kind::internal};
+    for (const ir::StmtPtr& part : stmt.body) {
+        const Activation blocked_or_next =
+            part ? running.replace(push_item(item_of_statement(part, running.head().label), rest))
+                 : block_thread(running);
+        result.parts.push_back(next_configuration(blocked_or_next, values));
+    }
+    return result;
+}
+
 /// The effect of the first statement, without the preconditions of the functions that it uses.
 Next effect_of(MachineTables& tables, const RunningThread& running, const Values& values) {
     const ir::Stmt& stmt = *running.head().stmt;
@@ -100,6 +112,8 @@ Next effect_of(MachineTables& tables, const RunningThread& running, const Values
         }
         case StmtKind::deadline:
             return start_deadline(tables, running, stmt, rest, values);
+        case StmtKind::choose:
+            return choose_alternative(running, stmt, rest, values);
         case StmtKind::skip:
         case StmtKind::communicate:
             break;
@@ -119,7 +133,7 @@ std::optional<Next> silent_statement(MachineTables& tables, const RunningThread&
                                      const Values& values, bool alone, bool branching) {
     const ir::Stmt& stmt = *running.head().stmt;
     const bool changes = stmt.kind == StmtKind::assign || stmt.kind == StmtKind::clock_reset;
-    if (is_visible(tables, running, stmt)) return std::nullopt;
+    if (is_visible(tables, running, stmt) || stmt.kind == StmtKind::choose) return std::nullopt;
     const bool about_time = stmt.kind == StmtKind::clock_reset || stmt.kind == StmtKind::wait ||
                             stmt.kind == StmtKind::wait_interval || stmt.kind == StmtKind::deadline;
     if (about_time && !tables.timed()) return perform_statement(tables, running, values);  // dropped: semantics 3.11
