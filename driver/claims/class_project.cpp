@@ -2,6 +2,8 @@
 #include "driver/claims/class_project.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "semantics/ir/query.hpp"
 
@@ -38,9 +40,13 @@ bool chooses_ranges(const Project& project) {
     return std::ranges::any_of(project.asked.ranges, [](const auto& range) { return range.first != "clock"; });
 }
 
-ClassProject class_project(const Project& project, const Settings& settings) {
+bool keeps_carriers(const Project& project, const Settings& settings) {
     const bool instantiated = std::ranges::any_of(project.system.csp_blocks, ir::is_instantiations);
-    if (settings.claims.concrete || chooses_ranges(project) || instantiated || !settings.swarm.file.empty()) return {};
+    return settings.claims.concrete || chooses_ranges(project) || instantiated || !settings.swarm.file.empty();
+}
+
+ClassProject class_project(const Project& project, const Settings& settings) {
+    if (keeps_carriers(project, settings)) return {};
     auto replaced = ir::class_model(without_observers(project.system), project.instantiation);
     if (!replaced) return {};
     const bool unlimited =
@@ -51,6 +57,37 @@ ClassProject class_project(const Project& project, const Settings& settings) {
     result.project->outputs_replaced = std::move(replaced->outputs_replaced);
     result.project->related = std::move(replaced->related);
     return result;
+}
+
+/// Whether all data have classes that the class project has, too.
+bool are_all_in(const std::vector<ir::ReplacedData>& data, const std::vector<ir::ReplacedData>& others) {
+    std::set<std::string> places;
+    for (const ir::ReplacedData& other : others) places.insert(other.places.begin(), other.places.end());
+    return std::ranges::all_of(data, [&](const ir::ReplacedData& one) {
+        return std::ranges::all_of(one.places, [&](const std::string& place) { return places.contains(place); });
+    });
+}
+
+FreeProject free_project(const Project& project, const Settings& settings, const ClassProject& classes) {
+    if (keeps_carriers(project, settings)) return {};
+    auto replaced = ir::free_model(without_observers(project.system), project.instantiation);
+    if (!replaced) return {};
+    const bool large = !replaced->small_carriers && !are_all_in(replaced->data, classes.data);
+    return {with_data(project, std::move(replaced->system), std::move(replaced->instantiation)),
+            replaced->free_conditions, large};
+}
+
+bool carries_over(const csp_emit::Obligation& obligation, Answer found) {
+    using ir::PropertyKind;
+    constexpr std::array kinds{PropertyKind::deadlock_free, PropertyKind::divergence_free,
+                               PropertyKind::timelock_free, PropertyKind::terminates,
+                               PropertyKind::reachable,     PropertyKind::clock_initialised};
+    if (std::ranges::find(kinds, obligation.kind) == kinds.end()) return false;
+    if (obligation.firing || obligation.recurrence || obligation.premise || obligation.assertions.empty()) return false;
+    // a negated assertion that fails says that the model has less behaviour than its specification
+    const bool negated = found == Answer::fails;
+    return std::ranges::all_of(obligation.assertions,
+                               [&](const cspm::DeclPtr& assertion) { return assertion->assertion.negated == negated; });
 }
 
 bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation, Answer found) {

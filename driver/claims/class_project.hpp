@@ -27,6 +27,18 @@ struct ClassProject {
 /// because both sorts of claims then share the work on the components.
 [[nodiscard]] ClassProject class_project(const Project& project, const Settings& settings);
 
+/// The project in which computed data are free (ir::free_model), without the claims that observe values.
+struct FreeProject {
+    std::unique_ptr<Project> project;  ///< null in the same cases as class_project(), or if no data can be replaced
+    std::size_t conditions = 0;        ///< conditions that may have either answer
+    bool has_large_carriers = false;   ///< it replaces data with large carriers that `classes` does not replace
+};
+[[nodiscard]] FreeProject free_project(const Project& project, const Settings& settings, const ClassProject& classes);
+/// Whether an answer of the free model is also true of the model, because the model refines it. An answer is the truth
+/// of assertions that the model has less behaviour than a specification. Claims that need the existence of a run, or
+/// that ask whether steps are possible from all states, do not carry over.
+[[nodiscard]] bool carries_over(const csp_emit::Obligation& obligation, Answer found);
+
 /// Whether some claim may observe values of events: comparisons of components, rules, and CSP blocks.
 [[nodiscard]] bool has_observers(const ir::System& system);
 /// True for a claim of determinism that this answer with classes leaves open: if it holds and outputs have names of

@@ -414,6 +414,37 @@ enum class Values {
     of_carriers,  ///< of the finite instantiation, where other claims are about classes of values
 };
 
+/// Whether the answer is missing, or rests on carriers without a run that shows it.
+bool is_limited_by_carriers(const AssertionReport& one) {
+    if (one.answer == Answer::inconclusive || one.answer == Answer::error) return true;
+    const bool decided = one.answer == Answer::holds || (one.answer == Answer::fails && !one.run);
+    return decided && std::ranges::any_of(one.basis, [](const Ground& ground) {
+               return ground.kind == GroundKind::bound || ground.kind == GroundKind::carriers;
+           });
+}
+
+/// One of these parts of the rest of the turn; of forty seconds if the turn ends with the run.
+Turn part_of(const Turn& turn, int parts) {
+    constexpr std::chrono::seconds usual{40};
+    Turn result = turn;
+    const auto now = std::chrono::steady_clock::now();
+    result.ends = now + (turn.ends ? (*turn.ends - now) / parts : usual / parts);
+    return result;
+}
+
+/// Decides claims in the model with free data (docs/data.md, "Computed data").
+class FreeClaims {
+public:
+    virtual ~FreeClaims() = default;
+    /// Whether the carriers are so large that the model with free data is decided first.
+    [[nodiscard]] virtual bool comes_first() const = 0;
+    [[nodiscard]] virtual bool was_tried(const csp_emit::Obligation& obligation) const = 0;
+    /// Whether the claim was tried, and fails with free data.
+    [[nodiscard]] virtual bool may_fail(const csp_emit::Obligation& obligation) const = 0;
+    /// Decides the claim. Returns true if the answer is also true of the model, and writes it to the report.
+    virtual bool answer(const Turn& turn, const csp_emit::Obligation& obligation, AssertionReport& report) = 0;
+};
+
 /// Decides claims in one semantics, timed or untimed.
 class TimeClaims {
 public:
@@ -456,6 +487,9 @@ public:
         session_.reset();
     }
 
+    /// Claims that the carriers limit are decided with free data, too.
+    void set_free_claims(FreeClaims* free) { free_ = free; }
+
     [[nodiscard]] bool is_in_carriers() const { return values_ == Values::of_carriers; }
 
     void measure_if_asked() {
@@ -474,20 +508,44 @@ private:
         return true;
     }
 
+    /// A claim that carriers may limit gets a part of its turn, then a part with free data, then the rest.
     bool decide_in(const Turn& turn, const csp_emit::Obligation& obligation, std::size_t at) {
+        const bool whole = search_.services.continues_searches();  // a search in files is not ended and begun again
+        if (whole || free_ == nullptr || free_->was_tried(obligation))
+            return store(decide_alone(turn, obligation, at), at);
+        const bool first = free_->comes_first();
+        AssertionReport one = first ? announced_[at] : decide_alone(part_of(turn, 20), obligation, at);
+        if (first || is_limited_by_carriers(one)) {
+            if (free_->answer(part_of(turn, 4), obligation, one)) return store(std::move(one), at);
+            if (first || (one.answer == Answer::inconclusive && !turn.is_over()))
+                one = decide_alone(turn, obligation, at);
+        }
+        return store(std::move(one), at);
+    }
+
+    AssertionReport decide_alone(const Turn& turn, const csp_emit::Obligation& obligation, std::size_t at) {
         SearchContext search{search_.settings, search_.services, turn};
         search.turn.on_progress = [&](const refine::Progress& progress) { note_progress(progress, at); };
         AssertionReport one = announced_[at];
         try {
-            if (!session_ && !open_session()) return true;  // the results contain the reason
+            if (!session_ && !open_session()) return one;  // the results contain the reason
             decide_whole({project_, search, emission_, *session_, guards_, takes_}, obligation, one);
         } catch (const diagnostics::LimitReached& limit) {
             if (run_is_over(search_.services.budget())) throw;
             one = announced_[at];
             one.reason = limit.what();
         }
+        if (one.answer == Answer::inconclusive) {
+            one.reason = ended_turn(one.reason, search);
+            if (free_ != nullptr && free_->may_fail(obligation))
+                one.reason += "; with free values of computed data it fails, which may not be a run of the model";
+        }
+        return one;
+    }
+
+    /// Returns true if the claim is decided.
+    bool store(AssertionReport one, std::size_t at) {
         const bool decided = one.answer != Answer::inconclusive;
-        if (!decided) one.reason = ended_turn(one.reason, search);
         const auto edit = search_.services.edit();
         add_bounds(one.basis, time_, results_.bounds);
         results_.assertions[first_ + at] = std::move(one);
@@ -554,9 +612,80 @@ private:
     Premises premises_;
     std::unique_ptr<cspm::Session> session_;
     bool given_back_ = false;
+    FreeClaims* free_ = nullptr;  ///< null: none
     std::optional<SecondLook> second_look_;
     std::size_t first_ = 0;                   ///< index of the first claim in the results
     std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
+};
+
+/// Decides claims in the model with free data by a hidden list of results. The model is made for the first claim.
+class HiddenClaims final : public FreeClaims {
+public:
+    HiddenClaims(const FreeProject& free, const SearchContext& search, Time time)
+        : free_(free), search_(search), time_(time) {}
+
+    [[nodiscard]] bool comes_first() const override { return free_.has_large_carriers; }
+
+    [[nodiscard]] bool was_tried(const csp_emit::Obligation& obligation) const override {
+        return tried_.contains(obligation.title);
+    }
+    [[nodiscard]] bool may_fail(const csp_emit::Obligation& obligation) const override {
+        const auto at = was_tried(obligation) ? index_of(obligation) : std::nullopt;
+        return at && results_.assertions[*at].answer == Answer::fails;
+    }
+
+    bool answer(const Turn& turn, const csp_emit::Obligation& obligation, AssertionReport& report) override {
+        if (!time_claims_) list_claims();
+        tried_.insert(obligation.title);
+        const auto at = index_of(obligation);
+        if (!at) return false;
+        AssertionReport& known = results_.assertions[*at];
+        (void)claims_[*at].decide(turn);
+        if (known.answer != Answer::holds && known.answer != Answer::fails) return false;
+        if (!carries_over(obligation, known.answer)) return false;
+        report.answer = known.answer;
+        report.reason = known.reason;
+        if (known.answer == Answer::holds) report.reason = reason();
+        report.basis = known.basis;
+        report.statistics = known.statistics;
+        report.searched = known.searched;
+        report.run.reset();
+        if (report.core && known.core) report.core->unexercised = known.core->unexercised;
+        return true;
+    }
+
+    void give_back() {
+        if (time_claims_) time_claims_->give_back();
+    }
+
+private:
+    /// No value if the claim cannot be decided with free data.
+    [[nodiscard]] std::optional<std::size_t> index_of(const csp_emit::Obligation& obligation) const {
+        const auto found = std::ranges::find(claims_, obligation.title, &WaitingClaim::title);
+        if (found == claims_.end()) return std::nullopt;
+        return static_cast<std::size_t>(found - claims_.begin());
+    }
+    void list_claims() {
+        const auto takes = [](const csp_emit::Obligation& obligation) {
+            return carries_over(obligation, Answer::holds) || carries_over(obligation, Answer::fails);
+        };
+        time_claims_ =
+            std::make_unique<TimeClaims>(*free_.project, search_, time_, takes, Values::of_project, results_);
+        time_claims_->add_to(claims_);
+    }
+    [[nodiscard]] std::string reason() const {
+        if (free_.conditions == 0) return "for all values, whatever is computed from them";
+        return fmt::format("for all values: {} condition{} on data may have either answer", free_.conditions,
+                           free_.conditions == 1 ? "" : "s");
+    }
+
+    const FreeProject& free_;
+    SearchContext search_;
+    Time time_;
+    ClaimResults results_;
+    std::unique_ptr<TimeClaims> time_claims_;
+    std::vector<WaitingClaim> claims_;
+    std::set<std::string> tried_;  ///< titles
 };
 
 /// Lists the claims that only other tools can check. They do not count as successes.
@@ -612,6 +741,8 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     const ClassProject classes = class_project(project, search.settings);
     Project& decided = classes.project ? *classes.project : project;
     results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
+    const FreeProject free = free_project(project, search.settings, classes);
+    std::vector<std::unique_ptr<HiddenClaims>> hidden;
     std::vector<std::unique_ptr<TimeClaims>> times;
     std::vector<DividedClaims> divided;
     for (const Time time : {Time::untimed, Time::timed}) {
@@ -624,7 +755,9 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
             };
             times.push_back(std::make_unique<TimeClaims>(of, search, time, takes, values, results));
             times.back()->add_to(claims);
+            if (free.project) times.back()->set_free_claims(hidden.back().get());
         };
+        if (free.project) hidden.push_back(std::make_unique<HiddenClaims>(free, search, time));
         const std::size_t first = results.assertions.size();
         add(decided, Values::of_project);
         const bool open = !(decided.outputs_replaced.empty() && decided.related.empty());
@@ -637,6 +770,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     if (!project.diagnostics.ok()) return;
     decide_in_turns(claims, search, [&] {
         for (const auto& time : times) time->give_back();
+        for (const auto& claims_of_time : hidden) claims_of_time->give_back();
         if (probabilities) probabilities->give_back();
     });
     for (const auto& time : times) time->measure_if_asked();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "semantics/data/classes.hpp"
+#include "semantics/data/free_conditions.hpp"
 #include "semantics/data/relations.hpp"
 #include "semantics/data/rewriter.hpp"
 #include "semantics/evaluate/carrier.hpp"
@@ -53,20 +54,20 @@ std::set<std::string> outputs_replaced(const System& system, const Places& place
     return result;
 }
 
-/// Finds classes for the system in which holders replace the groups of related variables, except the refused groups.
+/// Finds classes for a system in which holders may have replaced groups of related variables.
 class Attempt {
 public:
-    Attempt(const System& original, const Instantiation& instantiation, const std::set<GroupId>& refused)
+    Attempt(RelatedSystem related, const Instantiation& instantiation, Computed computed)
         : instantiation_(instantiation),
-          related_(relate(original, instantiation, refused)),
+          related_(std::move(related)),
           sampling_(related_.system, instantiation),
           places_(related_.system) {
         for (const Relation& relation : related_.relations)
             for (const auto& [variable, coefficient] : relation.term.coefficients)
                 places_.unite(holder_of(relation),
                               places_.variable(relation.group.first, VariableId{static_cast<std::uint32_t>(variable)}));
-        uses_ = collect_uses(related_.system, sampling_, places_);
-        classes_ = divide_values(related_.system, sampling_, places_, uses_);
+        uses_ = collect_uses(related_.system, sampling_, places_, computed);
+        classes_ = divide_values(related_.system, sampling_, places_, uses_, computed);
         for (const Relation& relation : related_.relations)
             terms_[places_.class_of(holder_of(relation))] = relation.text;
     }
@@ -77,17 +78,20 @@ public:
             if (!classes_.contains(places_.class_of(holder_of(relation)))) return relation.group;
         return std::nullopt;
     }
+    /// The conditions on values that have no classes although nothing else needs them.
+    [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
+        std::set<const Expr*> result;
+        for (const auto& [flow, uses] : uses_) {
+            if (classes_.contains(flow) || !uses.needs_values.empty()) continue;
+            if (!is_replaceable(related_.system, places_[flow].type)) continue;
+            for (const Condition& condition : uses.conditions) result.insert(condition.expr);
+        }
+        return result;
+    }
     /// No value if no data are replaced.
     [[nodiscard]] std::optional<ClassModel> result() const;
 
 private:
-    static RelatedSystem relate(const System& system, const Instantiation& instantiation,
-                                const std::set<GroupId>& refused) {
-        const Sampling sampling(system, instantiation);
-        Places places(system);
-        (void)collect_uses(system, sampling, places);  // unites the places that values are copied between
-        return relate_variables(system, sampling, places, refused);
-    }
     [[nodiscard]] RelatedVariables described(const Relation& relation) const;
     [[nodiscard]] PlaceId holder_of(const Relation& relation) const {
         return places_.variable(relation.group.first, relation.group.second);
@@ -127,11 +131,12 @@ RelatedVariables Attempt::described(const Relation& relation) const {
 std::optional<ClassModel> Attempt::result() const {
     if (classes_.empty()) return std::nullopt;
     const System& system = related_.system;
-    ClassModel result{with_classes(system, sampling_, places_, classes_, terms_),
+    ClassModel result{with_classes(system, sampling_, places_, uses_, classes_, terms_),
                       instantiation_,
                       {},
                       have_small_carriers(system, instantiation_, places_, classes_),
                       outputs_replaced(system, places_, classes_),
+                      0,
                       {}};
     for (const auto& [flow, divided] : classes_) {
         const auto term = terms_.find(flow);
@@ -144,15 +149,38 @@ std::optional<ClassModel> Attempt::result() const {
     return result;
 }
 
+RelatedSystem related_system(const System& system, const Instantiation& instantiation,
+                             const std::set<GroupId>& refused) {
+    const Sampling sampling(system, instantiation);
+    Places places(system);
+    (void)collect_uses(system, sampling, places);  // unites the places that values are copied between
+    return relate_variables(system, sampling, places, refused);
+}
+
 }  // namespace
 
 std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation) {
     std::set<GroupId> refused;
     for (;;) {
-        Attempt attempt(system, instantiation, refused);
+        const Attempt attempt(related_system(system, instantiation, refused), instantiation, Computed::exactly);
         const auto kept = attempt.relation_without_classes();
         if (!kept) return attempt.result();
         refused.insert(*kept);
+    }
+}
+
+std::optional<ClassModel> free_model(const System& system, const Instantiation& instantiation) {
+    const Sampling sampling(system, instantiation);
+    std::set<const Expr*> unanswered;
+    for (;;) {
+        FreedSystem freed = free_conditions(system, sampling, unanswered);
+        const Attempt attempt({std::move(freed.system), {}}, instantiation, Computed::freely);
+        const std::size_t before = unanswered.size();
+        unanswered.merge(attempt.conditions_without_classes());
+        if (unanswered.size() > before) continue;
+        auto result = attempt.result();
+        if (result) result->free_conditions = freed.conditions;
+        return result;
     }
 }
 

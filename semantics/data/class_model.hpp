@@ -55,6 +55,8 @@ struct ClassModel {
     /// The machines ("P::S") for which classes replace values of outputs and calls. Two outputs of different values may
     /// then have one name, so that a nondeterministic machine may have a deterministic class model.
     std::set<std::string> outputs_replaced;
+    /// The number of conditions whose answers the class model chooses (free_model).
+    std::size_t free_conditions = 0;
     /// The name of an input of a related variable depends on the values of the other variables. So a class model may be
     /// deterministic although the machine is not, and a machine may be deterministic although its class model is not.
     std::vector<RelatedVariables> related;
@@ -63,6 +65,12 @@ struct ClassModel {
 /// Replaces all data that can be replaced. No value if there are none. Properties of the system must not observe values
 /// of events: the class model has the same names of events, and other values.
 [[nodiscard]] std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation);
+
+/// A class model in which the classes of computed values, and the answers of conditions that no classes give, are
+/// chosen internally. The ideal model refines it in traces, failures and divergences, if values of events are not
+/// observed (semantics/data/free_conditions.hpp). So a refinement that holds of the class model holds of the model; one
+/// that fails may hold. No value if no data can be replaced. Properties must not observe values of events.
+[[nodiscard]] std::optional<ClassModel> free_model(const System& system, const Instantiation& instantiation);
 
 /// Describes the classes of a class model for readers of its scripts: a line for each type of classes, then a line for
 /// each class with one of its values. The lines contain names of the model.

@@ -28,25 +28,6 @@ void collect_leaves(const System& system, TypeId id, std::set<TypeKind>& leaves)
         for (const TypeId part : arguments) collect_leaves(system, part, leaves);
 }
 
-/// True if the type has numbers, elements of given types, or sequences. False for types with values that value_text
-/// cannot show.
-bool is_replaceable(const System& system, TypeId id) {
-    std::set<TypeKind> leaves;
-    collect_leaves(system, id, leaves);
-    const auto has = [&](std::initializer_list<TypeKind> kinds) {
-        return std::ranges::any_of(kinds, [&](TypeKind kind) { return leaves.contains(kind); });
-    };
-    return has({TypeKind::nat, TypeKind::integer, TypeKind::real, TypeKind::given, TypeKind::sequence}) &&
-           !has({TypeKind::string, TypeKind::function, TypeKind::relation, TypeKind::matrix});
-}
-
-/// Writes the number at a path of parts.
-void put(Value& value, const std::vector<std::size_t>& path, std::int64_t number) {
-    Value* at = &value;
-    for (const std::size_t part : path) at = &at->parts.at(part);
-    at->number = number;
-}
-
 class Division {
 public:
     Division(const System& system, const Sampling& sampling, TypeId type, const Uses& uses)
@@ -107,13 +88,9 @@ std::optional<std::vector<Value>> Division::linear_candidates() const {
         if (!linear.add(*condition.body, closed_of(condition.machine))) return std::nullopt;
     const auto points = linear.points();
     if (!points) return std::nullopt;
-    const Value standard = default_value(system_, sampling_.instantiation(), type_);
     std::vector<Value> result;
-    for (const std::vector<std::int64_t>& point : *points) {
-        Value value = standard;
-        for (std::size_t i = 0; i < point.size(); ++i) put(value, linear.components()[i].path, point[i]);
-        result.push_back(std::move(value));
-    }
+    for (const std::vector<std::int64_t>& point : *points)
+        result.push_back(value_at(system_, sampling_.instantiation(), type_, linear.components(), point));
     return result;
 }
 
@@ -187,8 +164,9 @@ std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_event
 /// Decides which flow classes keep their values: values that others are computed from are needed.
 class Choice {
 public:
-    Choice(const System& system, const Sampling& sampling, const Places& places, const std::map<PlaceId, Uses>& uses)
-        : system_(system), sampling_(sampling), places_(places), uses_(uses) {}
+    Choice(const System& system, const Sampling& sampling, const Places& places, const std::map<PlaceId, Uses>& uses,
+           Computed computed)
+        : system_(system), sampling_(sampling), places_(places), uses_(uses), computed_(computed) {}
 
     std::map<PlaceId, ValueClasses> choose() {
         for (const auto& [flow, uses] : uses_)
@@ -203,13 +181,20 @@ private:
         return std::ranges::any_of(uses.writes, [](const Written& written) { return !written.closed; });
     }
 
+    /// The class model can choose the class of a value when a statement computes it, but not that of an initial value.
+    [[nodiscard]] bool may_be_chosen(const Uses& uses) const {
+        return computed_ == Computed::freely && std::ranges::none_of(uses.writes, [](const Written& written) {
+                   return written.initial && !written.closed;
+               });
+    }
+
     [[nodiscard]] bool from_outside(PlaceId flow) const { return places_[flow].input || places_[flow].shared; }
 
     [[nodiscard]] std::optional<ValueClasses> classes_of(PlaceId flow, const Uses& uses) const {
         const Place& place = places_[flow];
         if (place.opaque || !uses.needs_values.empty() || !is_replaceable(system_, place.type)) return std::nullopt;
         const bool computed = is_computed(uses);
-        if (computed && !uses.conditions.empty()) return std::nullopt;
+        if (computed && !uses.conditions.empty() && !may_be_chosen(uses)) return std::nullopt;
         return Division(system_, sampling_, place.type, uses)
             .divide(from_outside(flow) || computed, !place.shared && !computed, !computed);
     }
@@ -229,6 +214,11 @@ private:
         return unknown;
     }
 
+    /// Whether the values can be computed from carriers.
+    [[nodiscard]] bool is_known(const Uses& uses, PlaceId flow, const std::set<PlaceId>& unknown) const {
+        return computed_ == Computed::exactly && is_computed(uses) && !unknown.contains(flow);
+    }
+
     [[nodiscard]] std::set<PlaceId> flows_read(const Uses& uses) const {
         std::set<PlaceId> result;
         for (const Written& written : uses.writes)
@@ -241,7 +231,7 @@ private:
         const std::set<PlaceId> unknown = unknown_values();
         for (const auto& [flow, uses] : uses_) {
             if (chosen_.contains(flow)) {
-                if (is_computed(uses) && !unknown.contains(flow) && chosen_.erase(flow) > 0) return true;
+                if (is_known(uses, flow, unknown) && chosen_.erase(flow) > 0) return true;
                 continue;
             }
             for (const PlaceId read : flows_read(uses))
@@ -254,14 +244,43 @@ private:
     const Sampling& sampling_;
     const Places& places_;
     const std::map<PlaceId, Uses>& uses_;
+    Computed computed_;
     std::map<PlaceId, ValueClasses> chosen_;
 };
 
 }  // namespace
 
+bool is_replaceable(const System& system, TypeId id) {
+    std::set<TypeKind> leaves;
+    collect_leaves(system, id, leaves);
+    const auto has = [&](std::initializer_list<TypeKind> kinds) {
+        return std::ranges::any_of(kinds, [&](TypeKind kind) { return leaves.contains(kind); });
+    };
+    return has({TypeKind::nat, TypeKind::integer, TypeKind::real, TypeKind::given, TypeKind::sequence}) &&
+           !has({TypeKind::string, TypeKind::function, TypeKind::relation, TypeKind::matrix});
+}
+
+Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
+               const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers) {
+    Value result = default_value(system, instantiation, type);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        Value* at = &result;
+        for (const std::size_t part : components[i].path) at = &at->parts.at(part);
+        at->number = numbers[i];
+    }
+    return result;
+}
+
+bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type, const Expr& condition) {
+    const ClosedValue closed = [&](const Expr& expr) { return sampling.closed_value(machine, expr); };
+    if (system.type(type).kind == TypeKind::sequence)
+        return SequenceConditions(system, sampling.instantiation().scale).add(condition, closed);
+    return LinearConditions(system, sampling.instantiation()).add(condition, closed);
+}
+
 std::map<PlaceId, ValueClasses> divide_values(const System& system, const Sampling& sampling, const Places& places,
-                                              const std::map<PlaceId, Uses>& uses) {
-    return Choice(system, sampling, places, uses).choose();
+                                              const std::map<PlaceId, Uses>& uses, Computed computed) {
+    return Choice(system, sampling, places, uses, computed).choose();
 }
 
 }  // namespace robochart::ir

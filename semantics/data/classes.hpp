@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "semantics/data/uses.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::ir {
 
@@ -23,10 +24,24 @@ struct ValueClasses {
     bool exact_outputs = false;   ///< outputs of different values have different names in some run
 };
 
+/// True if the type has numbers, elements of given types, or sequences. False for types with values that value_text
+/// cannot show.
+[[nodiscard]] bool is_replaceable(const System& system, TypeId type);
+
+/// The default value of the type with these numbers, in units, in its components.
+[[nodiscard]] Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
+                             const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers);
+
+/// Whether a condition that reads only one place, which has this type, has a form that divides its values into classes.
+[[nodiscard]] bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type,
+                              const Expr& condition);
+
 /// The classes of every flow class whose values can be replaced by classes, by its least place (docs/data.md). The
 /// class model is equal to the ideal model up to the names of values: every condition has one answer for all values of
-/// a class, and an input of any value of a class has the same effect (a functional bisimulation).
+/// a class, and an input of any value of a class has the same effect (a functional bisimulation). If computed values
+/// are free, this is only true if each of them belongs to the class that the class model chooses.
 [[nodiscard]] std::map<PlaceId, ValueClasses> divide_values(const System& system, const Sampling& sampling,
-                                                            const Places& places, const std::map<PlaceId, Uses>& uses);
+                                                            const Places& places, const std::map<PlaceId, Uses>& uses,
+                                                            Computed computed = Computed::exactly);
 
 }  // namespace robochart::ir

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "semantics/data/images.hpp"
 #include "semantics/data/value_text.hpp"
 #include "semantics/ir/dump_expressions.hpp"
 #include "semantics/ir/visit.hpp"
@@ -17,9 +18,9 @@ namespace {
 /// Rewrites the machines of a system: places of replaced flow classes get the types of their classes.
 class Rewriter {
 public:
-    Rewriter(const System& system, const Sampling& sampling, const Places& places,
+    Rewriter(const System& system, const Sampling& sampling, const Places& places, const std::map<PlaceId, Uses>& uses,
              const std::map<PlaceId, ValueClasses>& classes, const std::map<PlaceId, std::string>& terms)
-        : system_(system), sampling_(sampling), places_(places), classes_(classes), terms_(terms) {
+        : system_(system), sampling_(sampling), places_(places), uses_(uses), classes_(classes), terms_(terms) {
         for (const auto& [flow, divided] : classes)
             for (const auto& [condition, answers] : divided.answers) tested_.emplace(condition, flow);
     }
@@ -47,6 +48,16 @@ private:
     void rewrite_transition(Transition& transition);
     void rewrite_communication(Communication& communication);
     [[nodiscard]] StmtPtr rewritten(const StmtPtr& stmt);
+    [[nodiscard]] bool is_chosen(PlaceId target, const ExprPtr& expr) const;
+    [[nodiscard]] StmtPtr make(Stmt stmt);
+    [[nodiscard]] StmtPtr chosen_class(PlaceId target, VariableId variable, const std::set<std::size_t>& numbers,
+                                       const Origin& origin);
+    [[nodiscard]] StmtPtr chosen_class(PlaceId target, VariableId variable, const ExprPtr& value, const Origin& origin);
+    [[nodiscard]] ExprPtr is_one_of(PlaceId flow, const Expr& place, const std::set<std::size_t>& numbers,
+                                    TypeId boolean) const;
+    [[nodiscard]] ExprPtr chosen_before(PlaceId target, const ExprPtr& expr, std::vector<StmtPtr>& choices,
+                                        const Origin& origin);
+    [[nodiscard]] StmtPtr rewritten_assignment(const Stmt& stmt);
     [[nodiscard]] ExprPtr rewritten(const ExprPtr& expr) const;
     [[nodiscard]] ExprPtr written(PlaceId target, const ExprPtr& expr) const;
     [[nodiscard]] ExprPtr test(PlaceId flow, const Expr& condition) const;
@@ -60,12 +71,14 @@ private:
     const System& system_;
     const Sampling& sampling_;
     const Places& places_;
+    const std::map<PlaceId, Uses>& uses_;
     const std::map<PlaceId, ValueClasses>& classes_;
     const std::map<PlaceId, std::string>& terms_;
     std::map<const Expr*, PlaceId> tested_;  ///< the flow class that a condition tests
     std::map<PlaceId, ClassTypes> types_;
     MachineId machine_;
-    PlaceId trigger_ = no_id;  ///< the place of the received value that guards and predicates read
+    Machine* result_ = nullptr;  ///< the machine that is rewritten
+    PlaceId trigger_ = no_id;    ///< the place of the received value that guards and predicates read
 };
 
 /// A name that no type has.
@@ -131,15 +144,26 @@ ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
         result.number = count == 0 ? 0 : 1;
         return std::make_shared<const Expr>(std::move(result));
     }
+    std::set<std::size_t> numbers;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (answers[i]) numbers.insert(i);
+    return is_one_of(flow, *place, numbers, condition.type);
+}
+
+/// Whether the place, a variable or a received value, holds one of these classes.
+ExprPtr Rewriter::is_one_of(PlaceId flow, const Expr& place, const std::set<std::size_t>& numbers,
+                            TypeId boolean) const {
     Expr set;
     set.kind = ExprKind::set;
     set.type = types_.at(flow).set;
-    set.span = condition.span;
-    for (std::size_t i = 0; i < answers.size(); ++i)
-        if (answers[i]) set.args.push_back(literal(flow, i, condition.span));
-    Expr at = *place;
+    set.span = place.span;
+    for (const std::size_t number : numbers) set.args.push_back(literal(flow, number, place.span));
+    Expr at = place;
     at.type = types_.at(flow).one;
+    Expr result;
     result.kind = ExprKind::is_in;
+    result.type = boolean;
+    result.span = place.span;
     result.args = {std::make_shared<const Expr>(std::move(at)), std::make_shared<const Expr>(std::move(set))};
     return std::make_shared<const Expr>(std::move(result));
 }
@@ -178,17 +202,147 @@ void Rewriter::rewrite_communication(Communication& communication) {
     communication.value = written(carried, communication.value);
 }
 
+/// Whether the value is computed and a condition reads it, so that the machine chooses its class.
+bool Rewriter::is_chosen(PlaceId target, const ExprPtr& expr) const {
+    const ValueClasses* classes = expr ? classes_at(target) : nullptr;
+    return classes != nullptr && !classes->nothing_tested && place_of(*expr) == no_id &&
+           !sampling_.closed_value(machine_, *expr);
+}
+
+StmtPtr Rewriter::make(Stmt stmt) {
+    stmt.point = result_->points++;
+    return std::make_shared<const Stmt>(std::move(stmt));
+}
+
+/// Assigns one of these classes of the target's values to the variable.
+StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const std::set<std::size_t>& numbers,
+                               const Origin& origin) {
+    Stmt choice;
+    choice.kind = StmtKind::choose;
+    choice.origin = origin;
+    for (const std::size_t i : numbers) {
+        Stmt assignment;
+        assignment.kind = StmtKind::assign;
+        assignment.variable = variable;
+        assignment.value = literal(places_.class_of(target), i, origin.span);
+        assignment.origin = origin;
+        choice.body.push_back(make(std::move(assignment)));
+    }
+    return make(std::move(choice));
+}
+
+/// The only variable that the expression reads; null if it reads others, or a received value or a clock.
+const Expr* only_variable(const Expr& root) {
+    const Expr* result = nullptr;
+    bool others = false;
+    visit_operands(root, [&](const Expr& expr) {
+        others = others || expr.kind == ExprKind::trigger_value || expr.kind == ExprKind::since ||
+                 expr.kind == ExprKind::since_entry;
+        if (expr.kind != ExprKind::variable) return;
+        others = others || (result != nullptr && result->variable != expr.variable);
+        result = &expr;
+    });
+    return others ? nullptr : result;
+}
+
+/// Assigns a class that the value can have. If the class of the variable from which it is computed restricts it, the
+/// choice follows a test of this class. The test and the choice are two steps, so no other thread may write the
+/// variable in between: there is no during action, and the variable is not shared.
+StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPtr& value, const Origin& origin) {
+    std::set<std::size_t> all;
+    for (std::size_t i = 0; i < classes_at(target)->witnesses.size(); ++i) all.insert(i);
+    const Expr* const read = value ? only_variable(*value) : nullptr;
+    const PlaceId source = read != nullptr ? places_.variable(machine_, read->variable) : no_id;
+    const bool alone = std::ranges::all_of(result_->nodes, [](const Node& node) { return node.during == nullptr; });
+    const auto boolean = std::ranges::find(system_.types, TypeKind::boolean, &Type::kind);
+    const ValueClasses* classes = classes_at(source);
+    if (classes == nullptr || !alone || places_[places_.class_of(source)].shared || boolean == system_.types.end())
+        return chosen_class(target, variable, all, origin);
+    const auto flow = [&](PlaceId place) {
+        const PlaceId least = places_.class_of(place);
+        return DividedFlow{places_[least].type, &uses_.at(least), &classes_.at(least)};
+    };
+    const auto images = images_of(system_, sampling_, machine_, flow(source), flow(target), value);
+    if (!images) return chosen_class(target, variable, all, origin);
+    std::map<std::set<std::size_t>, std::set<std::size_t>> sources;  // by their image
+    for (std::size_t i = 0; i < images->size(); ++i) sources[(*images)[i].empty() ? all : (*images)[i]].insert(i);
+    const TypeId type{static_cast<std::uint32_t>(boolean - system_.types.begin())};
+    StmtPtr result = chosen_class(target, variable, sources.begin()->first, origin);
+    for (auto image = std::next(sources.begin()); image != sources.end(); ++image) {
+        Stmt branch;
+        branch.kind = StmtKind::if_then_else;
+        branch.origin = origin;
+        branch.condition = is_one_of(places_.class_of(source), *read, image->second, type);
+        branch.body = {chosen_class(target, variable, image->first, origin), result};
+        result = make(std::move(branch));
+    }
+    return result;
+}
+
+/// The value that is sent. If the machine chooses its class, a new variable holds the choice.
+ExprPtr Rewriter::chosen_before(PlaceId target, const ExprPtr& expr, std::vector<StmtPtr>& choices,
+                                const Origin& origin) {
+    if (!is_chosen(target, expr)) return written(target, expr);
+    Variable variable;
+    variable.name = "chosen";
+    const auto used = [&] {
+        return std::ranges::find(result_->variables, variable.name, &Variable::name) != result_->variables.end();
+    };
+    while (used()) variable.name += "_";
+    variable.type = types_.at(places_.class_of(target)).one;
+    variable.origin = origin;
+    Expr name;
+    name.kind = ExprKind::variable;
+    name.type = variable.type;
+    name.variable = VariableId{static_cast<std::uint32_t>(result_->variables.size())};
+    name.span = origin.span;
+    result_->variables.push_back(std::move(variable));
+    choices.push_back(chosen_class(target, name.variable, expr, origin));
+    return std::make_shared<const Expr>(std::move(name));
+}
+
+StmtPtr Rewriter::rewritten_assignment(const Stmt& stmt) {
+    const PlaceId target = places_.variable(machine_, stmt.variable);
+    const ValueClasses* classes = classes_at(target);
+    Stmt result = stmt;
+    if (classes == nullptr && !stmt.path.empty()) {
+        for (ExprPtr& step : result.path) step = rewritten(step);
+        result.value = rewritten(stmt.value);
+    } else if (classes != nullptr && !classes->nothing_tested &&
+               (!stmt.path.empty() || is_chosen(target, stmt.value))) {
+        return chosen_class(target, stmt.variable, stmt.path.empty() ? stmt.value : nullptr, stmt.origin);
+    } else if (!stmt.path.empty()) {
+        result.path.clear();
+        result.value = literal(places_.class_of(target), 0, stmt.value->span);
+    } else {
+        result.value = written(target, stmt.value);
+    }
+    return std::make_shared<const Stmt>(std::move(result));
+}
+
 StmtPtr Rewriter::rewritten(const StmtPtr& stmt) {
     if (!stmt) return stmt;
+    if (stmt->kind == StmtKind::assign) return rewritten_assignment(*stmt);
     Stmt result = *stmt;
+    std::vector<StmtPtr> parts;
     for (StmtPtr& part : result.body) part = rewritten(part);
     result.condition = rewritten(stmt->condition);
-    const bool whole = stmt->kind == StmtKind::assign && stmt->path.empty();
-    result.value = whole ? written(places_.variable(machine_, stmt->variable), stmt->value) : rewritten(stmt->value);
-    if (stmt->kind == StmtKind::communicate) rewrite_communication(result.communication);
+    result.value = rewritten(stmt->value);
+    if (stmt->kind == StmtKind::communicate) {
+        rewrite_communication(result.communication);
+        result.communication.value = chosen_before(places_.event(machine_, stmt->communication.event),
+                                                   stmt->communication.value, parts, stmt->origin);
+    }
     for (std::size_t i = 0; i < result.args.size(); ++i)
-        result.args[i] = written(places_.parameter(machine_, stmt->operation, i), stmt->args[i]);
-    return std::make_shared<const Stmt>(std::move(result));
+        result.args[i] =
+            chosen_before(places_.parameter(machine_, stmt->operation, i), stmt->args[i], parts, stmt->origin);
+    parts.push_back(std::make_shared<const Stmt>(std::move(result)));
+    if (parts.size() == 1) return parts.front();
+    Stmt sequence;
+    sequence.kind = StmtKind::sequence;
+    sequence.body = std::move(parts);
+    sequence.origin = stmt->origin;
+    return make(std::move(sequence));
 }
 
 void Rewriter::rewrite_transition(Transition& transition) {
@@ -201,6 +355,7 @@ void Rewriter::rewrite_transition(Transition& transition) {
 
 void Rewriter::rewrite_machine(MachineId id, Machine& machine) {
     machine_ = id;
+    result_ = &machine;
     for (std::uint32_t v = 0; v < machine.variables.size(); ++v)
         machine.variables[v].initial = written(places_.variable(id, VariableId{v}), machine.variables[v].initial);
     for (Node& node : machine.nodes)
@@ -211,8 +366,9 @@ void Rewriter::rewrite_machine(MachineId id, Machine& machine) {
 }  // namespace
 
 System with_classes(const System& system, const Sampling& sampling, const Places& places,
-                    const std::map<PlaceId, ValueClasses>& classes, const std::map<PlaceId, std::string>& terms) {
-    return Rewriter(system, sampling, places, classes, terms).rewrite();
+                    const std::map<PlaceId, Uses>& uses, const std::map<PlaceId, ValueClasses>& classes,
+                    const std::map<PlaceId, std::string>& terms) {
+    return Rewriter(system, sampling, places, uses, classes, terms).rewrite();
 }
 
 std::string term_value_text(const System& system, std::int64_t scale, const std::string& term, TypeId type,

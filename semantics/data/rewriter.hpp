@@ -14,9 +14,9 @@
 namespace robochart::ir {
 
 /// The system in which places of the flow classes have enumerations of their classes, and conditions test these.
-/// `terms`: for flow classes of related variables, the term whose values the classes are.
+/// `uses`: of all flow classes. `terms`: for flow classes of related variables, the term whose values the classes are.
 [[nodiscard]] System with_classes(const System& system, const Sampling& sampling, const Places& places,
-                                  const std::map<PlaceId, ValueClasses>& classes,
+                                  const std::map<PlaceId, Uses>& uses, const std::map<PlaceId, ValueClasses>& classes,
                                   const std::map<PlaceId, std::string>& terms = {});
 
 /// The text of a class of values of a term: "d - l = 1". `witness` is a value in the class; `scale` is its number of

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "semantics/data/inlining.hpp"
 #include "semantics/evaluate/evaluator.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/evaluate/toolkit.hpp"
@@ -133,6 +134,22 @@ std::optional<Value> Sampling::closed_value(MachineId machine, const Expr& expr)
             return std::nullopt;
         }
     }
+    return result;
+}
+
+bool Sampling::may_be_undefined(MachineId machine, const ExprPtr& root) const {
+    const auto is_natural = [this](const Expr& expr) { return system_.type(expr.type).kind == TypeKind::nat; };
+    bool result = false;
+    visit_operands(*inline_calls(system_, root), [&](const Expr& expr) {
+        result = result || (expr.kind == ExprKind::cast && is_natural(expr) && !is_natural(*expr.args.at(0))) ||
+                 (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) || expr.kind == ExprKind::apply ||
+                 expr.kind == ExprKind::index || expr.kind == ExprKind::the ||
+                 (expr.kind == ExprKind::call && expr.function.is_valid() &&
+                  !system_.functions.at(expr.function.index).preconditions.empty());
+        if (result || (expr.kind != ExprKind::divide && expr.kind != ExprKind::modulus)) return;
+        const auto divisor = closed_value(machine, *expr.args.at(1));
+        result = !divisor || divisor->number == 0;
+    });
     return result;
 }
 

@@ -29,6 +29,9 @@ public:
     /// if its evaluation is an error, such as a division by zero.
     [[nodiscard]] std::optional<int> truth(MachineId machine, const Expr& condition, const Value& value) const;
 
+    /// True if a call, a division or a conversion in the expression may be undefined: no natural number is negative.
+    [[nodiscard]] bool may_be_undefined(MachineId machine, const ExprPtr& expr) const;
+
     /// True if the machine's constants have the same values in the finite instantiation.
     [[nodiscard]] bool has_finite_constants(MachineId machine) const;
 

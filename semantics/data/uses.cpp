@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "semantics/data/inlining.hpp"
-#include "semantics/evaluate/toolkit.hpp"
 #include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
@@ -21,8 +20,8 @@ bool reads_clock_somewhere(const Expr& root) {
 
 class Collector {
 public:
-    Collector(const System& system, const Sampling& sampling, Places& places)
-        : system_(system), sampling_(sampling), places_(places) {}
+    Collector(const System& system, const Sampling& sampling, Places& places, Computed computed)
+        : system_(system), sampling_(sampling), places_(places), computed_(computed) {}
 
     std::map<PlaceId, Uses> collect() {
         for (std::uint32_t m = 0; m < system_.machines.size(); ++m) collect_machine(MachineId{m});
@@ -36,7 +35,8 @@ private:
     void collect_transition(const Transition& transition);
     void collect_statement(const Stmt& stmt);
     void collect_communication(const Communication& communication, const std::string& element);
-    void write(PlaceId target, const ExprPtr& expr, const std::string& element);
+    void write(PlaceId target, const ExprPtr& expr, const std::string& element, bool initial = false);
+    void write_part(const Stmt& stmt, const std::string& element);
     void read_guard(const ExprPtr& expr, const std::string& element);
     void read_condition(const ExprPtr& expr, const std::string& element);
     void read_values(const ExprPtr& expr, const std::string& element);
@@ -44,13 +44,16 @@ private:
         if (uses_[place].needs_values.empty()) uses_[place].needs_values = element;
     }
     [[nodiscard]] std::set<PlaceId> places_read(const Expr& expr) const;
-    [[nodiscard]] bool may_be_undefined(const ExprPtr& expr) const;
+    [[nodiscard]] bool may_be_undefined(const ExprPtr& expr) const {
+        return sampling_.may_be_undefined(machine_, expr);
+    }
     [[nodiscard]] PlaceId place_of(const Expr& expr) const { return places_.read_by(machine_, trigger_, expr); }
     static void merge(Uses& all, Uses&& more);
 
     const System& system_;
     const Sampling& sampling_;
     Places& places_;
+    Computed computed_;
     MachineId machine_;
     PlaceId trigger_ = no_id;  ///< the place of the received value that guards and predicates read
     std::map<PlaceId, Uses> uses_;
@@ -67,23 +70,6 @@ std::set<PlaceId> Collector::places_read(const Expr& root) const {
     std::set<PlaceId> result;
     visit_operands(root, [&](const Expr& expr) {
         if (const PlaceId place = place_of(expr); place != no_id) result.insert(place);
-    });
-    return result;
-}
-
-/// True if a call, a division or a conversion in the expression may be undefined: no natural number is negative.
-bool Collector::may_be_undefined(const ExprPtr& root) const {
-    const auto is_natural = [this](const Expr& expr) { return system_.type(expr.type).kind == TypeKind::nat; };
-    bool result = false;
-    visit_operands(*inline_calls(system_, root), [&](const Expr& expr) {
-        result = result || (expr.kind == ExprKind::cast && is_natural(expr) && !is_natural(*expr.args.at(0))) ||
-                 (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) || expr.kind == ExprKind::apply ||
-                 expr.kind == ExprKind::index || expr.kind == ExprKind::the ||
-                 (expr.kind == ExprKind::call && expr.function.is_valid() &&
-                  !system_.functions.at(expr.function.index).preconditions.empty());
-        if (result || (expr.kind != ExprKind::divide && expr.kind != ExprKind::modulus)) return;
-        const auto divisor = sampling_.closed_value(machine_, *expr.args.at(1));
-        result = !divisor || divisor->number == 0;
     });
     return result;
 }
@@ -118,16 +104,30 @@ void Collector::read_guard(const ExprPtr& expr, const std::string& element) {
     for (const ExprPtr& part : expr->args) read_guard(part, element);
 }
 
-void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& element) {
+void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& element, bool initial) {
     if (!expr) return;
     if (const PlaceId source = place_of(*expr); source != no_id) {
         places_.unite(source, target);
         return;
     }
     if (system_.type(expr->type).kind == TypeKind::boolean) return read_condition(expr, element);
-    Written written{expr.get(), machine_, sampling_.closed_value(machine_, *expr).has_value(), {}};
+    Written written{expr.get(), machine_, sampling_.closed_value(machine_, *expr).has_value(), initial, {}};
     if (!written.closed) written.reads = places_read(*expr);
-    if (!written.closed && (may_be_undefined(expr) || reads_clock_somewhere(*expr))) needs_values(target, element);
+    const bool exact = computed_ == Computed::exactly && !written.closed;
+    if (exact && (may_be_undefined(expr) || reads_clock_somewhere(*expr))) needs_values(target, element);
+    uses_[target].writes.push_back(std::move(written));
+}
+
+/// An assignment to a part of a variable computes the whole from the old value.
+void Collector::write_part(const Stmt& stmt, const std::string& element) {
+    const PlaceId target = places_.variable(machine_, stmt.variable);
+    if (computed_ == Computed::exactly) {
+        for (const ExprPtr& step : stmt.path) read_values(step, element);
+        needs_values(target, element);
+        return read_values(stmt.value, element);
+    }
+    Written written{stmt.value.get(), machine_, false, false, places_read(*stmt.value)};
+    for (const ExprPtr& step : stmt.path) written.reads.merge(places_read(*step));
     uses_[target].writes.push_back(std::move(written));
 }
 
@@ -144,16 +144,13 @@ void Collector::collect_communication(const Communication& communication, const 
 void Collector::collect_statement(const Stmt& stmt) {
     const std::string& element = stmt.origin.element;
     read_condition(stmt.condition, element);
-    for (const ExprPtr& step : stmt.path) read_values(step, element);
     read_values(stmt.upper, element);
-    if (stmt.kind == StmtKind::assign && stmt.path.empty()) {
+    if (stmt.kind == StmtKind::assign && stmt.path.empty())
         write(places_.variable(machine_, stmt.variable), stmt.value, element);
-    } else if (stmt.kind == StmtKind::assign) {
-        needs_values(places_.variable(machine_, stmt.variable), element);
+    else if (stmt.kind == StmtKind::assign)
+        write_part(stmt, element);
+    else
         read_values(stmt.value, element);
-    } else {
-        read_values(stmt.value, element);
-    }
     if (stmt.kind == StmtKind::communicate) {
         collect_communication(stmt.communication, element);
         const PlaceId carried = places_.event(machine_, stmt.communication.event);
@@ -187,9 +184,9 @@ void Collector::collect_machine(MachineId id) {
     for (std::uint32_t v = 0; v < machine.variables.size(); ++v) {
         const PlaceId place = places_.variable(id, VariableId{v});
         if (machine.variables[v].initial)
-            write(place, machine.variables[v].initial, machine.variables[v].origin.element);
+            write(place, machine.variables[v].initial, machine.variables[v].origin.element, true);
         else
-            uses_[place].writes.push_back({nullptr, id, true, {}});
+            uses_[place].writes.push_back({nullptr, id, true, true, {}});
     }
     for (const auto* conditions : {&machine.preconditions, &machine.postconditions})
         for (const ExprPtr& condition : *conditions) read_values(condition, machine.origin.element);
@@ -201,8 +198,9 @@ void Collector::collect_machine(MachineId id) {
 
 }  // namespace
 
-std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places) {
-    return Collector(system, sampling, places).collect();
+std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places,
+                                     Computed computed) {
+    return Collector(system, sampling, places, computed).collect();
 }
 
 }  // namespace robochart::ir

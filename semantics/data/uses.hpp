@@ -24,6 +24,7 @@ struct Written {
     const Expr* expr = nullptr;  ///< null: the default value of the type
     MachineId machine;
     bool closed = false;      ///< it has one value in all contexts
+    bool initial = false;     ///< the initial value of a variable
     std::set<PlaceId> reads;  ///< otherwise: the flow classes that it is computed from
 };
 
@@ -38,7 +39,14 @@ struct Uses {
     std::string needs_values;
 };
 
+/// How exactly the class model represents computed values.
+enum class Computed {
+    exactly,  ///< their carriers are kept if a condition reads them
+    freely,   ///< they may be of any class, or undefined
+};
+
 /// Collects the uses of all flow classes. Copies unite the classes of `places`.
-[[nodiscard]] std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places);
+[[nodiscard]] std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places,
+                                                   Computed computed = Computed::exactly);
 
 }  // namespace robochart::ir

@@ -68,7 +68,7 @@ public:
         std::map<PlaceId, ValueClasses> divided;
         for (const auto& [type, flows] : flows_)
             if (!divide_type(type, flows, divided, result)) return std::nullopt;
-        result.system = with_classes(system_, sampling_, places_, divided);
+        result.system = with_classes(system_, sampling_, places_, uses_, divided);
         if (!machines_are_free(result.system)) return std::nullopt;
         result.scale = sampling_.instantiation().scale;
         diagnostics::sort_unique(result.cuts);

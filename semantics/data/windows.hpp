@@ -33,6 +33,11 @@ public:
     /// Candidates; no value if there are too many. `element`: the type of the elements; `other`: the element at places
     /// in no window.
     [[nodiscard]] std::optional<std::vector<Value>> values(TypeId element, const Value& other) const;
+    /// The greatest size that the conditions compare the size with; no value if they read elements.
+    [[nodiscard]] std::optional<std::int64_t> greatest_size() const {
+        if (!windows_.empty()) return std::nullopt;
+        return sizes_.empty() ? 0 : *sizes_.rbegin();
+    }
 
 private:
     [[nodiscard]] bool add_condition(const Expr& condition);

@@ -28,11 +28,12 @@ struct Answers {
     std::map<std::string, std::uint64_t> states;
     std::map<std::string, std::size_t> classes;
     std::set<std::string> bounded;  ///< claims whose answer rests on bounds
+    std::set<std::string> free;     ///< claims that are decided with free values of computed data
     std::string text;
 };
 
-Answers answers_for(const std::string& model, std::vector<std::string> options = {}) {
-    options.insert(options.begin(), {"check", model, "--core", "--no-cache", "--timeout", "60", "--format", "json"});
+Answers answers_for(const std::string& model, std::vector<std::string> options = {}, const char* seconds = "60") {
+    options.insert(options.begin(), {"check", model, "--core", "--no-cache", "--timeout", seconds, "--format", "json"});
     const auto ran = run(options);
     Answers result;
     result.text = ran.out + ran.err;
@@ -45,6 +46,7 @@ Answers answers_for(const std::string& model, std::vector<std::string> options =
         result.verdicts[name] = one.at("answer");
         result.states[name] = one.at("statistics").at("states");
         if (one.contains("basis")) result.bounded.insert(name);
+        if (one.value("reason", "").starts_with("for all values")) result.free.insert(name);
     }
     for (const Json& data : json.value("data", Json::array()))
         result.classes[data.at("places").at(0)] = data.at("classes");
@@ -79,6 +81,7 @@ protected:
     }
 };
 
+constexpr auto stuck = "state machine S deadlock-free";
 constexpr auto deadlock = "deadlock-free", divergence = "divergence-free", timelock = "timelock-free";
 
 TEST_F(SharedData, AThermostatHasThreeClasses) {
@@ -285,6 +288,56 @@ TEST(Classes, OfPredicatesInActionsAreThoseOfTheReceivedValue) {
     EXPECT_EQ(found.classes.at("e"), 4U) << "0..3, 4..5, 6..8, and more";
 }
 
+// ---------------------------------------------------------------- computed data
+
+/// A queue that grows without a bound. No finite list is long enough, and no verdict depends on its length.
+TEST(ComputedData, AListWithoutABoundIsDecidedForAllLengths) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "import sequence_toolkit::* stm S { event put : nat event get event out : nat var x : nat "
+        "var q : Seq(nat) = <> initial i state A { } state Lost { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger put ? x action q = q ^ <x> } "
+        "transition t2 { from A to A trigger get condition size(q) > 0 action out ! head(q) ; q = tail(q) } "
+        "transition t3 { from A to Lost trigger get condition size(q) < 0 } }");
+    const Answers found = answers_for(model.path(), {}, "2");
+    for (const char* const claim : {"deadlock-free", "divergence-free", "timelock-free"}) {
+        const std::string name = std::string("state machine S ") + claim;
+        EXPECT_EQ(found.verdicts.at(name), "holds") << found.text;
+        EXPECT_FALSE(found.bounded.contains(name)) << found.text;
+        EXPECT_TRUE(found.free.contains(name)) << found.text;
+    }
+}
+
+/// A sum reaches every number, so that no answer may say that the alarm is never raised; and numbers that the carriers
+/// end before are reached, too.
+TEST(ComputedData, WhatMayFailIsNotDecidedByAbstraction) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm S { event reading : real var v : real var s : real = 0.0 initial i state A { } state High { } "
+        "state Both { } transition t0 { from i to A } transition t1 { from A to A trigger reading ? v action s = s + v "
+        "} "
+        "transition t2 { from A to High condition s > 100.0 } "
+        "transition t3 { from A to Both condition s > 100.0 /\\ s < 99.0 } }");
+    const Answers found = answers_for(model.path(), {}, "2");
+    EXPECT_NE(found.verdicts.at("state machine S High is reachable"), "fails") << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S Both is reachable"), "fails") << found.text;
+    EXPECT_FALSE(found.bounded.contains("state machine S Both is reachable")) << found.text;
+    EXPECT_EQ(found.verdicts.at("state machine S deadlock-free"), "fails") << found.text;
+}
+
+/// A product of inputs may be of any size: the guards are complete, so that some transition is always possible.
+TEST(ComputedData, ConditionsThatAreNotLinearMayHaveEitherAnswer) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm S { event e : real event f : real var x : real var y : real initial i state A { } state B { } junction k "
+        "transition t0 { from i to A } transition t1 { from A to B trigger e ? x } "
+        "transition t2 { from B to k trigger f ? y } transition t3 { from k to A condition x * y > 12345.5 } "
+        "transition t4 { from k to B condition x * y <= 12345.5 } }");
+    const Answers found = answers_for(model.path(), {}, "2");
+    EXPECT_EQ(found.verdicts.at(stuck), "holds") << found.text;
+    EXPECT_FALSE(found.bounded.contains(stuck)) << found.text;
+}
+
 // ---------------------------------------------------------------- relations of variables
 
 /// Two inputs of one type that are compared with each other, and a state for each answer.
@@ -295,7 +348,7 @@ std::string comparing(const std::string& type, const std::string& more) {
         type, more);
 }
 
-constexpr auto wrong = "state machine S Wrong is reachable", stuck = "state machine S deadlock-free";
+constexpr auto wrong = "state machine S Wrong is reachable";
 
 /// The input `e` of a value below y exists for every y if the type has no bounds. A bit that each input chooses freely
 /// would deny the deadlock.
