@@ -16,9 +16,13 @@ constexpr double most_values = 5'000'000;
 
 std::string cause_of(const Project& project, const cspm::EvaluationError& error) {
     const std::string_view what = error.what();
-    if (what.find("more than 5000000") == std::string_view::npos) return "";
+    if (!is_about_large_set(what)) return "";
     const std::string type = ir::large_type(project.system, project.instantiation, most_values, project.sources);
     return type.empty() ? "" : "; " + type;
+}
+
+bool is_about_large_set(std::string_view reason) {
+    return reason.find("more than 5000000") != std::string_view::npos;
 }
 
 }  // namespace robochart::driver

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "checker/cspm/eval/evaluation_error.hpp"
 #include "driver/model/pipeline.hpp"
@@ -12,5 +13,8 @@ namespace robochart::driver {
 /// A text to append to the error, with a remedy: "; type Twist has about 2e+15 values: ...". "" if the cause is
 /// unknown.
 [[nodiscard]] std::string cause_of(const Project&, const cspm::EvaluationError&);
+
+/// Whether the reason of an evaluation error is a set that has too many elements.
+[[nodiscard]] bool is_about_large_set(std::string_view reason);
 
 }  // namespace robochart::driver

@@ -414,9 +414,11 @@ enum class Values {
     of_carriers,  ///< of the finite instantiation, where other claims are about classes of values
 };
 
-/// Whether the answer is missing, or rests on carriers without a run that shows it.
+/// Whether the answer is missing, or rests on carriers without a run that shows it. Other evaluation errors are faults
+/// of the model.
 bool is_limited_by_carriers(const AssertionReport& one) {
-    if (one.answer == Answer::inconclusive || one.answer == Answer::error) return true;
+    if (one.answer == Answer::inconclusive) return true;
+    if (one.answer == Answer::error) return is_about_large_set(one.reason);
     const bool decided = one.answer == Answer::holds || (one.answer == Answer::fails && !one.run);
     return decided && std::ranges::any_of(one.basis, [](const Ground& ground) {
                return ground.kind == GroundKind::bound || ground.kind == GroundKind::carriers;
@@ -662,7 +664,7 @@ private:
     /// No value if the claim cannot be decided with free data.
     [[nodiscard]] std::optional<std::size_t> index_of(const csp_emit::Obligation& obligation) const {
         const auto found = std::ranges::find(claims_, obligation.title, &WaitingClaim::title);
-        if (found == claims_.end()) return std::nullopt;
+        if (std::ranges::count(claims_, obligation.title, &WaitingClaim::title) != 1) return std::nullopt;
         return static_cast<std::size_t>(found - claims_.begin());
     }
     void list_claims() {
