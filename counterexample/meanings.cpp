@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "counterexample/values.hpp"
 
@@ -105,6 +106,10 @@ Call common_meaning(const std::vector<Call>& alternatives) {
         if (std::ranges::find(texts, alternative.definition->text) == texts.end())
             texts.push_back(alternative.definition->text);
         const auto& others = alternative.definition->active;
+        // which alternative it is, is not known: a transition to a state of any of them may have led here
+        const auto& ahead = alternative.definition->ahead;
+        merged->ahead.insert(merged->ahead.end(), ahead.begin(), ahead.end());
+        for (const ir::Origin& state : others) merged->ahead.push_back(state.element);
         std::erase_if(merged->active, [&](const ir::Origin& state) {
             return std::ranges::none_of(others,
                                         [&](const ir::Origin& other) { return other.element == state.element; });
@@ -152,7 +157,8 @@ bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
         const auto& active = call.definition->active;
         const bool there =
             std::ranges::any_of(active, [&](const ir::Origin& state) { return state.element == offer.target; });
-        return there || is_in_transition(call.definition->text, offer.name);
+        const bool ahead = std::ranges::find(call.definition->ahead, offer.target) != call.definition->ahead.end();
+        return there || ahead || is_in_transition(call.definition->text, offer.name);
     });
 }
 
@@ -225,8 +231,8 @@ Meanings::Offers Meanings::possible_offers(const std::string& name, const Call& 
     Offers offers;
     for (const auto& offer : before.definition->offers)
         if (relative == offer->event || relative.starts_with(offer->event + ".")) offers.push_back(offer.get());
-    if (offers.size() > 1)
-        std::erase_if(offers, [&](const csp_emit::OfferMeaning* offer) { return !leads_to(*offer, after); });
+    const auto leads_here = [&](const csp_emit::OfferMeaning* offer) { return leads_to(*offer, after); };
+    if (offers.size() > 1 && std::ranges::any_of(offers, leads_here)) std::erase_if(offers, std::not_fn(leads_here));
     return offers;
 }
 

@@ -87,6 +87,8 @@ struct DefinitionMeaning {
     std::string machine = {};  ///< the machine that runs in the component, qualified by its package: "P::S"
     /// The active states, outermost first. States of called operations follow those of their callers.
     std::vector<ir::Origin> active = {};
+    /// The elements of the nodes that running transitions have yet to enter, and of junctions at which the machine is.
+    std::vector<std::string> ahead = {};
     /// The inputs and statements that the configuration offers. Definitions share these objects.
     std::vector<std::shared_ptr<const OfferMeaning>> offers = {};
 };

@@ -40,6 +40,7 @@ DefinitionMeaning DefinitionMeanings::meaning_of(const Point& point, const Funct
     add_parameters(function, meaning);
     const View now = view_of(point.config);
     meaning.active = active_states(now);
+    meaning.ahead = nodes_ahead(now);
     meaning.offers = offers_of(now);
     const Activation& inner = innermost_activation(point.config);
     const Item* item = running_item(point.config);
@@ -100,6 +101,18 @@ std::vector<ir::Origin> DefinitionMeanings::active_states(const View& now) const
         });
         diagnostics::erase_repeated(around);
         for (const ir::NodeId node : around) result.push_back(nodes[node.index].origin);
+    }
+    return result;
+}
+
+std::vector<std::string> DefinitionMeanings::nodes_ahead(const View& now) const {
+    std::vector<std::string> result;
+    for (const RunningMachine& running : now.machines) {
+        const Activation& activation = *running.activation;
+        const auto& nodes = tables_.frames[activation.frame].machine->nodes;
+        if (activation.at.is_valid()) result.push_back(nodes[activation.at.index].origin.element);
+        for (const Link* link = activation.control.rest.get(); link != nullptr; link = link->tail.get())
+            if (link->head.kind == ItemKind::enter) result.push_back(nodes[link->head.node.index].origin.element);
     }
     return result;
 }

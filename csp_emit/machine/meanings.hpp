@@ -25,6 +25,7 @@ private:
     std::string describe_activation(const Activation& config) const;
     void add_parameters(const Function&, DefinitionMeaning&) const;
     std::vector<ir::Origin> active_states(const View& now) const;
+    std::vector<std::string> nodes_ahead(const View& now) const;
     std::vector<Offer> offers_of(const View& now);
     Offer make_offer(const RunningMachine&, ir::TransitionId);
     Offer make_offer(const RunningThread&);

@@ -49,6 +49,22 @@ transition t3 { from B to B trigger e condition x == 1 } })");
     EXPECT_THAT(out, Not(HasSubstr("t3")));
 }
 
+// A transition that waits in an exit action is neither at its target nor in its own action. Which transition it is
+// depends on the state that it will enter.
+TEST(Firing, TransitionsThatWaitInAnExitActionAreTaken) {
+    const std::string out = checked(R"(stm S { event a event b initial i
+state A { exit wait(1) } state B { }
+state C { initial k state D { exit wait(1) } transition t6 { from k to D } }
+transition t0 { from i to A }
+transition t1 { from A to B trigger a }
+transition t2 { from A to A trigger a }
+transition t3 { from B to C trigger b }
+transition t4 { from C to C trigger b }
+transition t5 { from C to A trigger b } })");
+    EXPECT_THAT(out, HasSubstr("every transition fires"));
+    EXPECT_THAT(out, Not(HasSubstr("never taken")));
+}
+
 // Both guards may be true, and the step does not show which transition was taken. The check cannot conclude that the
 // other transition is never taken.
 TEST(Firing, IsUnknownIfAStepMayBeOneOfSeveralTransitions) {
