@@ -93,11 +93,6 @@ public:
         for (const Transition& transition : machine_.transitions)
             if (transition.trigger && transition.trigger->variable.is_valid())
                 received_.insert(transition.trigger->variable);
-        for (const Node& node : machine_.nodes)
-            if (node.during)
-                visit_statements(*node.during, [&](const Stmt& stmt) {
-                    if (stmt.communication.variable.is_valid()) received_during_.insert(stmt.communication.variable);
-                });
     }
 
     [[nodiscard]] Machine rewrite();
@@ -150,11 +145,9 @@ private:
     const std::set<const Expr*>& unanswered_;
     const std::set<std::string>& written_by_operations_;
     Machine machine_;
-    TypeId boolean_;                        ///< invalid: the model has no conditions
-    std::set<VariableId> received_;         ///< stored by triggers
-    std::set<VariableId> received_during_;  ///< stored by inputs in during actions
-    bool may_follow_event_ = false;    ///< in an exit or during action: it may run before the transition's own action
-    bool may_be_interrupted_ = false;  ///< in a during action
+    TypeId boolean_;                 ///< invalid: the model has no conditions
+    std::set<VariableId> received_;  ///< stored by triggers
+    bool may_follow_event_ = false;  ///< in an exit or during action: it may run before the transition's own action
     std::vector<FreeAnswer> answers_;
     ExpressionKeys keys_;
     std::map<std::string, std::size_t> known_;  ///< by the key of the condition
@@ -187,7 +180,7 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
 }
 
 /// A received value is stored before the transition's action, and so before the choice of the answer. Exit and during
-/// actions may run in between. If a during action receives a value, it may be interrupted before the choice.
+/// actions may run in between.
 bool MachineConditions::can_be_freed(const Expr& root) const {
     bool result = true;
     visit_operands(root, [&](const Expr& expr) {
@@ -197,7 +190,6 @@ bool MachineConditions::can_be_freed(const Expr& root) const {
         const Variable& variable = machine_.variables.at(expr.variable.index);
         if (variable.scope == VariableScope::required || written_by_operations_.contains(variable.name)) result = false;
         if (may_follow_event_ && received_.contains(expr.variable)) result = false;
-        if (received_during_.contains(expr.variable)) result = false;
     });
     return result;
 }
@@ -471,20 +463,18 @@ void MachineConditions::add_answers_after(VariableId variable, const ExprPtr& va
         if (answer.reads.contains(variable)) out.push_back(answer_after(answer, variable, value, origin));
 }
 
-/// The choices follow the write. In a during action they precede an assignment, because a transition may interrupt the
-/// action after the assignment.
+/// The choices follow the write at once, so that each step of the model behind the write is possible behind the
+/// choices.
 StmtPtr MachineConditions::with_answers(const StmtPtr& stmt) {
     if (!stmt) return stmt;
     Stmt result = *stmt;
     for (StmtPtr& part : result.body) part = with_answers(part);
-    std::vector<StmtPtr> choices;
+    std::vector<StmtPtr> parts{std::make_shared<const Stmt>(std::move(result))};
     if (stmt->kind == StmtKind::assign)
-        add_answers_after(stmt->variable, stmt->path.empty() ? stmt->value : nullptr, stmt->origin, choices);
+        add_answers_after(stmt->variable, stmt->path.empty() ? stmt->value : nullptr, stmt->origin, parts);
     if (stmt->communication.variable.is_valid())
-        add_answers_after(stmt->communication.variable, nullptr, stmt->origin, choices);
-    const auto at = may_be_interrupted_ ? choices.end() : choices.begin();
-    choices.insert(at, std::make_shared<const Stmt>(std::move(result)));
-    return sequence_of(std::move(choices), stmt->origin);
+        add_answers_after(stmt->communication.variable, nullptr, stmt->origin, parts);
+    return sequence_of(std::move(parts), stmt->origin);
 }
 
 /// The answers are chosen when the machine starts, and when a trigger has stored a value.
@@ -517,13 +507,8 @@ Machine MachineConditions::rewrite() {
         may_follow_event_ = false;
     }
     for (Transition& transition : machine_.transitions) add_answers(transition);
-    for (Node& node : machine_.nodes) {
-        node.entry = with_answers(node.entry);
-        node.exit = with_answers(node.exit);
-        may_be_interrupted_ = true;
-        node.during = with_answers(node.during);
-        may_be_interrupted_ = false;
-    }
+    for (Node& node : machine_.nodes)
+        for (StmtPtr* action : {&node.entry, &node.during, &node.exit}) *action = with_answers(*action);
     return std::move(machine_);
 }
 

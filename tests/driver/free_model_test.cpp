@@ -214,31 +214,40 @@ void expect_deadlock(const Both& both) {
     EXPECT_TRUE(free == both.free.end() || free->second.answer != Answer::holds);
 }
 
-/// A transition may interrupt a during action behind an assignment. If the answer were chosen behind it, it would stay
-/// that of the old value. Here x * x < 4 is false for the 3 of the entry action and true for the 0 of y.
-TEST(FreeModels, AnInterruptedDuringActionLeavesNoOldAnswer) {
-    const Both both = answers_for(machine(
-        "state A { entry x = 3 during x = (y * y) % 4 } state B { } transition t0 { from i to A } "
-        "transition t1 { from A to B trigger go } transition t2 { from B to A trigger go condition x * x >= 4 }"));
-    expect_deadlock(both);
-    EXPECT_EQ(both.conditions, 1U);
+/// A transition may interrupt a during action behind an assignment, and the answer is then that of the new value. Here
+/// x * x < 4 is false for the 3 of the entry action and true for the 0 of y.
+TEST(FreeModels, AnInterruptedDuringActionLeavesNewAnswers) {
+    for (const char* const during : {"x = (y * y) % 4", "e ? x"}) {
+        const Both both = answers_for(machine(
+            fmt::format("state A {{ entry x = 3 during {} }} state B {{ }} transition t0 {{ from i to A }} "
+                        "transition t1 {{ from A to B trigger go }} transition t2 {{ from B to A trigger go condition "
+                        "x * x >= 4 }}",
+                        during)));
+        expect_deadlock(both);
+        EXPECT_EQ(both.conditions, 1U);
+    }
 }
 
-/// A during action may be interrupted between the store of an input and the choice of the answer.
-TEST(FreeModels, AnInputOfADuringActionIsNotTestedFreely) {
-    const Both both = answers_for(machine(
-        "state A { entry x = 3 during e ? x } state B { } transition t0 { from i to A } "
-        "transition t1 { from A to B trigger go } transition t2 { from B to A trigger go condition x * x >= 4 }"));
-    expect_deadlock(both);
-    EXPECT_EQ(both.conditions, 0U);
+/// The answer for a received or assigned value is not that of the old value.
+TEST(FreeModels, EveryWriteChoosesAnswersAnew) {
+    for (const char* const write : {"trigger e ? x", "trigger go action x = (y * y) % 4", "trigger go action e ? x"}) {
+        const Both both = answers_for(
+            machine(fmt::format("state A {{ entry x = 3 }} state B {{ }} transition t0 {{ from i to A }} "
+                                "transition t1 {{ from A to B {} }} transition t2 {{ from B to A trigger go condition "
+                                "x * x >= 4 }}",
+                                write)));
+        expect_deadlock(both);
+        EXPECT_EQ(both.conditions, 1U);
+    }
 }
 
 /// An exit action runs before the transition's action, and so before the choice of the answer for the received value.
 TEST(FreeModels, AnExitActionThatTestsAReceivedValueIsNotFree) {
     const Both both = answers_for(
         machine("var stuck : boolean = false state A { exit if x * x < 4 then stuck = true else stuck = false end } "
-                "state B { } transition t0 { from i to A } transition t1 { from A to B trigger e ? x } "
-                "transition t2 { from B to A trigger go condition not stuck }"));
+                "state B { } state C { } transition t0 { from i to A } transition t1 { from A to B trigger e ? x } "
+                "transition t2 { from B to C trigger go condition not stuck } "
+                "transition t3 { from C to C trigger stop }"));
     expect_deadlock(both);
 }
 
@@ -270,6 +279,39 @@ TEST(FreeModels, AConditionOnASharedVariableIsNotFree) {
         "transition t0 { from i to A } "
         "transition t1 { from A to A trigger go condition x * x >= 4 } }");
     EXPECT_EQ(both.conditions, 0U);
+}
+
+/// The class of a computed number or list follows from the class of the one that it is computed from.
+TEST(FreeModels, TheClassOfAComputedValueFollowsTheComputation) {
+    struct Row {
+        const char *start, *step, *wrong;
+        bool possible;
+    };
+    const Row rows[] = {
+        {"n = 0", "n = n + 1", "n < 0", false},
+        {"n = 0", "n = n - 1", "n < 0", true},
+        {"n = 1", "n = 2 * n", "n <= 0", false},
+        {"n = 1", "n = 1 - 2 * n", "n == 0", false},
+        {"n = 1", "n = 1 - n", "n == 0", true},
+        {"n = 4", "n = if n > 2 then n - 1 else n end", "n < 2", false},
+        {"n = 4", "n = if n > 2 then n - 3 else n end", "n < 2", true},
+        {"s = <1>", "s = s ^ <2>", "s == <>", false},
+        {"s = <1>", "s = tail(s)", "s == <>", true},
+        {"s = <1, 2>", "s = tail(<3> ^ s)", "size(s) < 2", false},
+        {"s = <1, 2>", "s = front(tail(<3> ^ s))", "size(s) < 2", true},
+    };
+    for (const Row& row : rows) {
+        const Both both = answers_for(
+            fmt::format(
+                "import sequence_toolkit::* stm S {{ event go var n : int var s : Seq(nat) initial i state A {{ }} "
+                "state Wrong {{ }} transition t0 {{ from i to A action {} }} "
+                "transition t1 {{ from A to A trigger go action {} }} "
+                "transition t2 {{ from A to Wrong condition {} }} }}",
+                row.start, row.step, row.wrong),
+            "nat=0..3");
+        const Answer expected = row.possible ? Answer::holds : Answer::fails;
+        EXPECT_EQ(both.free.at("S Wrong is reachable").answer, expected) << row.step << ", " << row.wrong;
+    }
 }
 
 /// Guards that are the negation of each other have one answer.
