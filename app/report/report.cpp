@@ -459,6 +459,12 @@ std::string assertions_text(const Report& report, const Options& options, bool c
     return heading + blocks_text(listed, report.subject, options, color, {});
 }
 
+/// A negative answer that is only true of the values of carriers says so.
+std::string limited(const driver::AssertionReport& a, const std::string& words) {
+    const bool bounded = std::ranges::find(a.basis, driver::GroundKind::bound, &driver::Ground::kind) != a.basis.end();
+    return bounded ? words + " with the values of the carriers" : words;
+}
+
 /// The informative properties of a component in one sentence. Unreachable states are listed with their places.
 std::string information_text(const Listed& information) {
     std::vector<std::string> words;
@@ -472,11 +478,12 @@ std::string information_text(const Listed& information) {
         else if (a->answer == driver::Answer::holds)
             words.push_back(property);
         else if (property == "every transition fires" && a->answer == driver::Answer::fails)
-            words.push_back(a->reason);
+            words.push_back(limited(*a, a->reason));
         else if (a->answer != driver::Answer::fails)
             words.push_back(fmt::format("{}: not known", property));
         else if (state)
-            words.push_back(fmt::format("{} is never reached{}", property.substr(0, property.find(" is")), place));
+            words.push_back(
+                limited(*a, fmt::format("{} is never reached{}", property.substr(0, property.find(" is")), place)));
         else
             words.push_back(property == "never terminates" ? "may terminate" : "not " + property);
     }

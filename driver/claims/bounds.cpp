@@ -15,7 +15,9 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/expressions/clipping.hpp"
 #include "driver/settings/search_context.hpp"
+#include "semantics/evaluate/preconditions.hpp"
 #include "semantics/ir/element_at.hpp"
+#include "semantics/ir/visit.hpp"
 
 namespace robochart::driver {
 namespace {
@@ -184,6 +186,104 @@ bool ReachedBounds::is_part(const std::string& element, const cspm::ExprPtr& pro
         const bool runs_there = meaning.component == component || meaning.component.starts_with(component + "::");
         return runs_there && element.starts_with(project_.label + meaning.machine + "::");
     });
+}
+
+namespace {
+
+/// Whether the type has numbers, given values, texts or sequences, so that its carrier leaves values out.
+bool is_cut(const ir::System& system, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    using enum ir::TypeKind;
+    if (type.kind == nat || type.kind == integer || type.kind == real || type.kind == string || type.kind == given ||
+        type.kind == sequence)
+        return true;
+    return std::ranges::any_of(type.args, [&](ir::TypeId part) { return is_cut(system, part); });
+}
+
+bool is_computation(const ir::Expr& expr) {
+    using enum ir::ExprKind;
+    return expr.kind == plus || expr.kind == minus || expr.kind == times || expr.kind == divide ||
+           expr.kind == modulus || expr.kind == negate || expr.kind == call || expr.kind == apply ||
+           expr.kind == index || expr.kind == concat || ir::binds_names(expr.kind);
+}
+
+/// The size of a sequence, which other notes are about.
+bool reads_size(const ir::Expr& expr) {
+    return expr.text == "sequence_toolkit_size" || expr.text == "sequence_toolkit_isNonEmpty";
+}
+
+/// Whether the condition depends on more than comparisons of one value with literals and constants.
+bool is_uncovered(const ir::System& system, const ir::Machine& machine, const ir::Expr& root) {
+    std::set<std::pair<ir::ExprKind, ir::VariableId>> places;
+    bool cut = false, computed = false;
+    ir::visit_operands(root, [&](const ir::Expr& expr) {
+        computed = computed || is_computation(expr) || (expr.kind == ir::ExprKind::toolkit && !reads_size(expr));
+        const bool variable = expr.kind == ir::ExprKind::variable;
+        if (!variable && expr.kind != ir::ExprKind::trigger_value) return;
+        cut = cut || is_cut(system, variable ? machine.variables.at(expr.variable.index).type : expr.type);
+        places.emplace(expr.kind, expr.variable);
+    });
+    return cut && (computed || places.size() > 1);
+}
+
+/// The conditions of a machine, without their connectives.
+std::vector<ir::ExprPtr> conditions_of(const ir::Machine& machine) {
+    std::vector<ir::ExprPtr> result;
+    const std::function<void(const ir::ExprPtr&)> add = [&](const ir::ExprPtr& condition) {
+        if (!condition || !condition->span.is_known()) return;
+        if (ir::is_connective(condition->kind))
+            std::ranges::for_each(condition->args, add);
+        else
+            result.push_back(condition);
+    };
+    for (const ir::Transition& transition : machine.transitions) {
+        add(transition.guard);
+        if (transition.trigger) add(transition.trigger->predicate);
+    }
+    ir::visit_statements(machine, [&](const ir::Stmt& stmt) {
+        add(stmt.condition);
+        add(stmt.communication.predicate);
+    });
+    return result;
+}
+
+}  // namespace
+
+/// One entry for each machine.
+const std::vector<Ground>& ReachedBounds::comparisons() {
+    if (comparisons_) return *comparisons_;
+    comparisons_.emplace();
+    for (const ir::Machine& machine : project_.system.machines) {
+        std::vector<std::string> texts;
+        std::optional<diagnostics::Span> first;
+        for (const ir::ExprPtr& condition : conditions_of(machine)) {
+            if (!is_uncovered(project_.system, machine, *condition)) continue;
+            const std::string text = expression_text(project_.sources, condition->span);
+            if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+            if (!first) first = condition->span;
+        }
+        if (!first) continue;
+        std::string more;
+        if (texts.size() > 1)
+            more = fmt::format(" and {} more condition{}", texts.size() - 1, texts.size() == 2 ? "" : "s");
+        Ground ground;
+        ground.text = fmt::format("{}{} compare{} only the values of carriers", texts.front(), more,
+                                  texts.size() == 1 ? "s" : "");
+        const std::string element = ir::element_at(project_.system, *first);
+        ground.element = project_.label + (element.empty() ? "model" : element);
+        ground.remedy = "--range gives types more values";
+        set_place(project_.sources, *first, ground);
+        comparisons_->push_back(std::move(ground));
+    }
+    return *comparisons_;
+}
+
+Basis ReachedBounds::comparisons_in(const csp_emit::Obligation& claim) {
+    Basis result;
+    for (const cspm::ExprPtr& process : processes_of(claim))
+        for (const Ground& ground : comparisons())
+            if (is_part(ground.element, process)) driver::add(result, ground);
+    return result;
 }
 
 Basis ReachedBounds::basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met) {

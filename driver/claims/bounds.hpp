@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -52,6 +53,10 @@ public:
 
     /// The basis of one claim. `met` contains the bounds that the searches for this and other claims observed.
     [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
+    /// Conditions of the claim's machines that compare values of carriers in a way that the carriers do not cover. A
+    /// carrier reaches beyond each literal with which a value is compared, but not beyond other values: for carriers
+    /// 0..2, x > y /\ y > z /\ z > 0 is never true.
+    [[nodiscard]] Basis comparisons_in(const csp_emit::Obligation& claim);
     /// The basis for one process.
     [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);
 
@@ -62,12 +67,14 @@ private:
     };
     const Visited& visit_process(const cspm::ExprPtr& process);
     [[nodiscard]] bool is_part(const std::string& element, const cspm::ExprPtr& process) const;
+    [[nodiscard]] const std::vector<Ground>& comparisons();
 
     const Project& project_;
     const csp_emit::Emission& emission_;
     const ir::Instantiation& instantiation_;
     SearchContext search_;
     std::map<std::string, Visited> visited_;  // by the text of the process
+    std::optional<std::vector<Ground>> comparisons_;
 };
 
 }  // namespace robochart::driver

@@ -389,6 +389,8 @@ std::unique_ptr<cspm::Session> start_session(const Project& project, const csp_e
 void add_bounds(ReachedBounds& reached, const BoundWatch& bounds, const csp_emit::Obligation& claim,
                 AssertionReport& report) {
     const bool answered = report.answer == Answer::holds || report.answer == Answer::fails;
+    if (answered && !report.run)
+        for (Ground& ground : reached.comparisons_in(claim)) add(report.basis, std::move(ground));
     if (!answered || (bounds.met_bounds().empty() && report.searched)) return;
     for (Ground& ground : reached.basis_of_claim(claim, bounds.met_bounds())) add(report.basis, std::move(ground));
 }
@@ -413,6 +415,16 @@ enum class Values {
     of_project,   ///< of all data of the project
     of_carriers,  ///< of the finite instantiation, where other claims are about classes of values
 };
+
+/// The claims of the model come first, then the core properties, of small components first. Information that nobody
+/// asked for must not use up the time of other claims.
+int rank_of(const csp_emit::Obligation& obligation) {
+    constexpr int of_information = 4;
+    if (obligation.component.empty()) return 0;
+    const int information = obligation.information ? of_information : 0;
+    if (obligation.component.starts_with("controller ")) return information + 2;
+    return information + (obligation.component.starts_with("module ") ? 3 : 1);
+}
 
 /// Whether the answer is missing, or rests on carriers without a run that shows it. Other evaluation errors are faults
 /// of the model.
@@ -477,9 +489,10 @@ public:
         std::size_t number = 0;
         for (const csp_emit::Obligation& obligation : emission_.obligations)
             if (is_wanted(context, obligation))
-                claims.push_back({obligation.title, [this, &obligation, at = number++](const Turn& turn) {
-                                      return decide_in(turn, obligation, at);
-                                  }});
+                claims.push_back(
+                    {obligation.title,
+                     [this, &obligation, at = number++](const Turn& turn) { return decide_in(turn, obligation, at); },
+                     rank_of(obligation)});
     }
 
     /// Frees the session that the claims share. The next claim opens the script again.
@@ -649,6 +662,10 @@ public:
         report.reason = known.reason;
         if (known.answer == Answer::holds) report.reason = reason();
         report.basis = known.basis;
+        // the model may have fewer ends than the model with free data
+        std::erase_if(report.basis, [](const Ground& ground) {
+            return ground.kind == GroundKind::ended || ground.kind == GroundKind::time_stops;
+        });
         report.statistics = known.statistics;
         report.searched = known.searched;
         report.run.reset();

@@ -56,6 +56,7 @@ void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContex
     std::vector<const WaitingClaim*> waiting;
     waiting.reserve(claims.size());
     for (const WaitingClaim& claim : claims) waiting.push_back(&claim);
+    std::ranges::stable_sort(waiting, {}, &WaitingClaim::rank);
     for (double seconds = first_turn(search); !waiting.empty(); seconds *= longer) {
         std::vector<const WaitingClaim*> open;
         for (const WaitingClaim* const claim : waiting) {

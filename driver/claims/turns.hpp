@@ -17,12 +17,14 @@ struct WaitingClaim {
     std::string title;
     /// Decides the claim within limits that end with its turn. Returns true if it has an answer.
     std::function<bool(const Turn&)> decide;
+    int rank = 0;  ///< claims with a lower rank are decided first
 };
 
-/// Decides all claims. A claim without an answer after its turn gets another, longer turn, until --assertion-timeout.
-/// Searches that use files or several programs get only one turn, because they continue from their stored states. If a
-/// claim reaches the memory limit, `give_back` frees what the claims share, and the next claim is decided. Throws
-/// LimitReached with the current claim if the run is over, or if `give_back` does not free enough.
+/// Decides all claims, in the order of their ranks. A claim without an answer after its turn gets another, longer turn,
+/// until --assertion-timeout. Searches that use files or several programs get only one turn, because they continue from
+/// their stored states. If a claim reaches the memory limit, `give_back` frees what the claims share, and the next
+/// claim is decided. Throws LimitReached with the current claim if the run is over, or if `give_back` does not free
+/// enough.
 void decide_in_turns(const std::vector<WaitingClaim>& claims, const SearchContext& search,
                      const std::function<void()>& give_back = {});
 

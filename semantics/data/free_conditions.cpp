@@ -230,7 +230,7 @@ bool MachineConditions::add_preconditions(const Expr& expr, std::vector<ExprPtr>
         return true;
     }
     if (expr.kind == ExprKind::call)
-        return expr.function.is_valid() && system_.functions.at(expr.function.index).preconditions.empty();
+        return expr.function.is_valid() && !may_have_no_value(system_.functions.at(expr.function.index));
     const bool other = expr.kind == ExprKind::apply || expr.kind == ExprKind::index || expr.kind == ExprKind::let;
     return !other && !binds_names(expr.kind);
 }
@@ -350,10 +350,10 @@ StmtPtr MachineConditions::assigned(VariableId variable, const ExprPtr& value, c
 
 /// The thread may go on, or block because an expression is undefined.
 StmtPtr MachineConditions::possible_end(const Origin& origin) {
-    Stmt skip, result;
-    skip.origin = result.origin = origin;
-    result.kind = StmtKind::choose;
-    result.body = {make(std::move(skip)), nullptr};
+    Stmt skip, end, result;
+    skip.origin = end.origin = result.origin = origin;
+    end.kind = result.kind = StmtKind::choose;
+    result.body = {make(std::move(skip)), make(std::move(end))};
     return make(std::move(result));
 }
 
@@ -435,7 +435,6 @@ StmtPtr MachineConditions::guarded(const Stmt& stmt, StmtPtr done) {
     for (ExprPtr& part : conditions) part = condition(part);
     Stmt end, result;
     end.kind = StmtKind::choose;
-    end.body = {nullptr};
     result.kind = StmtKind::if_then_else;
     result.condition = all_of(conditions);
     end.origin = result.origin = stmt.origin;

@@ -137,6 +137,10 @@ std::optional<Value> Sampling::closed_value(MachineId machine, const Expr& expr)
     return result;
 }
 
+bool may_have_no_value(const Function& function) {
+    return !function.preconditions.empty() || !function.postconditions.empty();
+}
+
 bool Sampling::may_be_undefined(MachineId machine, const ExprPtr& root) const {
     const auto is_natural = [this](const Expr& expr) { return system_.type(expr.type).kind == TypeKind::nat; };
     bool result = false;
@@ -145,7 +149,7 @@ bool Sampling::may_be_undefined(MachineId machine, const ExprPtr& root) const {
                  (expr.kind == ExprKind::toolkit && toolkit_precondition(expr.text)) || expr.kind == ExprKind::apply ||
                  expr.kind == ExprKind::index || expr.kind == ExprKind::the ||
                  (expr.kind == ExprKind::call && expr.function.is_valid() &&
-                  !system_.functions.at(expr.function.index).preconditions.empty());
+                  may_have_no_value(system_.functions.at(expr.function.index)));
         if (result || (expr.kind != ExprKind::divide && expr.kind != ExprKind::modulus)) return;
         const auto divisor = closed_value(machine, *expr.args.at(1));
         result = !divisor || divisor->number == 0;

@@ -14,6 +14,10 @@
 
 namespace robochart::ir {
 
+/// Whether a call may be undefined: a precondition may be false, or no result may satisfy the postconditions. Calls
+/// that inline_calls() replaces are no calls any more.
+[[nodiscard]] bool may_have_no_value(const Function& function);
+
 /// Expressions of a system, evaluated without bounds.
 class Sampling {
 public:

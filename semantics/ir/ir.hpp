@@ -209,7 +209,7 @@ struct Stmt {
     StmtKind kind = StmtKind::skip;
     std::uint32_t point = 0;
     /// sequence: all; if: then, else (else may be skip); deadline: one; choose: alternatives, of which the machine
-    /// performs one that nobody else controls; a null one blocks the thread for ever
+    /// performs one, by an internal choice; without alternatives, the thread is blocked for ever
     std::vector<StmtPtr> body;
     ExprPtr condition;          ///< if
     VariableId variable;        ///< assign: the variable

@@ -584,6 +584,39 @@ TEST(Shortcuts, AConversionMayHaveNoValue) {
 
 /// A claim that compares values is decided with values: the block sends what it has received, and the machine sends 1.
 /// The other claims of the model have classes. The report keeps the order of the claims.
+/// A function may have no value although it has no precondition. Here first(<>) has none.
+TEST(Shortcuts, AFunctionMayHaveNoValue) {
+    for (const char* const body : {"result == head(s)", "result in ran(s)"}) {
+        const testing::TemporaryFile model(
+            "m.rct",
+            fmt::format(
+                "import sequence_toolkit::* import relation_toolkit::* "
+                "function first(s : Seq(real)) : real {{ postcondition {} }} "
+                "stm S {{ event e : Seq(real) event o : real var s : Seq(real) var x : real initial i state A {{ }} "
+                "transition t0 {{ from i to A }} "
+                "transition t1 {{ from A to A trigger e ? s action x = first(s) + 1 ; o ! x }} }}",
+                body));
+        const Answers found = answers_for(model.path(), {}, "5");
+        EXPECT_NE(found.verdicts.at(stuck), "holds") << found.text;
+    }
+}
+
+/// Numbers that are compared with each other may need more values than the literals and their neighbours: x > y > z > 0
+/// needs three numbers above 0.
+TEST(Carriers, AConditionOnSeveralValuesIsPartOfTheBasis) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm S { event e : nat event f : nat event g : nat var x : nat var y : nat var z : nat initial i state A { } "
+        "state B { } state C { } state Wrong { } junction k transition t0 { from i to A } "
+        "transition t1 { from A to B trigger e ? x } transition t2 { from B to C trigger f ? y } "
+        "transition t3 { from C to k trigger g ? z } transition t4 { from k to Wrong condition x > y /\\ y > z /\\ z > "
+        "0 } "
+        "transition t5 { from k to A condition not (x > y /\\ y > z /\\ z > 0) } }");
+    const Answers found = answers_for(model.path());
+    EXPECT_TRUE(found.verdicts.at(stuck) != "holds" || found.bounded.contains(stuck)) << found.text;
+    EXPECT_TRUE(found.bounded.contains(wrong)) << found.text;
+}
+
 TEST(Shortcuts, ClaimsThatObserveValuesHaveNoClasses) {
     const testing::Folder folder(
         {{"m/m.rct",

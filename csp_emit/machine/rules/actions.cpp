@@ -71,12 +71,11 @@ Next branch_on_condition(const MachineTables& tables, const RunningThread& runni
 
 /// The internal choice between the alternatives.
 Next choose_alternative(const RunningThread& running, const ir::Stmt& stmt, const Program& rest, const Values& values) {
+    if (stmt.body.empty()) return next_configuration(block_thread(running), values);
     Next result{Next::Kind::internal};
     for (const ir::StmtPtr& part : stmt.body) {
-        const Activation blocked_or_next =
-            part ? running.replace(push_item(item_of_statement(part, running.head().label), rest))
-                 : block_thread(running);
-        result.parts.push_back(next_configuration(blocked_or_next, values));
+        const Program program = push_item(item_of_statement(part, running.head().label), rest);
+        result.parts.push_back(next_configuration(running.replace(program), values));
     }
     return result;
 }
