@@ -14,6 +14,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/expressions/clipping.hpp"
+#include "driver/claims/class_project.hpp"
 #include "driver/settings/search_context.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/ir/element_at.hpp"
@@ -249,10 +250,11 @@ std::vector<ir::ExprPtr> conditions_of(const ir::Machine& machine) {
 
 }  // namespace
 
-/// One entry for each machine.
+/// One entry for each machine. Empty if the user chose the carriers.
 const std::vector<Ground>& ReachedBounds::comparisons() {
     if (comparisons_) return *comparisons_;
     comparisons_.emplace();
+    if (chooses_ranges(project_)) return *comparisons_;
     for (const ir::Machine& machine : project_.system.machines) {
         std::vector<std::string> texts;
         std::optional<diagnostics::Span> first;

@@ -72,7 +72,8 @@ FreeProject free_project(const Project& project, const Settings& settings, const
     if (keeps_carriers(project, settings)) return {};
     auto replaced = ir::free_model(without_observers(project.system), project.instantiation);
     if (!replaced) return {};
-    const bool large = !replaced->small_carriers && !are_all_in(replaced->data, classes.data);
+    const bool unlimited = std::ranges::any_of(replaced->data, &ir::ReplacedData::all_values);
+    const bool large = unlimited && !replaced->small_carriers && !are_all_in(replaced->data, classes.data);
     return {with_data(project, std::move(replaced->system), std::move(replaced->instantiation)),
             replaced->free_conditions, large};
 }
