@@ -256,8 +256,9 @@ bool is_replaceable(const System& system, TypeId id) {
     const auto has = [&](std::initializer_list<TypeKind> kinds) {
         return std::ranges::any_of(kinds, [&](TypeKind kind) { return leaves.contains(kind); });
     };
-    return has({TypeKind::nat, TypeKind::integer, TypeKind::real, TypeKind::given, TypeKind::sequence}) &&
-           !has({TypeKind::string, TypeKind::function, TypeKind::relation, TypeKind::matrix});
+    return has({TypeKind::nat, TypeKind::integer, TypeKind::real, TypeKind::string, TypeKind::given,
+                TypeKind::sequence}) &&
+           !has({TypeKind::function, TypeKind::relation, TypeKind::matrix});
 }
 
 Value value_at(const System& system, const Instantiation& instantiation, TypeId type,

@@ -24,8 +24,8 @@ struct ValueClasses {
     bool exact_outputs = false;   ///< outputs of different values have different names in some run
 };
 
-/// True if the type has numbers, elements of given types, or sequences. False for types with values that value_text
-/// cannot show.
+/// True if the type has numbers, texts, elements of given types, or sequences. False for types with values that
+/// value_text cannot show.
 [[nodiscard]] bool is_replaceable(const System& system, TypeId type);
 
 /// The default value of the type with these numbers, in units, in its components.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/escape.hpp"
 #include "semantics/ir/numbers.hpp"
 
 namespace robochart::ir {
@@ -25,6 +26,13 @@ std::string sequence_text(const System& system, std::int64_t scale, TypeId eleme
         i = end;
     }
     return fmt::format("<{}>", fmt::join(texts, ", "));
+}
+
+/// The parts of a text are its bytes.
+std::string string_text(const Value& value) {
+    std::string text;
+    for (const Value& part : value.parts) text += static_cast<char>(static_cast<unsigned char>(part.number));
+    return fmt::format("\"{}\"", diagnostics::escape_for_display(text));
 }
 
 }  // namespace
@@ -61,10 +69,11 @@ std::string value_text(const System& system, std::int64_t scale, TypeId id, cons
         case TypeKind::set:
             add_parts(type.args);
             return fmt::format("{{{}}}", fmt::join(parts, ", "));
+        case TypeKind::string:
+            return string_text(value);
         case TypeKind::nat:
         case TypeKind::integer:
         case TypeKind::given:
-        case TypeKind::string:
         case TypeKind::function:
         case TypeKind::relation:
         case TypeKind::matrix:

@@ -204,7 +204,8 @@ TEST(Classes, AreNotMadeWhereValuesAreNeeded) {
     EXPECT_THAT(data_of(reading("nat", {"x * x > 3"})), IsEmpty()) << "not linear";
     EXPECT_THAT(data_of(reading("Seq(real)", {"min(ran(x)) < 1 /\\ max(ran(x)) > 3"})), IsEmpty());
     EXPECT_THAT(data_of(reading("int", {"2000000 * x > 3"})), IsEmpty()) << "a coefficient above 2^20";
-    EXPECT_THAT(data_of(reading("string", {"true"})), IsEmpty());
+    EXPECT_THAT(data_of(reading("string", {"x == \"a\""})), IsEmpty()) << "texts are compared";
+    EXPECT_THAT(data_of(reading("string", {"true"})).size(), 1U) << "a text that nothing reads";
     const std::string machine =
         "package p\nstm S {{\n event e : int\n event f : int\n event out : int\n clock T\n var x : int, y : int\n"
         " initial i\n state A {{ }}\n transition t0 {{ from i to A }}\n transition t1 {{ from A to A trigger e ? x }}\n"
