@@ -308,6 +308,20 @@ TEST(ComputedData, AListWithoutABoundIsDecidedForAllLengths) {
     }
 }
 
+/// The states have no end. A time lock or a deadlock in which only time passes is a cycle, which the search looks for
+/// at its end; so it also looks among the first states. Here `get` without `put` asks for the head of the empty list.
+TEST(ComputedData, ADeadlockAmongTheFirstOfEndlessStatesIsFound) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "import sequence_toolkit::* stm S { event put : nat event get event out : nat var x : nat "
+        "var q : Seq(nat) = <> initial i state A { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger put ? x action q = q ^ <x> } "
+        "transition t2 { from A to A trigger get action out ! head(q) ; q = tail(q) } }");
+    const Answers found = answers_for(model.path(), {}, "2");
+    EXPECT_EQ(found.verdicts.at(stuck), "fails") << found.text;
+    EXPECT_THAT(found.text, ::testing::HasSubstr("may not be a shortest one"));
+}
+
 /// A sum reaches every number, so that no answer may say that the alarm is never raised; and numbers that the carriers
 /// end before are reached, too.
 TEST(ComputedData, WhatMayFailIsNotDecidedByAbstraction) {

@@ -234,14 +234,16 @@ private:
     std::optional<Monitor::Node> node_;
 };
 
-/// All targets are in the store, because the search has visited everything.
+/// If the search has visited everything, all targets are in the store. Otherwise, others are left out.
 void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     budget_.charge();
     TauRows rows(pairs_, nodes_ ? std::optional(node(pair)) : std::nullopt);
     system_.successors(state(pair), rows);
     for (std::size_t i = 0; i < rows.hashes.size(); ++i) {
         const StateView row = StateView(rows.words).subspan(i * pairs_.width(), pairs_.width());
-        targets.push_back(antichain_ ? antichain_->number_state(row.subspan(1)) : pairs_.find(row, rows.hashes[i]));
+        const StateIndex target =
+            antichain_ ? antichain_->number_state(row.subspan(1)) : pairs_.find(row, rows.hashes[i]);
+        if (target != lts::no_state) targets.push_back(target);
     }
 }
 

@@ -43,7 +43,8 @@ public:
     /// have `events_until` steps or more, only taus are followed. This suffices to find the first pair on a cycle of
     /// taus, if that pair is known to be reached in `events_until` steps.
     std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
-    /// Returns the first pair on a tau cycle. Call it after a search that noted taus and found no violation.
+    /// Returns the first pair on a tau cycle. Call it after a search that noted taus and found no violation. After a
+    /// search that reached the limit of states, it returns the first pair on a cycle of visited pairs.
     std::optional<lts::StateIndex> first_tau_cycle();
     /// Returns a shortest cycle of taus through the pair as pairs. The last pair is the pair itself.
     std::vector<lts::StateIndex> tau_cycle(lts::StateIndex pair);
@@ -58,6 +59,7 @@ public:
     [[nodiscard]] Run run_along(const std::vector<lts::StateIndex>& pairs, bool by_taus_alone = false);
 
     [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }
+    [[nodiscard]] bool stores_all_pairs() const { return antichain_ == nullptr; }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }

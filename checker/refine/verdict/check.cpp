@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <new>
 #include <stdexcept>
 
@@ -32,6 +33,35 @@ std::string known_so_far(const Statistics& size) {
                        size.divergence_open ? ", divergence aside" : "");
 }
 
+/// Cycles of taus are looked for when all states are known. If a limit ended the search before, a second search decides
+/// whether there is a cycle among the first states. It may find one in a state space that has no end.
+constexpr std::uint64_t first_states = 20'000;
+constexpr std::chrono::seconds for_first_states{1};
+
+using Question = std::function<void(Budget&, Verdict&)>;
+
+void search_first_states(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
+                         const Question& question, Verdict& verdict) {
+    const bool open = verdict.statistics.divergence_open && limits.max_states > first_states;
+    if (!open || limits.by_levels != nullptr) return;
+    Limits few = limits;
+    few.max_states = first_states;
+    few.deadline = std::chrono::steady_clock::now() + for_first_states;
+    few.progress = {};
+    Budget budget(few);
+    const PollGuard guard(systems, budget);
+    Verdict found;
+    try {
+        question(budget, found);
+    } catch (const process::Interrupted&) {
+        return;
+    }
+    if (found.outcome != Outcome::fails || !found.counterexample) return;
+    found.counterexample->shortest = false;
+    found.statistics = verdict.statistics;
+    verdict = std::move(found);
+}
+
 }  // namespace
 
 Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
@@ -48,6 +78,7 @@ Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits&
         question(budget, verdict);
     } catch (const process::Interrupted& limit) {
         leave_open(limit.what());
+        search_first_states(systems, limits, question, verdict);
     } catch (const std::bad_alloc&) {
         leave_open("there is no more memory");
     }
@@ -120,16 +151,22 @@ std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model mode
 }
 
 /// Returns the first fault that the search finds. If the search ends early, records how far it has searched, provided
-/// that `levels_count`.
-std::optional<Finding> first_fault(Search& search, const Violation* known, bool levels_count, bool with_divergence,
-                                   Statistics& statistics) {
+/// that `levels_count`. If it ends at the limit of states, a cycle of taus among these states is a fault, too.
+std::optional<Violation> first_fault(Search& search, lts::TransitionSystem& system, const Violation* known,
+                                     bool levels_count, bool with_divergence, Budget& budget, Statistics& statistics) {
     try {
-        return search.first_violation(events_until(known));
+        const std::optional<Finding> finding = search.first_violation(events_until(known));
+        if (finding) return violation_of(search, system, *finding);
     } catch (const process::Interrupted&) {
         statistics.searched_steps = levels_count ? search.depth() : 0;
         statistics.divergence_open = with_divergence;
-        throw;
+        const bool at_states = search.stores_all_pairs() && known == nullptr && !budget.limit_reached();
+        std::optional<Violation> violation = with_divergence && at_states ? first_divergence(search) : std::nullopt;
+        if (!violation) throw;
+        violation->shortest = false;
+        return violation;
     }
+    return with_divergence ? first_divergence(search) : std::nullopt;
 }
 
 /// Every process refines a process that diverges at once. Only the first step of the implementation is computed, in
@@ -160,9 +197,7 @@ std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSy
     if (with_divergence && normal.diverges(normal.initial())) return refined_by(implementation, budget);
     const bool levels_count =
         pairs == Search::Pairs::all;  // in an antichain a pair represents others that may be nearer
-    if (const std::optional<Finding> finding = first_fault(search, known, levels_count, with_divergence, statistics))
-        return violation_of(search, implementation, *finding);
-    return with_divergence ? first_divergence(search) : std::nullopt;
+    return first_fault(search, implementation, known, levels_count, with_divergence, budget, statistics);
 }
 
 void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSystem& implementation, Model model,
@@ -199,10 +234,7 @@ std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbi
     StateMonitor monitor(forbid_deadlock);
     Search search(system, monitor, budget, forbid_divergence);
     const Tally tally(search, statistics);
-    if (const std::optional<Finding> finding =
-            first_fault(search, known, forbid_deadlock, forbid_divergence, statistics))
-        return violation_of(search, system, *finding);
-    return forbid_divergence ? first_divergence(search) : std::nullopt;
+    return first_fault(search, system, known, forbid_deadlock, forbid_divergence, budget, statistics);
 }
 
 void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
