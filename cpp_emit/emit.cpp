@@ -44,7 +44,10 @@ void add_exploration(const Generation& generation, const Core& core, Emission& e
         {"robochart/explore.hpp", explore_helpers()},   {"robochart/explore_values.hpp", explore_values()},
         {"robochart/explore_abi.h", explore_header()},  {"robochart/probes.hpp", probes_header()},
     };
-    if (generation.options.tracked_scale > 0) emission.files.push_back({"robochart/tracked.hpp", tracked_header()});
+    if (generation.options.tracked_scale > 0) {
+        emission.files.push_back({"robochart/tracked.hpp", tracked_header()});
+        emission.files.push_back({"robochart/deployed.hpp", deployed_header()});
+    }
     emission.files.insert(emission.files.end(), std::begin(files), std::end(files));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the exploration interface: the core over finite carriers, called through the C functions of explore_abi.h.
+// Writes the exploration interface: the core over finite carriers or tracked numbers, called through the C functions of
+// explore_abi.h. With tracked numbers, also the core over the types of deployment.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,7 +27,10 @@ public:
           registers_(exploration_registers(generation.component)),
           outputs_(exploration_outputs(generation.component)),
           printers_(generation, core) {
-        if (is_tracked()) tracked_ = tracked_types(generation.system, generation.component);
+        if (generation.options.tracked_scale > 0) {
+            numbers_ = Numbers::tracked;
+            tracked_ = tracked_types(generation.system, generation.component);
+        }
     }
 
     std::string write() {
@@ -36,10 +40,11 @@ public:
         output_table();
         value_tables();
         log_class();
-        printers_.write(out_);
+        printers_.write(out_, numbers_);
         write_functions();
         if (probed()) probe_function();
         event_functions();
+        if (is_tracked()) write_deployed();
         interface_table();
         return out_.text();
     }
@@ -57,7 +62,10 @@ private:
         out_.gap();
         out_.line(fmt::format("#include \"{}\"", core_.header));
         out_.line("#include \"robochart/explore.hpp\"");
-        if (is_tracked()) out_.line("#include \"robochart/tracked.hpp\"");
+        if (is_tracked()) {
+            out_.line("#include \"robochart/tracked.hpp\"");
+            out_.line("#include \"robochart/deployed.hpp\"");
+        }
         if (printers_.words_of_logs()) {
             out_.line("#include \"robochart/explore_values.hpp\"");
             out_.line(fmt::format("#include \"{}\"", trace_header_name(generation_)));
@@ -111,14 +119,15 @@ private:
         out_.line(fmt::format("[[maybe_unused]] static constexpr std::size_t longest = {};", longest(inst)));
         out_.line("[[maybe_unused]] static constexpr bool finite = true;");
         out_.close("};");
-        out_.line("using Real = Checking::Real;");
-        out_.line("using Nat = Checking::Nat;");
-        out_.line("using Int = Checking::Int;");
-        out_.line("using State = core::State<Checking>;");
-        out_.line("using Inputs = core::Inputs<Checking>;");
+        type_names();
         out_.gap();
         out_.line("static_assert(std::is_trivially_copyable_v<State>);");
         out_.line("static_assert(std::has_unique_object_representations_v<State>, \"equal states have equal bytes\");");
+    }
+
+    void type_names() {
+        for (const char* name : {"Real", "Nat", "Int"}) out_.line(fmt::format("using {0} = Checking::{0};", name));
+        for (const char* name : {"State", "Inputs"}) out_.line(fmt::format("using {0} = core::{0}<Checking>;", name));
     }
 
     void input_tables() {
@@ -184,7 +193,7 @@ private:
         }
     }
 
-    [[nodiscard]] bool is_tracked() const { return generation_.options.tracked_scale > 0; }
+    [[nodiscard]] bool is_tracked() const { return numbers_ == Numbers::tracked; }
     [[nodiscard]] bool is_tracked(ir::TypeId id) const { return std::ranges::find(tracked_, id) != tracked_.end(); }
     [[nodiscard]] std::size_t tracked_number(ir::TypeId id) const {
         return static_cast<std::size_t>(std::ranges::find(tracked_, id) - tracked_.begin());
@@ -203,7 +212,11 @@ private:
     /// The value at `place` of a tracked type, from its part number `part` on. Recursion depth: the depth of types.
     std::string tracked_value(ir::TypeId id, std::size_t table, const std::string& place, std::size_t& part) const {
         const ir::Type& type = generation_.system.type(id);
-        if (is_numeric(type.kind)) return fmt::format("{}::part({}, {}, {})", type_text(id), table, place, part++);
+        if (is_numeric(type.kind)) {
+            const std::string function =
+                is_tracked() ? type_text(id) + "::part" : fmt::format("robochart::set_values.part<{}>", type_text(id));
+            return fmt::format("{}({}, {}, {})", function, table, place, part++);
+        }
         std::string parts;
         for (const TypeMember& member : type_members(type))
             parts += (parts.empty() ? "" : ", ") + tracked_value(member.type, table, place, part);
@@ -221,7 +234,8 @@ private:
 
     std::string as_number(ir::TypeId id, const std::string& value) const {
         if (is_tracked(id))
-            return fmt::format("robochart::place_of_value({}{})", tracked_number(id), number_arguments(id, value));
+            return fmt::format("robochart::{}({}{})", is_tracked() ? "place_of_value" : "set_values.place",
+                               tracked_number(id), number_arguments(id, value));
         return is_composed(generation_.system.type(id))
                    ? fmt::format("robochart::place_in({}, {})", table_name(id), value)
                    : fmt::format("robochart::to_raw({})", value);
@@ -318,6 +332,10 @@ private:
         out_.line("std::memcpy(state, &current, sizeof current);");
         out_.line("return robochart::to_abi(result);");
         out_.close();
+        print_function();
+    }
+
+    void print_function() {
         out_.gap();
         out_.open("void print_state(const void* state, char* buffer, std::size_t size) noexcept {");
         out_.line("State current;");
@@ -416,6 +434,8 @@ private:
         out_.line(fmt::format("constexpr std::uint32_t tracked_parts[] = {{{}}};", fmt::join(parts, ", ")));
         out_.line(fmt::format("constexpr std::int32_t tracked_inputs[] = {{{}}};",
                               inputs.empty() ? "-1" : fmt::format("{}", fmt::join(inputs, ", "))));
+        deployed_table();
+        out_.gap();
         out_.open("constexpr rc_tracking tracked = {");
         out_.line(fmt::format("{}, tracked_parts, tracked_inputs,", tracked_.size()));
         out_.line("[](std::uint32_t type, std::uint32_t count, const std::int64_t* numbers) -> std::uint32_t {");
@@ -423,6 +443,47 @@ private:
         out_.line("},");
         out_.line("[](const rc_comparison** list) -> std::uint32_t { return robochart::tracking.comparisons(list); },");
         out_.line("[]() -> std::uint32_t { return robochart::tracking.losses(); },");
+        out_.line("&deployed_code,");
+        out_.close("};");
+    }
+
+    /// The same functions over the types of deployment. Their types are not those of other sources, whose inputs do
+    /// not notice when they are read.
+    void write_deployed() {
+        numbers_ = Numbers::deployed;
+        out_.gap();
+        out_.line("namespace deployed {");
+        out_.gap();
+        out_.line("struct Checking : robochart::Deployment {};");
+        type_names();
+        out_.gap();
+        out_.line("static_assert(std::is_trivially_copyable_v<State>);");
+        value_tables();
+        out_.gap();
+        log_class();
+        printers_.write(out_, numbers_);
+        write_functions();
+        out_.gap();
+        out_.open("std::uint32_t states_equal(const void* state, const void* other) noexcept {");
+        out_.line("State a, b;");
+        out_.line("std::memcpy(&a, state, sizeof a);");
+        out_.line("std::memcpy(&b, other, sizeof b);");
+        out_.line("return std::memcmp(state, other, sizeof(State)) == 0 || a == b ? 1 : 0;");
+        out_.close();
+        out_.gap();
+        out_.line("}  // namespace deployed");
+        numbers_ = Numbers::tracked;
+    }
+
+    /// The interface of these functions.
+    void deployed_table() {
+        out_.gap();
+        out_.open("constexpr rc_deployed deployed_code = {");
+        out_.line("sizeof(deployed::State),");
+        out_.line("[](std::uint32_t type, std::uint32_t count, const std::int64_t* numbers) {");
+        out_.line("    robochart::set_values.set(type, tracked_parts[type], count, numbers);");
+        out_.line("},");
+        out_.line("deployed::write_initial, deployed::step_once, deployed::states_equal, deployed::print_state,");
         out_.close("};");
     }
 
@@ -459,6 +520,7 @@ private:
     const Core& core_;
     std::vector<Register> registers_;
     std::vector<Output> outputs_;
+    Numbers numbers_ = Numbers::finite;
     std::vector<ir::TypeId> tracked_;  ///< empty: numbers have carriers
     StatePrinters printers_;
     CodeWriter out_;

@@ -80,8 +80,9 @@ bool StatePrinters::is_named_type(const std::string& type) const {
 
 std::string StatePrinters::value_printer(const std::string& type, const std::string& value) const {
     if (type == "bool") return fmt::format("text.add({} ? \"true\" : \"false\");", value);
-    if (type == "Real" || type == "Nat" || type == "Int")
-        return fmt::format("text.add({}.raw(), {}Carrier::scale);", value, type);
+    const bool number = type == "Real" || type == "Nat" || type == "Int";
+    if (number && numbers_ == Numbers::deployed) return fmt::format("robochart::add_number(text, {});", value);
+    if (number) return fmt::format("text.add({}.raw(), {}Carrier::scale);", value, type);
     if (is_compound(type)) return fmt::format("robochart::add_value(text, {});", value);
     if (is_named_type(type)) return fmt::format("text.add(name({}));", value);
     return fmt::format("text.add(static_cast<std::int64_t>({}), 1);", value);
@@ -152,7 +153,8 @@ void StatePrinters::print_composed(CodeWriter& out) const {
     out.close();
 }
 
-void StatePrinters::write(CodeWriter& out) const {
+void StatePrinters::write(CodeWriter& out, Numbers numbers) {
+    numbers_ = numbers;
     name_functions(out);
     for (std::size_t unit = 0; unit < core_.machines.size(); ++unit) print_unit(out, unit);
     if (generation_.component.is_composed()) print_composed(out);

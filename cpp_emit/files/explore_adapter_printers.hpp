@@ -9,6 +9,9 @@
 
 namespace robochart::cpp_emit {
 
+/// The types of numbers over which the core is written.
+enum class Numbers { finite, tracked, deployed };
+
 class StatePrinters {
 public:
     StatePrinters(const Generation& generation, const Core& core) : generation_(generation), core_(core) {}
@@ -16,7 +19,7 @@ public:
     /// Whether some field has parts. Such values are printed as in logs (robochart/explore_values.hpp, NAME_trace.hpp).
     [[nodiscard]] bool words_of_logs() const;
     /// Writes the functions `print`; the last one prints the whole state.
-    void write(CodeWriter&) const;
+    void write(CodeWriter&, Numbers numbers);
 
 private:
     void name_functions(CodeWriter&) const;
@@ -30,6 +33,7 @@ private:
 
     const Generation& generation_;
     const Core& core_;
+    Numbers numbers_ = Numbers::finite;
 };
 
 }  // namespace robochart::cpp_emit

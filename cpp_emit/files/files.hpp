@@ -47,6 +47,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
 [[nodiscard]] std::string tracked_header();
+[[nodiscard]] std::string deployed_header();
 [[nodiscard]] std::string timer_header();
 [[nodiscard]] std::string layout_helpers();
 [[nodiscard]] std::string composed_header();

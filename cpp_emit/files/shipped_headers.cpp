@@ -7,23 +7,15 @@
 namespace robochart::cpp_emit {
 
 std::vector<OutputFile> shipped_headers() {
-    return {{"robochart/composed.hpp", composed_header()},
-            {"robochart/drive_abi.h", drive_header()},
-            {"robochart/eigen.hpp", eigen_header()},
-            {"robochart/explore.hpp", explore_helpers()},
-            {"robochart/explore_values.hpp", explore_values()},
-            {"robochart/explore_abi.h", explore_header()},
-            {"robochart/finite.hpp", finite_header()},
-            {"robochart/layout.hpp", layout_helpers()},
-            {"robochart/matrix.hpp", matrix_header()},
-            {"robochart/probes.hpp", probes_header()},
-            {"robochart/runtime.hpp", runtime_header()},
-            {"robochart/text.hpp", text_header()},
-            {"robochart/timer.hpp", timer_header()},
-            {"robochart/toolkit.hpp", toolkit_header()},
-            {"robochart/tracked.hpp", tracked_header()},
-            {"robochart/trace.hpp", trace_helpers()},
-            {"robochart/views.hpp", views_header()}};
+    return {{"robochart/composed.hpp", composed_header()}, {"robochart/deployed.hpp", deployed_header()},
+            {"robochart/drive_abi.h", drive_header()},     {"robochart/eigen.hpp", eigen_header()},
+            {"robochart/explore.hpp", explore_helpers()},  {"robochart/explore_values.hpp", explore_values()},
+            {"robochart/explore_abi.h", explore_header()}, {"robochart/finite.hpp", finite_header()},
+            {"robochart/layout.hpp", layout_helpers()},    {"robochart/matrix.hpp", matrix_header()},
+            {"robochart/probes.hpp", probes_header()},     {"robochart/runtime.hpp", runtime_header()},
+            {"robochart/text.hpp", text_header()},         {"robochart/timer.hpp", timer_header()},
+            {"robochart/toolkit.hpp", toolkit_header()},   {"robochart/tracked.hpp", tracked_header()},
+            {"robochart/trace.hpp", trace_helpers()},      {"robochart/views.hpp", views_header()}};
 }
 
 std::vector<OutputFile> value_headers(const Component& component) {

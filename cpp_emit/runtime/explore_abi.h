@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 6
+#define ROBOCHART_ABI_VERSION 7
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_CHOICES 32
 #define ROBOCHART_MAX_PARTS 8
@@ -96,6 +96,18 @@ typedef struct rc_comparison {
 #define RC_TRACKED_NATIVE 4U   /* an index, a duration or a loop depended on a value */
 #define RC_TRACKED_INEXACT 8U  /* a number was computed in another way, so the numbers are wrong from there on */
 
+/* The same code over the types of deployment. An input of a tracked type is the place of a value in the values that are
+ * set, and an output of such a type is logged as the place of the first equal value; -1: there is none. */
+typedef struct rc_deployed {
+    uint32_t state_size;     /* in bytes; states are trivially copyable */
+    /* Sets the values of a type, number by number: the bits of a double, or a 64-bit integer. They are not copied. */
+    void (*set_values)(uint32_t type, uint32_t count, const int64_t* numbers);
+    void (*initial)(void* state);
+    rc_result (*step)(void* state, const rc_register* registers, rc_log* log);
+    uint32_t (*equal)(const void* state, const void* other);
+    void (*print)(const void* state, char* buffer, size_t size);
+} rc_deployed;
+
 /* The interface of code with tracked numbers (robochart/tracked.hpp). */
 typedef struct rc_tracking {
     uint32_t types;          /* types of numbers at the boundary: of inputs, then of outputs, as they occur */
@@ -106,6 +118,7 @@ typedef struct rc_tracking {
     /* What the code has done since: its comparisons, each once, and a set of RC_TRACKED_ flags. */
     uint32_t (*comparisons)(const rc_comparison** list);
     uint32_t (*losses)(void);
+    const rc_deployed* deployed;
 } rc_tracking;
 
 typedef struct rc_interface {
