@@ -94,6 +94,8 @@ private:
                                                                       const std::vector<Value>& written) const;
     [[nodiscard]] bool add_regions(const LinearConditions& linear, TypeId type, std::vector<Value>& values) const;
     void add_cuts(const LinearConditions& linear, TypeId type, std::vector<Cut>& cuts) const;
+    void add_comparisons(const Condition& condition, TypeId type, const std::vector<Value>& values,
+                         ValueModel& result) const;
     [[nodiscard]] std::optional<ValueClasses> classes_for(PlaceId flow, const std::vector<Value>& values) const;
 
     const System& system_;
@@ -246,10 +248,31 @@ std::optional<ValueClasses> Explorer::classes_for(PlaceId flow, const std::vecto
     return result;
 }
 
+/// Adds the comparisons in a condition that have an answer for each value.
+void Explorer::add_comparisons(const Condition& condition, TypeId type, const std::vector<Value>& values,
+                               ValueModel& result) const {
+    visit_operands(*condition.expr, [&](const Expr& expr) {
+        if (!is_comparison(expr.kind) || expr.args.size() != 2) return;
+        Comparison comparison{type, &expr, {}, {}};
+        for (const Value& value : values) {
+            const auto answer = sampling_.truth(condition.machine, expr, value);
+            if (!answer || *answer < 0) return;
+            comparison.answers.push_back(*answer == 1);
+        }
+        visit_operands(expr, [&](const Expr& operand) {
+            if (operand.kind != ExprKind::constant) return;
+            const auto value = sampling_.closed_value(condition.machine, operand);
+            if (value) comparison.constants.emplace(&operand, value->number);
+        });
+        result.comparisons.push_back(std::move(comparison));
+    });
+}
+
 bool Explorer::divide_type(TypeId type, const std::set<PlaceId>& flows, std::map<PlaceId, ValueClasses>& divided,
                            ValueModel& result) const {
     LinearConditions linear(system_, sampling_.instantiation());
     std::vector<Value> values = written_values(type, flows);
+    const std::size_t written = values.size();
     if (!add_conditions(linear, type, flows) || !add_regions(linear, type, values)) return false;
     for (const PlaceId flow : flows) {
         auto classes = classes_for(flow, values);
@@ -257,7 +280,9 @@ bool Explorer::divide_type(TypeId type, const std::set<PlaceId>& flows, std::map
         divided.emplace(flow, std::move(*classes));
     }
     add_cuts(linear, type, result.cuts);
-    ExploredValues& explored = result.types.emplace_back(ExploredValues{type, {}});
+    for (const PlaceId flow : flows)
+        for (const Condition& condition : uses_.at(flow).conditions) add_comparisons(condition, type, values, result);
+    ExploredValues& explored = result.types.emplace_back(ExploredValues{type, {}, written});
     for (Value& value : values) {
         Numbers& numbers = explored.values.emplace_back();
         for (const NumberPart& part : number_parts(system_, type)) numbers.push_back(number_at(value, part));

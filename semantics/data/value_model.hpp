@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,15 @@ struct Cut {
 struct ExploredValues {
     TypeId type;
     std::vector<std::vector<std::int64_t>> values;
+    std::size_t written = 0;  ///< the number of values, from the first on, that the model writes itself
+};
+
+/// A comparison in a condition of the model that reads one value, and other numbers only from literals and constants.
+struct Comparison {
+    TypeId type;                                    ///< of the value; one of ValueModel::types
+    const Expr* expr = nullptr;                     ///< in the system of the model
+    std::map<const Expr*, std::int64_t> constants;  ///< the constants in it: reals in units, others whole
+    std::vector<bool> answers;                      ///< for each explored value of the type
 };
 
 /// A system whose numbers are literals of enumerations, one for each explored value.
@@ -39,8 +49,9 @@ struct ValueModel {
     System system;
     std::int64_t scale = 1;  ///< units of one real
     std::vector<ExploredValues> types;
-    std::vector<ReplacedData> data;  ///< for reports: the classes by the conditions of the model, without `cuts`
-    std::vector<Cut> cuts;           ///< the forms of all conditions and comparisons, normalized and ascending
+    std::vector<ReplacedData> data;       ///< for reports: the classes by the conditions of the model, without `cuts`
+    std::vector<Comparison> comparisons;  ///< for reports: those whose answers are known
+    std::vector<Cut> cuts;                ///< the forms of all conditions and comparisons, normalized and ascending
 };
 
 /// The value model of these machines, whose regions are divided by the conditions of the model and by `cuts`. No value
