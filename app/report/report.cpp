@@ -21,7 +21,7 @@ namespace robochart::app {
 namespace {
 
 std::string_view outcome_word(conformance::Outcome outcome) {
-    constexpr std::array<std::string_view, 6> words{"conforms",      "DIFFERS", "NOT SCHEDULABLE",
+    constexpr std::array<std::string_view, 7> words{"conforms",      "DIFFERS", "ROUNDS",      "NOT SCHEDULABLE",
                                                     "not generated", "error",   "inconclusive"};
     return words[static_cast<std::size_t>(outcome)];
 }
@@ -235,10 +235,28 @@ std::string data_text(const ir::ReplacedData& data) {
                        conditions);
 }
 
+/// Writes the test with numbers of the robot. A difference has its own outcome, unless it is allowed.
+void write_robot(std::string& out, const conformance::Result& r) {
+    const conformance::RobotNumbers& robot = *r.robot;
+    std::string answer = "the code acts as the model does";
+    if (!robot.limit.empty()) answer = "no difference was found, but not all cycles were run: " + robot.limit;
+    if (!robot.difference.empty()) answer = "a difference is allowed: " + robot.difference;
+    if (r.outcome == conformance::Outcome::conforms && robot.numbers > 0)
+        out += fmt::format("               numbers on the robot: with {} in {}, {}\n",
+                           count_text(robot.numbers, "value"), count_text(robot.regions, "region"), answer);
+    for (const conformance::RobotNumbers::Special& special : robot.special) {
+        std::string_view effect = "an effect that no number of the model has";
+        if (special.limit) effect = "another effect than in the model, because it is a limit of its type";
+        for (const std::string& input : special.unlike)
+            out += fmt::format("               {} = {} has {}\n", input, special.value, effect);
+    }
+}
+
 /// The lines that say for which numbers the result holds; "" if no search for all values was possible.
 std::string conformance_values(const conformance::Result& r) {
     std::string out;
     for (const ir::ReplacedData& data : r.all_values) out += fmt::format("               values {}\n", data_text(data));
+    if (r.robot) write_robot(out, r);
     if (r.not_for_all.empty()) return out;
     const bool conforms = r.outcome == conformance::Outcome::conforms;
     std::string_view what = "not decided for all values";
@@ -345,7 +363,7 @@ std::string closing_line(const Report& report) {
 }  // namespace
 
 std::string_view name_of(conformance::Outcome outcome) {
-    constexpr std::array<std::string_view, 6> names{"conforms",      "differs", "not schedulable",
+    constexpr std::array<std::string_view, 7> names{"conforms",      "differs", "rounds",      "not schedulable",
                                                     "not generated", "error",   "inconclusive"};
     return names[static_cast<std::size_t>(outcome)];
 }
@@ -393,7 +411,7 @@ Exit Report::exit_code() const {
     if (nothing_checked || !refused.empty() || any(driver::Answer::error) ||
         code(conformance::Outcome::not_generated) || code(conformance::Outcome::error))
         return Exit::bad_input;
-    if (any(driver::Answer::fails) || code(conformance::Outcome::differs) ||
+    if (any(driver::Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::rounds) ||
         code(conformance::Outcome::not_schedulable))
         return Exit::failed;
     if (!limit.empty() || any(driver::Answer::inconclusive) || any(driver::Answer::unchecked) ||

@@ -103,6 +103,18 @@ Json data_json(const ir::ReplacedData& data) {
     return json;
 }
 
+Json special_json(const conformance::RobotNumbers::Special& special) {
+    return {{"value", special.value}, {"limit", special.limit}, {"unlike", special.unlike}};
+}
+
+Json robot_json(const conformance::RobotNumbers& robot) {
+    Json json{
+        {"values", robot.numbers}, {"regions", robot.regions}, {"special", json_array(robot.special, special_json)}};
+    if (!robot.difference.empty()) json["allowedDifference"] = robot.difference;
+    if (!robot.limit.empty()) json["limit"] = robot.limit;
+    return json;
+}
+
 Json represented_json(const conformance::FewValues& represented) {
     return {{"type", represented.type}, {"values", represented.values}};
 }
@@ -114,6 +126,7 @@ Json conformance_json(const ConformanceReport& c) {
               {"dispatched", r.dispatched},  {"statistics", statistics_json(r.product)},
               {"seconds", c.seconds}};
     if (!r.all_values.empty()) json["data"] = json_array(r.all_values, data_json);
+    if (r.robot) json["robot"] = robot_json(*r.robot);
     if (!r.not_for_all.empty()) json["notForAllValues"] = r.not_for_all;
     if (!r.represented.empty()) json["represented"] = json_array(r.represented, represented_json);
     if (!r.reason.empty()) json["reason"] = r.reason;

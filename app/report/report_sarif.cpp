@@ -116,7 +116,8 @@ void add(const driver::AssertionReport& a, const std::string& file, Json& result
 void add(const ConformanceReport& c, const std::string& file, Json& results) {
     using conformance::Outcome;
     if (c.result.outcome == Outcome::conforms) return;
-    const bool known = c.result.outcome == Outcome::differs || c.result.outcome == Outcome::not_schedulable;
+    const bool known = c.result.outcome == Outcome::differs || c.result.outcome == Outcome::rounds ||
+                       c.result.outcome == Outcome::not_schedulable;
     results.push_back(sarif_result(Rule::conformance, known ? failure : left_open,
                                    fmt::format("the code of {} {}: {}", c.component,
                                                known ? "does not conform" : "was not compared", c.result.reason),

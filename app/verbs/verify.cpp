@@ -26,6 +26,7 @@
 #include "base/diagnostics/render.hpp"
 #include "base/diagnostics/spelling.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "conformance/model/rules.hpp"
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/ros2/read_mapping.hpp"
 #include "cpp_emit/ros2/rules.hpp"
@@ -393,6 +394,11 @@ conformance::Numbers numbers_to_compare(const driver::Project& project, const Op
     return carriers ? conformance::Numbers::carriers : conformance::Numbers::all;
 }
 
+bool allows_rounding(const Options& options) {
+    const auto& allowed = options.load.allowed;
+    return std::ranges::find(allowed, conformance::rules::rounded.code) != allowed.end();
+}
+
 }  // namespace
 
 void check_conformance(driver::Project& project, const Options& options, Report& report) {
@@ -423,6 +429,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         conformance_options.generator.choices = options.code.choices;
         conformance_options.relation = options.conform.relation;
         conformance_options.numbers = numbers_to_compare(project, options);
+        conformance_options.rounding_allowed = allows_rounding(options);
         conformance_options.walks.cycles = options.conform.walks;
         conformance_options.cache = options.run->cache();
         conformance_options.exported = export_format(options.conform.exported_code);

@@ -17,6 +17,7 @@
 #include "conformance/check/open_choice.hpp"
 #include "conformance/check/partial_readings.hpp"
 #include "conformance/check/random_walk.hpp"
+#include "conformance/check/robot_numbers.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/check/violated_precondition.hpp"
 #include "conformance/code/shared_object.hpp"
@@ -199,6 +200,15 @@ void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr&
     result.reason = std::move(reason);
 }
 
+Interface interface_of_model(const ir::System& system, const ir::Instantiation& instantiation,
+                             const ir::ComponentRef& component, const csp_emit::Provenance& provenance,
+                             const rc_interface& code) {
+    Interface interface = interface_of(code);
+    complete_interface(interface, system, instantiation, component, provenance);
+    list_tracked_values(interface, code);
+    return interface;
+}
+
 /// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
 /// terms.
 Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
@@ -206,9 +216,7 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
                     const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
-    Interface interface = interface_of(code);
-    complete_interface(interface, system, instantiation, component, script.provenance);
-    list_tracked_values(interface, code);
+    const Interface interface = interface_of_model(system, instantiation, component, script.provenance, code);
     try {
         cspm::Session session(script.definitions);
         Result result = check_process(session, process, interface, code, options, places);
@@ -350,16 +358,29 @@ std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentR
     return numbers ? "the model does not only copy its numbers and compare them with constants" : "";
 }
 
+/// For each output and argument, the place of its tracked type.
+OutputTypes tracked_output_types(const ValueSearch& search) {
+    OutputTypes result;
+    for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(search.component)) {
+        auto& arguments = result.emplace_back();
+        for (const ir::TypeId type : output.types) {
+            const auto found = std::ranges::find(search.types, type);
+            arguments.emplace_back();
+            if (found != search.types.end())
+                arguments.back() = static_cast<std::uint32_t>(found - search.types.begin());
+        }
+    }
+    return result;
+}
+
 /// For each output, the arguments of tracked types. Empty if there are no such arguments.
-Represented tracked_arguments(const ValueSearch& search) {
+Represented tracked_arguments(const OutputTypes& types) {
     Represented result;
     bool found = false;
-    for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(search.component)) {
-        std::vector<bool>& arguments = result.emplace_back();
-        for (const ir::TypeId type : output.types) {
-            arguments.push_back(std::ranges::find(search.types, type) != search.types.end());
-            found = found || arguments.back();
-        }
+    for (const auto& arguments : types) {
+        std::vector<bool>& tracked = result.emplace_back();
+        for (const auto& type : arguments) tracked.push_back(type.has_value());
+        found = found || std::ranges::find(tracked, true) != tracked.end();
     }
     return found ? result : Represented();
 }
@@ -407,6 +428,7 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
                                   const rc_interface& code, const Options& options, const EventPlaces& places) {
     constexpr int most_rounds = 8;
     const TrackedCode tracked(code, timed.model.system, search.types);
+    const OutputTypes output_types = tracked_output_types(search);
     std::vector<ir::Cut> cuts;
     for (int round = 0; round < most_rounds; ++round) {
         const ir::ValueModel& model = search.model;
@@ -414,8 +436,9 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
         const csp_emit::Emission script =
             csp_emit::emit(model.system, timed.model.instantiation, csp_emit::Time::timed, {}, *timed.sources, apart);
         if (!apart.ok() || !tracked.set_values(model)) return {};
-        Result result = judge_script(script, model.system, timed.model.instantiation, component, code,
-                                     tracked_arguments(search), options_for_all_values(options), timed.sources, places);
+        Result result =
+            judge_script(script, model.system, timed.model.instantiation, component, code,
+                         tracked_arguments(output_types), options_for_all_values(options), timed.sources, places);
         if (tracked.is_inexact()) return {std::nullopt, tracked.loss(), true};
         const auto more = undivided_cuts(tracked, model);
         if (!more) return {std::nullopt, "a comparison of the code has numbers that are too large", true};
@@ -427,6 +450,14 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
         if (decided) {
             result.normal_form = concrete_normal_form(timed, component, options.cycle_length);
             result.all_values = model.data;
+            if (result.outcome == Outcome::conforms) {
+                const Interface interface =
+                    interface_of_model(model.system, timed.model.instantiation, component, script.provenance, code);
+                diagnostics::Budget budget(options.limits);
+                test_on_robot(result,
+                              {timed.model.system, model, code, search.types, output_types, interface, *timed.sources},
+                              options.rounding_allowed, budget);
+            }
             return {std::move(result), "", false};
         }
         cuts.insert(cuts.end(), more->begin(), more->end());

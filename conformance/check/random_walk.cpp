@@ -82,7 +82,7 @@ public:
     [[nodiscard]] bool has_terminated() const { return follower_.has_terminated(); }
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
     [[nodiscard]] std::size_t node_count() const { return follower_.node_count(); }
-    [[nodiscard]] std::string print_state(const Bytes& image) const { return state_text(code_, image.data()); }
+    [[nodiscard]] std::string print_state(const Bytes& image) const { return state_text(code_.print, image.data()); }
 
 private:
     const Alphabet& alphabet_;

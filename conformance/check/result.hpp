@@ -21,6 +21,7 @@ namespace robochart::conformance {
 enum class Outcome {
     conforms,
     differs,          ///< the code has a behaviour that NF_c(M) does not allow
+    rounds,           ///< the code conforms for ideal numbers; with the robot's numbers, it does something else
     not_schedulable,  ///< the model cannot be run in cycles: a witness of NF_c(M) alone
     not_generated,    ///< the generator rejected the component (see the diagnostics)
     error,            ///< the script of the model cannot be evaluated
@@ -109,6 +110,22 @@ struct FewValues {
     std::size_t values = 0;
 };
 
+/// The behaviour of the code with numbers of the robot (docs/conformance.md, "Numbers on the robot").
+struct RobotNumbers {
+    /// A value of `double` that is no number of the model, or a limit of a type.
+    struct Special {
+        std::string value;                ///< "nan", "inf", "-inf", "-0", "9223372036854775807"
+        bool limit = false;               ///< it is a number of the model
+        std::vector<std::string> unlike;  ///< inputs in which it has an effect that no number of the model has; for a
+                                          ///< limit, another effect than in the model
+    };
+    std::size_t numbers = 0;  ///< values with which the code was run
+    std::size_t regions = 0;  ///< of the model's numbers
+    std::string difference;   ///< a difference that Options::rounding_allowed accepts; "": none
+    std::string limit;        ///< the reason why not all cycles were run with these numbers; "": all were
+    std::vector<Special> special;
+};
+
 /// The result for one component, with the size of the exploration and, if the code differs, a shortest run.
 struct Result {
     Outcome outcome = Outcome::inconclusive;
@@ -134,6 +151,8 @@ struct Result {
     /// The data of the component, if the result is about all values of ideal numbers; otherwise empty. The classes are
     /// those of the model's conditions.
     std::vector<ir::ReplacedData> all_values;
+    /// If the result is about all values and the code conforms: the test with numbers of the robot.
+    std::optional<RobotNumbers> robot;
     /// The reason why a search for all values did not decide; "": it decided, or there was no such search.
     std::string not_for_all;
     std::vector<MissedEvent> missed;        ///< if it conforms: events missed in some state of the code
@@ -182,6 +201,7 @@ struct Options {
     Relation relation = Relation::failures_divergences;
     InputSearch inputs = InputSearch::automatic;
     Numbers numbers = Numbers::carriers;
+    bool rounding_allowed = false;  ///< code that differs with numbers of the robot only has the outcome `conforms`
     WalkOptions walks;
     Export exported = Export::none;
     cpp_emit::Options generator;   ///< seeded faults, for tests

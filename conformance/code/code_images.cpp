@@ -13,11 +13,11 @@ constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 
 }  // namespace
 
-std::string state_text(const rc_interface& code, const void* state) {
+std::string state_text(void (*print)(const void*, char*, std::size_t), const void* state) {
     std::string text;
     for (std::size_t size = 4096; size <= longest_state_text; size *= 4) {
         text.assign(size, '\0');
-        code.print(state, text.data(), text.size());
+        print(state, text.data(), text.size());
         text.back() = '\0';
         text.resize(text.find('\0'));
         if (text.size() + 1 < size) break;
@@ -60,7 +60,7 @@ bool CodeImages::has_bytes(std::uint32_t image, const Bytes& state) const {
 }
 
 std::string CodeImages::print(std::uint32_t image) const {
-    return state_text(*code_, bytes(image).data());
+    return state_text(code_->print, bytes(image).data());
 }
 
 }  // namespace robochart::conformance

@@ -2,6 +2,7 @@
 // The states of compiled code as numbered byte images.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -14,8 +15,8 @@ namespace robochart::conformance {
 /// Longer texts are truncated; a state of 64 KiB takes less.
 inline constexpr std::size_t longest_state_text = 1U << 20U;
 
-/// A state as the code prints it.
-[[nodiscard]] std::string state_text(const rc_interface&, const void* state);
+/// A state as the code's function prints it.
+[[nodiscard]] std::string state_text(void (*print)(const void*, char*, std::size_t), const void* state);
 
 class CodeImages {
 public:

@@ -92,6 +92,11 @@ std::string short_name(std::string_view name) {
 
 }  // namespace
 
+std::string input_name(const Register& input) {
+    constexpr std::string_view written = "set_EXT_";
+    return starts_with(input.name, written) ? input.name.substr(written.size()) : short_name(input.name);
+}
+
 std::string cspm_text(const Carrier& carrier, std::int64_t value) {
     if (carrier.kind == Carrier::Kind::boolean) return value != 0 ? "true" : "false";
     if (carrier.kind == Carrier::Kind::enumeration && value >= 0 &&
@@ -217,7 +222,7 @@ std::string Alphabet::describe_event(process::Event event) const {
             break;
     }
     const Register& input = interface_.inputs[role.index];
-    const std::string name = starts_with(input.name, "set_EXT_") ? input.name.substr(8) : short_name(input.name);
+    const std::string name = input_name(input);
     if (role.reading == 0) return "no " + name;
     if (input.values.empty()) return name;
     return fmt::format("{} = {}", name, people_text(input.carrier, input.values[role.reading - 1], interface_.scale));

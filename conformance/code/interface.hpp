@@ -51,6 +51,9 @@ struct Interface {
     std::vector<std::string> blocked;  ///< channels of M that the environment does not use: "set_EXT_x"
 };
 
+/// The name of an input for readers: "seeRobot", "reached".
+[[nodiscard]] std::string input_name(const Register& input);
+
 /// The value in CSPM's notation, and in RoboChart's (reals as exact decimals).
 [[nodiscard]] std::string cspm_text(const Carrier&, std::int64_t value);
 [[nodiscard]] std::string people_text(const Carrier&, std::int64_t value, std::int64_t scale);

@@ -48,7 +48,7 @@ std::string state_after(const rc_interface& code, int cycles) {
         CycleLog log;
         EXPECT_EQ(code.step(state.data(), registers.data(), &log), RC_QUIESCENT);
     }
-    return state_text(code, state.data());
+    return state_text(code.print, state.data());
 }
 
 void expect_the_words_of_every_type(const std::string& state) {
@@ -142,7 +142,7 @@ TEST(StateText, LongStatesAreReportedWhole) {
         for (std::size_t i = 0; i + 1 < size; ++i) buffer[i] = i < 10'000 ? 'x' : '\0';
         buffer[size - 1] = '\0';
     };
-    EXPECT_EQ(state_text(code, nullptr), std::string(10'000, 'x'));
+    EXPECT_EQ(state_text(code.print, nullptr), std::string(10'000, 'x'));
 }
 
 }  // namespace

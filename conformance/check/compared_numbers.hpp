@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// A comparison of the model, computed as the code computes it on the robot, for reports.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "conformance/check/numbers_to_try.hpp"
+#include "semantics/data/value_model.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::conformance {
+
+/// What the code compares.
+struct ComparedNumbers {
+    std::string left;
+    std::string right;
+    bool answer = false;
+};
+
+/// The comparison for a value of its type. No value if it computes in another way than with sums, differences and
+/// multiples.
+[[nodiscard]] std::optional<ComparedNumbers> compare_on_robot(const ir::System& system,
+                                                              const ir::Comparison& comparison,
+                                                              const NumberSpace& space, const TriedValue& value);
+
+}  // namespace robochart::conformance

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model's answer for a number is that for an explored value of its region, which the search has compared with the
+// code. So a run with other numbers of the same regions has the outputs and the states of the explored run, with other
+// numbers in them.
+#include "conformance/check/robot_numbers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <limits>
+#include <set>
+
+#include "base/diagnostics/budget.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/text.hpp"
+#include "conformance/check/compared_numbers.hpp"
+#include "conformance/check/numbers_to_try.hpp"
+#include "conformance/model/rules.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+constexpr std::size_t random_values = 16;  ///< of each region
+constexpr std::size_t most_cycles = 20'000;
+
+/// The numbers of a run: for each tracked type a value for each explored value.
+using Assignment = std::vector<std::vector<TriedValue>>;
+
+/// A tracked type.
+struct TestedType {
+    NumberSpace space;
+    const ir::ExploredValues* explored = nullptr;
+    std::vector<TriedRegion> regions;
+
+    [[nodiscard]] bool is_written(std::size_t place) const { return place < explored->written; }
+    /// The places of a region whose numbers may be chosen: the model writes the others itself.
+    [[nodiscard]] std::vector<std::size_t> free_places(const TriedRegion& region) const {
+        std::vector<std::size_t> result;
+        std::ranges::copy_if(region.places, std::back_inserter(result),
+                             [&](std::size_t place) { return !is_written(place); });
+        return result;
+    }
+};
+
+std::vector<std::int64_t> bits_of(const TriedValue& value) {
+    std::vector<std::int64_t> bits;
+    for (const TriedNumber& number : value) bits.push_back(number.bits);
+    return bits;
+}
+
+bool same_signs(const NumberSpace& space, const TriedValue& one, const TriedValue& other) {
+    return std::ranges::all_of(
+        space.cuts, [&](const ir::Cut& cut) { return sign_of(space, cut, one) == sign_of(space, cut, other); });
+}
+
+std::string words_of(rc_result result) {
+    if (result == RC_TERMINATED) return ", then terminates";
+    if (result == RC_STEP_BOUND) return ", and does not end its cycle";
+    if (result == RC_PRECONDITION) return ", then calls outside a precondition";
+    if (result == RC_DEADLINE) return ", then misses a deadline";
+    return "";
+}
+
+class RobotTest {
+public:
+    RobotTest(const ExploredValuesOfCode& explored, diagnostics::Pollable& budget)
+        : explored_(explored), budget_(budget) {}
+
+    void run(Result& result) {
+        RobotNumbers& found = result.robot.emplace();
+        choose_numbers(found);
+        const TrackedCycles cycles = explore_tracked(explored_.code, explored_.interface, most_cycles, budget_);
+        if (!cycles.all) found.limit = fmt::format("{} cycles were run with each number", cycles.cycles.size());
+        PartsOfTypes parts;
+        for (const TestedType& type : types_) parts.push_back(type.space.parts);
+        DeployedCode code(explored_.code, cycles, parts, explored_.output_types, budget_);
+        for (std::size_t round = 0; round < rounds_; ++round) {
+            const Assignment numbers = assignment(round);
+            const auto deviation = code.first_deviation(tables_of(numbers));
+            if (deviation) return report(result, numbers, cycles, code, *deviation);
+        }
+        [[maybe_unused]] const auto again = code.first_deviation(tables_of(assignment(0)));  // the baseline
+        assert(!again);
+        try_special_values(found, code);
+    }
+
+private:
+    void choose_numbers(RobotNumbers& found);
+    [[nodiscard]] Assignment assignment(std::size_t round) const;
+    [[nodiscard]] static NumberTables tables_of(const Assignment& numbers);
+    void report(Result& result, const Assignment& numbers, const TrackedCycles& cycles, const DeployedCode& code,
+                const Deviation& deviation) const;
+    void name_comparisons(Result& result, const Assignment& numbers, const std::vector<ValuePlace>& used) const;
+    [[nodiscard]] std::vector<ValuePlace> used_values(const TrackedCycle& cycle) const;
+    [[nodiscard]] Interface interface_with(const Assignment& numbers) const;
+    void try_special_values(RobotNumbers& found, DeployedCode& code) const;
+    void try_special_value(RobotNumbers& found, RobotNumbers::Special special, bool real, std::int64_t bits,
+                           DeployedCode& code) const;
+    [[nodiscard]] std::set<std::uint32_t> inputs_unlike_numbers(std::uint32_t type, const TriedValue& value, bool limit,
+                                                                DeployedCode& code) const;
+
+    const ExploredValuesOfCode& explored_;
+    diagnostics::Pollable& budget_;
+    std::vector<TestedType> types_;
+    std::size_t rounds_ = 1;
+};
+
+/// Only inputs may have other numbers than those that the model writes.
+void RobotTest::choose_numbers(RobotNumbers& found) {
+    for (const ir::TypeId type : explored_.types) {
+        const auto place = std::ranges::find(explored_.values.types, type, &ir::ExploredValues::type);
+        const auto number = static_cast<std::size_t>(place - explored_.values.types.begin());
+        TestedType& tested = types_.emplace_back();
+        tested.space = number_space(explored_.system, explored_.values, number);
+        tested.explored = &*place;
+        const std::int32_t* const inputs = explored_.code.tracking->input;
+        const auto own = static_cast<std::int32_t>(types_.size() - 1);
+        if (std::find(inputs, inputs + explored_.code.inputs, own) == inputs + explored_.code.inputs) continue;
+        tested.regions = numbers_to_try(tested.space, *place, random_values, budget_);
+        found.regions += tested.regions.size();
+        for (const TriedRegion& region : tested.regions) {
+            const std::size_t free = tested.free_places(region).size();
+            found.numbers += free == 0 ? region.places.size() : region.values.size();
+            if (free > 0) rounds_ = std::max(rounds_, (region.values.size() + free - 1) / free);
+        }
+    }
+}
+
+/// Round 0 assigns the explored values themselves, and so do all rounds for types without inputs. The free places of a
+/// region go through its values together.
+Assignment RobotTest::assignment(std::size_t round) const {
+    Assignment result;
+    for (const TestedType& type : types_) {
+        std::vector<TriedValue>& values = result.emplace_back();
+        for (const auto& numbers : type.explored->values) values.push_back(nearest_value(type.space, numbers));
+        for (const TriedRegion& region : type.regions) {
+            const std::size_t free = type.free_places(region).size();
+            for (std::size_t p = 0; p < region.places.size(); ++p) {
+                const bool fixed = type.is_written(region.places[p]);
+                const std::size_t chosen = fixed ? p : (p + round * free) % region.values.size();
+                values[region.places[p]] = region.values[chosen];
+            }
+        }
+    }
+    return result;
+}
+
+NumberTables RobotTest::tables_of(const Assignment& numbers) {
+    NumberTables tables;
+    for (const std::vector<TriedValue>& values : numbers) {
+        std::vector<std::int64_t>& table = tables.emplace_back();
+        for (const TriedValue& value : values) std::ranges::copy(bits_of(value), std::back_inserter(table));
+    }
+    return tables;
+}
+
+std::vector<ValuePlace> RobotTest::used_values(const TrackedCycle& cycle) const {
+    std::vector<ValuePlace> result;
+    for (std::uint32_t i = 0; i < cycle.registers.size(); ++i) {
+        const std::int32_t type = explored_.code.tracking->input[i];
+        if (type >= 0 && cycle.registers[i].present != 0)
+            result.push_back({static_cast<std::uint32_t>(type), cycle.registers[i].value});
+    }
+    return result;
+}
+
+/// The interface with the texts of these numbers in place of those of the explored values.
+Interface RobotTest::interface_with(const Assignment& numbers) const {
+    Interface interface = explored_.interface;
+    const auto set_texts = [&](Carrier& carrier, std::size_t type) {
+        for (std::size_t v = 0; v < numbers[type].size() && v < carrier.literals.size(); ++v)
+            carrier.literals[v] = value_text(types_[type].space, numbers[type][v]);
+    };
+    for (std::size_t i = 0; i < interface.inputs.size(); ++i)
+        if (const std::int32_t type = explored_.code.tracking->input[i]; type >= 0)
+            set_texts(interface.inputs[i].carrier, static_cast<std::size_t>(type));
+    for (std::size_t o = 0; o < interface.outputs.size(); ++o)
+        for (std::size_t a = 0; a < interface.outputs[o].arguments.size(); ++a)
+            if (const auto type = explored_.output_types[o][a]) set_texts(interface.outputs[o].arguments[a], *type);
+    return interface;
+}
+
+/// Names the comparisons of the model that have another answer in the code for one of the values.
+void RobotTest::name_comparisons(Result& result, const Assignment& numbers, const std::vector<ValuePlace>& used) const {
+    std::set<std::string> known;
+    for (const auto& [type, place] : used) {
+        const TestedType& tested = types_[type];
+        const TriedValue& value = numbers[type][place];
+        for (const ir::Comparison& comparison : explored_.values.comparisons) {
+            if (comparison.type != tested.explored->type || !comparison.expr->span.is_known()) continue;
+            const auto robot = compare_on_robot(explored_.system, comparison, tested.space, value);
+            if (!robot || robot->answer == comparison.answers[place]) continue;
+            const diagnostics::Span span = comparison.expr->span;
+            const std::string_view source = explored_.sources.source_text(span.source);
+            const std::string text = diagnostics::escape_for_display(
+                diagnostics::on_one_line(source.substr(span.begin, span.end - span.begin)));
+            const std::string where = fmt::format("`{}` ({})", text, explored_.sources.path_and_line(span));
+            if (!known.insert(where).second) continue;
+            result.explanation.where.push_back(where);
+            if (known.size() == 1)
+                result.reason = fmt::format("`{}` is {} for {}, but {} in the code, which compares {} with {}", text,
+                                            comparison.answers[place], value_text(tested.space, value), robot->answer,
+                                            robot->left, robot->right);
+        }
+    }
+}
+
+void RobotTest::report(Result& result, const Assignment& numbers, const TrackedCycles& cycles, const DeployedCode& code,
+                       const Deviation& deviation) const {
+    process::EventTable events;
+    const Alphabet alphabet(interface_with(numbers), events);
+    const auto outputs_of = [&](const std::vector<rc_record>& writes) {
+        std::vector<std::string> texts;
+        for (const rc_record& record : writes)
+            texts.push_back(alphabet.describe_event(
+                alphabet.write_event(record.output, {record.argument, record.argument + record.count})));
+        return texts;
+    };
+    std::vector<ValuePlace> used;
+    for (const std::size_t number : code.path_to(deviation.cycle)) {
+        const TrackedCycle& passed = cycles.cycles[number];
+        const std::vector<ValuePlace> values = used_values(passed);
+        used.insert(used.begin(), values.begin(), values.end());
+        Cycle& cycle = result.cycles.emplace_back();
+        for (std::uint32_t i = 0; i < passed.registers.size(); ++i)
+            if (passed.registers[i].present != 0)
+                cycle.inputs.push_back(alphabet.describe_event(alphabet.read_event(i, passed.registers[i].value + 1)));
+        cycle.outputs = outputs_of(number == deviation.cycle ? deviation.writes : passed.writes);
+    }
+    const TrackedCycle& last = cycles.cycles[deviation.cycle];
+    result.cycles.back().state = deviation.state;
+    result.outcome = Outcome::rounds;
+    result.reason = "with a number of the robot, the code does something else than with the number of the model";
+    result.explanation.rule = &rules::rounded;
+    result.expected = fmt::format("out <{}>{}", fmt::join(outputs_of(last.writes), ", "), words_of(last.outcome));
+    if (!deviation.expected_state.empty()) result.expected += "  " + deviation.expected_state;
+    name_comparisons(result, numbers, used);
+}
+
+void RobotTest::try_special_values(RobotNumbers& found, DeployedCode& code) const {
+    using Doubles = std::numeric_limits<double>;
+    using Wholes = std::numeric_limits<std::int64_t>;
+    for (const double value : {Doubles::quiet_NaN(), Doubles::infinity(), -Doubles::infinity(), -0.0})
+        try_special_value(found, {fmt::format("{}", value), false, {}}, true, std::bit_cast<std::int64_t>(value), code);
+    for (const double value : {Doubles::max(), Doubles::lowest()})
+        try_special_value(found, {fmt::format("{}", value), true, {}}, true, std::bit_cast<std::int64_t>(value), code);
+    for (const std::int64_t value : {Wholes::max(), Wholes::min()})
+        try_special_value(found, {fmt::format("{}", value), true, {}}, false, value, code);
+}
+
+/// Tries the special value as each part of a value, with other parts from each region that is no boundary.
+void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special special, bool real, std::int64_t bits,
+                                  DeployedCode& code) const {
+    bool possible = false;
+    std::set<std::uint32_t> unlike;
+    for (std::uint32_t type = 0; type < types_.size(); ++type) {
+        const NumberSpace& space = types_[type].space;
+        std::set<std::vector<std::int64_t>> tried;
+        for (std::size_t part = 0; part < space.parts.size(); ++part) {
+            const ir::TypeKind kind = space.parts[part].kind;
+            if ((kind == ir::TypeKind::real) != real || (kind == ir::TypeKind::nat && bits < 0)) continue;
+            for (const TriedRegion& region : types_[type].regions) {
+                if (region.boundary && space.parts.size() > 1) continue;
+                TriedValue value = region.values.front();
+                value[part] = {bits, std::nullopt};
+                if (!tried.insert(bits_of(value)).second) continue;
+                possible = true;
+                unlike.merge(inputs_unlike_numbers(type, value, special.limit, code));
+            }
+        }
+    }
+    for (const std::uint32_t input : unlike) special.unlike.push_back(input_name(explored_.interface.inputs[input]));
+    if (possible) found.special.push_back(std::move(special));
+}
+
+/// The inputs in which the value has effects that no explored value has. An input for which an explored value has the
+/// same effects in all cycles is none of them. Only an explored value of the own region counts for a limit.
+std::set<std::uint32_t> RobotTest::inputs_unlike_numbers(std::uint32_t type, const TriedValue& value, bool limit,
+                                                         DeployedCode& code) const {
+    std::set<std::uint32_t> unlike;
+    for (std::uint32_t i = 0; i < explored_.code.inputs; ++i)
+        if (explored_.code.tracking->input[i] == static_cast<std::int32_t>(type)) unlike.insert(i);
+    const NumberSpace& space = types_[type].space;
+    for (const TriedRegion& region : types_[type].regions) {
+        if (unlike.empty()) break;
+        if (limit && !same_signs(space, value, region.values.front())) continue;
+        const std::vector<std::size_t> free = types_[type].free_places(region);
+        const ValuePlace place{type, static_cast<std::uint32_t>(free.empty() ? region.places.front() : free.front())};
+        std::set<std::uint32_t> deviating;
+        for (const std::size_t cycle : code.deviations(place, bits_of(value))) {
+            std::vector<std::size_t> path = code.path_to(cycle);
+            std::vector<std::uint32_t> readers;
+            for (; !path.empty() && readers.empty(); path.pop_back()) readers = code.readers(path.back(), place);
+            deviating.insert(readers.begin(), readers.end());
+        }
+        std::erase_if(unlike, [&](std::uint32_t input) { return !deviating.contains(input); });
+    }
+    return unlike;
+}
+
+}  // namespace
+
+void test_on_robot(Result& result, const ExploredValuesOfCode& explored, bool rounding_allowed,
+                   diagnostics::Pollable& budget) {
+    if (explored.code.tracking->deployed == nullptr) return;
+    Result tested = result;
+    try {
+        RobotTest(explored, budget).run(tested);
+    } catch (const diagnostics::LimitReached& limit) {
+        tested.robot->limit = limit.what();
+    }
+    if (tested.outcome == Outcome::conforms || !rounding_allowed) {
+        result = std::move(tested);
+        return;
+    }
+    result.robot = std::move(tested.robot);
+    result.robot->difference = std::move(tested.reason);
+}
+
+}  // namespace robochart::conformance

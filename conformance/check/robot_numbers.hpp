@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tests code that conforms for all ideal numbers with the numbers of the robot: `double`, and integers of 64 bits
+// (docs/conformance.md, "Numbers on the robot").
+#pragma once
+
+#include "base/diagnostics/pollable.hpp"
+#include "base/diagnostics/source.hpp"
+#include "conformance/check/result.hpp"
+#include "conformance/code/deployed_code.hpp"
+#include "conformance/code/interface.hpp"
+#include "semantics/data/value_model.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::conformance {
+
+/// Code with tracked numbers, which has explored the values of a model, and its interface.
+struct ExploredValuesOfCode {
+    const ir::System& system;  ///< the model
+    const ir::ValueModel& values;
+    const rc_interface& code;
+    const std::vector<ir::TypeId>& types;  ///< the tracked types of the code
+    const OutputTypes& output_types;
+    const Interface& interface;  ///< of the value model
+    const diagnostics::SourceManager& sources;
+};
+
+/// Completes a result for all values with the outcome `conforms`: adds the test, and changes the outcome to `rounds` if
+/// the code does something else than the model and this is not allowed.
+void test_on_robot(Result& result, const ExploredValuesOfCode& explored, bool rounding_allowed,
+                   diagnostics::Pollable& budget);
+
+}  // namespace robochart::conformance

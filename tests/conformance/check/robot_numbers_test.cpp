@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+// Code with the numbers of the robot (docs/conformance.md, "Numbers on the robot"). The comments state the doubles from
+// which the expected answers follow, to 20 digits.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <regex>
+
+#include "conformance/check/conform.hpp"
+#include "conformance/check/numbers_to_try.hpp"
+#include "conformance/model/rules.hpp"
+#include "cpp_emit/emit.hpp"
+#include "cpp_emit/load/shared_library.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance::robot_numbers_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// In front of the core: a literal of deployed code that the variable robochart_mutant makes one ulp greater (even) or
+/// less (odd).
+constexpr const char* changed_literal = R"(
+#include <cmath>
+extern "C" { __attribute__((visibility("default"))) int robochart_mutant = -1; }
+template <class Real>
+Real robot_literal(int site, double value) {
+    if constexpr (std::is_floating_point_v<Real>)
+        if (robochart_mutant >= 0 && robochart_mutant / 2 == site)
+            return std::nextafter(value, robochart_mutant % 2 == 0 ? 1e9 : -1e9);
+    return Real(value);
+}
+)";
+
+/// The code of the machine M, over tracked numbers and over those of the robot.
+class Machine {
+public:
+    explicit Machine(const std::string& text) : folder_(text), model_(folder_.path()) {
+        component_ = model_.machine_named("M");
+        timed_ = timed_model(model_.system, model_.instantiation, model_.sources, model_.diagnostics);
+        const auto values = ir::value_model(model_.system, model_.instantiation, {ir::MachineId{0}}, {});
+        EXPECT_TRUE(values.has_value());
+        cpp_emit::Options options;
+        options.tracked_scale = values ? values->scale : 1;
+        cpp_emit::Emission emission =
+            cpp_emit::emit(timed_.model.system, timed_.model.instantiation, component_, options, model_.diagnostics);
+        for (cpp_emit::OutputFile& file : emission.files)
+            if (file.path.ends_with("_core.hpp")) file.text = with_literals(file.text);
+        std::string error;
+        library_ = cpp_emit::SharedLibrary::build(emission.files, {emission.shim},
+                                                  {"c++", "-std=c++17 -O0 -w -fno-exceptions -fno-rtti", ""}, error);
+        EXPECT_TRUE(library_) << error;
+    }
+
+    [[nodiscard]] int literals() const { return literals_; }
+    void select(int mutant) { *static_cast<int*>(library_->find_symbol("robochart_mutant")) = mutant; }
+    [[nodiscard]] Result judge(const Options& options = {}) const {
+        const auto* const code =
+            reinterpret_cast<const rc_interface* (*)()>(library_->find_symbol("robochart_explore"))();
+        ForAllValues found = judge_for_all_values(timed_, component_, *code, options, {});
+        EXPECT_TRUE(found.result) << found.reason;
+        return found.result.value_or(Result());
+    }
+
+private:
+    std::string with_literals(const std::string& core) {
+        static const std::regex literal(R"(Real\((0\.[1-9]\d*)\))");
+        std::string result, rest = core;
+        std::smatch found;
+        while (std::regex_search(rest, found, literal)) {
+            result += found.prefix();
+            result += fmt::format("robot_literal<Real>({}, {})", literals_++, found[1].str());
+            rest = found.suffix();
+        }
+        const std::string text = result + rest;
+        const std::size_t at = text.find("\nnamespace ");
+        return text.substr(0, at) + changed_literal + text.substr(at);
+    }
+
+    test::ModelFolder folder_;
+    test::Model model_;
+    ir::ComponentRef component_;
+    TimedModel timed_;
+    int literals_ = 0;
+    std::unique_ptr<cpp_emit::SharedLibrary> library_;
+};
+
+/// A machine that heats if the condition is true for its input.
+std::string heater(const std::string& type, const std::string& condition) {
+    return fmt::format(R"(
+interface Plant {{ heat() }}
+stm M {{
+	event degrees : {0}
+	requires Plant
+	var x : {0}
+	initial i
+	state Waiting {{ }}
+	junction k
+	transition t0 {{ from i to Waiting }}
+	transition t1 {{ from Waiting to k trigger degrees ? x }}
+	transition t2 {{ from k to Waiting condition {1} action heat() }}
+	transition t3 {{ from k to Waiting condition not ({1}) }}
+}}
+)",
+                       type, condition);
+}
+
+/// 0.1 is the double 0.10000000000000000555, 0.2 is 0.20000000000000001110, 0.3 is 0.29999999999999998890, and the next
+/// double is 0.30000000000000004441. The exact sum 0.30000000000000001665 lies in the middle between them, and the
+/// last bit of the greater one is 0, so the sum of doubles is greater than 0.3.
+TEST(RobotNumbers, ASumOfDecimalsIsRoundedUp) {
+    const Machine machine(heater("real", "x + 0.1 <= 0.3"));
+    const Result result = machine.judge();
+    ASSERT_EQ(result.outcome, Outcome::rounds) << result.reason;
+    EXPECT_EQ(result.reason,
+              "`x + 0.1 <= 0.3` is true for 0.2, but false in the code, which compares 0.30000000000000004 with 0.3");
+    EXPECT_EQ(result.explanation.rule, &rules::rounded);
+    EXPECT_THAT(result.explanation.where, ElementsAre(HasSubstr("model.rct:12"), HasSubstr("model.rct:13")));
+    ASSERT_EQ(result.cycles.size(), 1U);
+    EXPECT_THAT(result.cycles.front().inputs, ElementsAre("degrees = 0.2"));
+    EXPECT_THAT(result.cycles.front().outputs, IsEmpty());
+    EXPECT_THAT(result.expected, HasSubstr("out <heat()>"));
+
+    Options allowed;
+    allowed.rounding_allowed = true;
+    const Result accepted = machine.judge(allowed);
+    EXPECT_EQ(accepted.outcome, Outcome::conforms);
+    ASSERT_TRUE(accepted.robot);
+    EXPECT_EQ(accepted.robot->difference, result.reason);
+    EXPECT_THAT(accepted.cycles, IsEmpty());
+}
+
+/// The double before 0.2 is 0.19999999999999998335. The exact sum with 0.1 is 0.29999999999999998890: it is the double
+/// 0.3, to which the code compares it. The sum with the model's 0.1 is less than the model's 0.3.
+TEST(RobotNumbers, ANumberBelowTheBoundaryReachesIt) {
+    const Machine machine(heater("real", "x + 0.1 < 0.3"));
+    const Result result = machine.judge();
+    ASSERT_EQ(result.outcome, Outcome::rounds) << result.reason;
+    EXPECT_EQ(result.reason,
+              "`x + 0.1 < 0.3` is true for 0.19999999999999998, but false in the code, which compares 0.3 with 0.3");
+}
+
+/// The product of int64 does not fit, so the code takes the first operand, 2 (docs/cpp.md, "Numbers at their limits").
+/// The number is reported, but it is not a difference of rounding.
+TEST(RobotNumbers, LimitsOfIntegersAreReportedApart) {
+    const Machine machine(heater("int", "2 * x > 10"));
+    const Result result = machine.judge();
+    ASSERT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    ASSERT_TRUE(result.robot);
+    std::map<std::string, std::vector<std::string>> unlike;
+    for (const RobotNumbers::Special& special : result.robot->special) {
+        EXPECT_TRUE(special.limit);
+        unlike[special.value] = special.unlike;
+    }
+    ASSERT_EQ(unlike.size(), 2U);
+    EXPECT_THAT(unlike.at("9223372036854775807"), ElementsAre("degrees"));
+    EXPECT_THAT(unlike.at("-9223372036854775808"), IsEmpty()) << "2 is not greater than 10, either";
+}
+
+constexpr const char* thermostat = R"(
+interface Plant { heat() cool() rest() }
+stm M {
+	event degrees : real
+	event tick
+	requires Plant
+	var t : real
+	initial i
+	state Resting { entry rest() }
+	state Heating { entry heat() }
+	state Cooling { entry cool() }
+	junction k
+	transition t0 { from i to Resting }
+	transition t1 { from Resting to k trigger degrees?t }
+	transition t2 { from Heating to k trigger degrees?t }
+	transition t3 { from Cooling to Resting trigger tick condition t >= 0.7 }
+	transition t4 { from k to Heating condition t < 0.1 }
+	transition t5 { from k to Cooling condition t > 0.3 }
+	transition t6 { from k to Resting condition t >= 0.1 /\ t <= 0.3 }
+}
+)";
+
+/// None of 0.1, 0.3 and 0.7 is a double. Rounding to the nearest double keeps the order of numbers, so a number and a
+/// literal compare as in the model. NaN is neither less than 0.1 nor greater than 0.3 nor between them: the machine
+/// stays at the junction. An infinity is like a great number, and -0.0 like 0.
+TEST(RobotNumbers, LiteralsThatAreNoDoublesMakeNoDifference) {
+    const Machine machine(thermostat);
+    const Result result = machine.judge();
+    ASSERT_EQ(result.outcome, Outcome::conforms) << result.reason;
+    ASSERT_TRUE(result.robot);
+    EXPECT_EQ(result.robot->limit, "");
+    EXPECT_EQ(result.robot->regions, 7U);  // three thresholds, and four intervals
+    // Of each threshold one number; of each interval two explored ones, 16 random ones, and the next doubles at its
+    // boundaries, of which there are six together. The initial value 0 is in the first interval.
+    EXPECT_EQ(result.robot->numbers, 3U + 4U * (2U + 16U) + 6U + 1U);
+    std::map<std::string, std::vector<std::string>> unlike;
+    for (const RobotNumbers::Special& special : result.robot->special) unlike[special.value] = special.unlike;
+    EXPECT_THAT(unlike.at("nan"), ElementsAre("degrees"));
+    for (const char* value : {"inf", "-inf", "-0", "1.7976931348623157e+308", "-1.7976931348623157e+308"})
+        EXPECT_THAT(unlike.at(value), IsEmpty()) << value;
+    EXPECT_EQ(unlike.size(), 6U);
+}
+
+/// With `not (t < c)` in place of the other conditions, NaN is like a number between the thresholds.
+TEST(RobotNumbers, NaNIsLikeANumberWhereNegationsDecide) {
+    const Machine machine(heater("real", "x < 0.1"));
+    const Result result = machine.judge();
+    ASSERT_TRUE(result.robot);
+    ASSERT_FALSE(result.robot->special.empty());
+    EXPECT_EQ(result.robot->special.front().value, "nan");
+    EXPECT_THAT(result.robot->special.front().unlike, IsEmpty());
+}
+
+/// Each change of a literal moves a threshold, or the double beside it, to the other side, and the machine does
+/// something else or stays at the junction. `t >= 0.1` with the double before 0.1, and `t <= 0.3` with the double after
+/// 0.3, have no effect, because t4 and t5 come first. The change of t3 shows in a cycle after the one in which the
+/// number comes.
+TEST(RobotNumbers, ALiteralThatIsOneUlpWrongIsFound) {
+    Machine machine(thermostat);
+    constexpr auto same = Outcome::conforms, other = Outcome::rounds;
+    const std::vector<std::pair<Outcome, Outcome>> expected{
+        {same, same},    // t >= 0.7 in `dispatch`, which a cycle does not call
+        {other, other},  // t < 0.1
+        {other, other},  // t > 0.3
+        {other, same},   // t >= 0.1
+        {same, other},   // t <= 0.3
+        {other, other},  // t >= 0.7
+    };
+    ASSERT_EQ(machine.literals(), static_cast<int>(expected.size()));
+    for (int literal = 0; literal < machine.literals(); ++literal) {
+        const auto& [greater, less] = expected[static_cast<std::size_t>(literal)];
+        machine.select(2 * literal);
+        EXPECT_EQ(machine.judge().outcome, greater) << literal;
+        machine.select(2 * literal + 1);
+        EXPECT_EQ(machine.judge().outcome, less) << literal;
+    }
+    machine.select(-1);
+    EXPECT_EQ(machine.judge().outcome, Outcome::conforms);
+}
+
+TriedNumber itself(double number) {
+    return {std::bit_cast<std::int64_t>(number), std::nullopt};
+}
+
+TEST(NumbersToTry, SignsAreExact) {
+    const ir::NumberPart first{{0}, ir::TypeKind::real}, second{{1}, ir::TypeKind::real};
+    const ir::NumberPart whole{{}, ir::TypeKind::integer};
+    constexpr double greatest = std::numeric_limits<double>::max();
+    constexpr double least = std::numeric_limits<double>::denorm_min();
+    const ir::TypeId type{0};
+    const NumberSpace one{{first}, {}, 10}, two{{first, second}, {}, 10}, wholes{{whole}, {}, 10};
+    const ir::Cut tenth{type, {1}, -1}, multiple{type, {1'048'575}, 0}, sum{type, {1, 1}, -10}, order{type, {1, -1}, 0};
+    // The double 0.1 is 0.10000000000000000555, and the one before it is less than 0.1.
+    EXPECT_EQ(sign_of(one, tenth, {itself(0.1)}), 1);
+    EXPECT_EQ(sign_of(one, tenth, {itself(std::nextafter(0.1, 0.0))}), -1);
+    EXPECT_EQ(sign_of(one, tenth, {nearest_number(one, first, 1)}), 0);
+    EXPECT_EQ(sign_of(one, tenth, {itself(0.0)}), -1);
+    EXPECT_EQ(sign_of(one, multiple, {itself(greatest)}), 1);
+    EXPECT_EQ(sign_of(one, multiple, {itself(-greatest)}), -1);
+    EXPECT_EQ(sign_of(one, multiple, {itself(least)}), 1);
+    EXPECT_EQ(sign_of(one, multiple, {itself(-3 * least)}), -1);
+    EXPECT_EQ(sign_of(one, multiple, {itself(-0.0)}), 0);
+    // 0.29999999999999998890 + 0.69999999999999995559 < 1, although the sum of the doubles is 1.
+    EXPECT_EQ(sign_of(two, sum, {itself(0.3), itself(0.7)}), -1);
+    EXPECT_EQ(sign_of(two, sum, {nearest_number(two, first, 3), nearest_number(two, second, 7)}), 0);
+    EXPECT_EQ(sign_of(two, order, {itself(greatest), itself(std::nextafter(greatest, 0.0))}), 1);
+    EXPECT_EQ(sign_of(two, order, {itself(greatest), itself(least)}), 1);
+    EXPECT_EQ(sign_of(two, order, {itself(least), itself(greatest)}), -1);
+    const ir::Cut thrice{type, {3}, -100};
+    EXPECT_EQ(sign_of(wholes, thrice, {{3, std::nullopt}}), -1);  // 3 * 3 < 10
+    EXPECT_EQ(sign_of(wholes, thrice, {{4, std::nullopt}}), 1);
+    EXPECT_EQ(sign_of(wholes, thrice, {{std::numeric_limits<std::int64_t>::max(), std::nullopt}}), 1);
+    EXPECT_EQ(sign_of(wholes, thrice, {{std::numeric_limits<std::int64_t>::min(), std::nullopt}}), -1);
+}
+
+/// The double 0.1 stands for the threshold 0.1 alone, although it is greater.
+TEST(NumbersToTry, TheDoublesAroundAThresholdAreTried) {
+    const ir::NumberPart part{{}, ir::TypeKind::real};
+    const NumberSpace space{{part}, {{ir::TypeId{0}, {1}, -1}}, 10};
+    const ir::ExploredValues explored{ir::TypeId{0}, {{0}, {-5}, {1}, {3}, {4}}, 1};
+    diagnostics::Unlimited budget;
+    const std::vector<TriedRegion> regions = numbers_to_try(space, explored, 16, budget);
+    ASSERT_EQ(regions.size(), 3U);
+    EXPECT_THAT(regions[0].places, ElementsAre(0U, 1U));
+    EXPECT_THAT(regions[1].places, ElementsAre(2U));
+    EXPECT_THAT(regions[2].places, ElementsAre(3U, 4U));
+    const auto contains = [](const TriedRegion& region, double number) {
+        return std::ranges::any_of(region.values, [&](const TriedValue& value) {
+            return value.front().bits == std::bit_cast<std::int64_t>(number);
+        });
+    };
+    EXPECT_TRUE(contains(regions[0], std::nextafter(0.1, 0.0)));
+    EXPECT_TRUE(contains(regions[2], std::nextafter(0.1, 1.0)));
+    EXPECT_TRUE(contains(regions[1], 0.1));
+    EXPECT_FALSE(contains(regions[2], 0.1));
+    EXPECT_EQ(regions[0].values.size(), 2U + 1U + 16U);
+    EXPECT_EQ(regions[1].values.size(), 1U);
+    EXPECT_EQ(regions[2].values.size(), 2U + 1U + 16U);
+    for (const TriedValue& value : regions[0].values) EXPECT_EQ(sign_of(space, space.cuts[0], value), -1);
+    for (const TriedValue& value : regions[2].values) EXPECT_EQ(sign_of(space, space.cuts[0], value), 1);
+}
+
+}  // namespace
+}  // namespace robochart::conformance::robot_numbers_test
