@@ -21,7 +21,7 @@ using Whole = Deployment::Int;
 /// Computes operands with the numbers and operators of generated code.
 class Computer {
 public:
-    Computer(const ir::System& system, const ir::Comparison& comparison, const NumberSpace& space,
+    Computer(const ir::System& system, const ir::ModelComparison& comparison, const NumberSpace& space,
              const TriedValue& value)
         : system_(system), comparison_(comparison), space_(space), value_(value) {}
 
@@ -77,7 +77,7 @@ private:
     }
 
     const ir::System& system_;
-    const ir::Comparison& comparison_;
+    const ir::ModelComparison& comparison_;
     const NumberSpace& space_;
     const TriedValue& value_;
 };
@@ -98,7 +98,7 @@ std::optional<ComparedNumbers> compared(ir::ExprKind kind, const std::optional<N
 
 }  // namespace
 
-std::optional<ComparedNumbers> compare_on_robot(const ir::System& system, const ir::Comparison& comparison,
+std::optional<ComparedNumbers> compare_on_robot(const ir::System& system, const ir::ModelComparison& comparison,
                                                 const NumberSpace& space, const TriedValue& value) {
     const Computer computer(system, comparison, space, value);
     const ir::Expr& left = *comparison.expr->args.at(0);

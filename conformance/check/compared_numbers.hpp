@@ -21,7 +21,7 @@ struct ComparedNumbers {
 /// The comparison for a value of its type. No value if it computes in another way than with sums, differences and
 /// multiples.
 [[nodiscard]] std::optional<ComparedNumbers> compare_on_robot(const ir::System& system,
-                                                              const ir::Comparison& comparison,
+                                                              const ir::ModelComparison& comparison,
                                                               const NumberSpace& space, const TriedValue& value);
 
 }  // namespace robochart::conformance

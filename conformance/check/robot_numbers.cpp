@@ -190,7 +190,7 @@ void RobotTest::name_comparisons(Result& result, const Assignment& numbers, cons
     for (const auto& [type, place] : used) {
         const TestedType& tested = types_[type];
         const TriedValue& value = numbers[type][place];
-        for (const ir::Comparison& comparison : explored_.values.comparisons) {
+        for (const ir::ModelComparison& comparison : explored_.values.comparisons) {
             if (comparison.type != tested.explored->type || !comparison.expr->span.is_known()) continue;
             const auto robot = compare_on_robot(explored_.system, comparison, tested.space, value);
             if (!robot || robot->answer == comparison.answers[place]) continue;

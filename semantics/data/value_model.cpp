@@ -253,7 +253,7 @@ void Explorer::add_comparisons(const Condition& condition, TypeId type, const st
                                ValueModel& result) const {
     visit_operands(*condition.expr, [&](const Expr& expr) {
         if (!is_comparison(expr.kind) || expr.args.size() != 2) return;
-        Comparison comparison{type, &expr, {}, {}};
+        ModelComparison comparison{type, &expr, {}, {}};
         for (const Value& value : values) {
             const auto answer = sampling_.truth(condition.machine, expr, value);
             if (!answer || *answer < 0) return;

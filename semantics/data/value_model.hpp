@@ -37,7 +37,7 @@ struct ExploredValues {
 };
 
 /// A comparison in a condition of the model that reads one value, and other numbers only from literals and constants.
-struct Comparison {
+struct ModelComparison {
     TypeId type;                                    ///< of the value; one of ValueModel::types
     const Expr* expr = nullptr;                     ///< in the system of the model
     std::map<const Expr*, std::int64_t> constants;  ///< the constants in it: reals in units, others whole
@@ -49,9 +49,9 @@ struct ValueModel {
     System system;
     std::int64_t scale = 1;  ///< units of one real
     std::vector<ExploredValues> types;
-    std::vector<ReplacedData> data;       ///< for reports: the classes by the conditions of the model, without `cuts`
-    std::vector<Comparison> comparisons;  ///< for reports: those whose answers are known
-    std::vector<Cut> cuts;                ///< the forms of all conditions and comparisons, normalized and ascending
+    std::vector<ReplacedData> data;  ///< for reports: the classes by the conditions of the model, without `cuts`
+    std::vector<ModelComparison> comparisons;  ///< for reports: those whose answers are known
+    std::vector<Cut> cuts;  ///< the forms of all conditions and comparisons, normalized and ascending
 };
 
 /// The value model of these machines, whose regions are divided by the conditions of the model and by `cuts`. No value
