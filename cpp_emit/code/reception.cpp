@@ -137,10 +137,7 @@ std::string store_received(const Generation& generation, const Unit& unit, const
     if (!communication.variable.is_valid()) return {};
     const ir::Type& type = generation.system.type(unit.machine->variables[communication.variable.index].type);
     const bool fields = type.kind == ir::TypeKind::record || type.kind == ir::TypeKind::product;
-    std::string stored = as_variable(generation, unit, communication, value);
-    const bool register_value = stored == value && value.starts_with("inputs_.");  // refused if it has overflowed
-    if (!register_value && has_lists(generation.system, unit.machine->variables[communication.variable.index].type))
-        stored = fmt::format("fit<Types>({})", stored);
+    const std::string stored = as_variable(generation, unit, communication, value);
     if (fields && generation.mutation.hits(Fault::fields_lost))
         return last_field(generation, unit, communication.variable, stored, type_members(type).back().name);
     return store_statement(generation, unit, communication.variable, stored);
@@ -154,7 +151,8 @@ std::string as_variable(const Generation& generation, const Unit& unit, const ir
     const std::string type = cpp_type(generation.system, variable_type);
     if (type == cpp_type(generation.system, *carried)) return value;
     if (is_numeric(generation.system.type(variable_type).kind)) return fmt::format("{}({})", type, value);
-    return fmt::format("robochart::convert<{}>({})", type, value);
+    const std::string converted = fmt::format("robochart::convert<{}>({})", type, value);
+    return has_lists(generation.system, variable_type) ? fmt::format("fit<Types>({})", converted) : converted;
 }
 
 std::string default_text(const Generation& generation, ir::TypeId type) {

@@ -194,7 +194,7 @@ void ProgramWriter::write_assignment(const ir::Stmt& stmt, const std::string& st
     const ExpressionWriter expressions(generation_, unit_);
     const ir::TypeId type = variable.type;
     if (!stmt.path.empty()) return assign_part(stmt, type);
-    write_line(store_statement(generation_, unit_, stmt.variable, expressions.write_fitting(*stmt.value, type)));
+    write_line(store_statement(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
 }
 
 /// Writes an assignment to a part of a variable: changes the value in a copy and stores the copy, as the semantics
@@ -227,7 +227,7 @@ void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
         in_row = outer.kind == ir::TypeKind::matrix && !in_row;
         if (!in_row) type = outer.args.at(0);
     }
-    current_code().line(fmt::format("{} = {};", part, expressions.write_fitting(*stmt.value, type)));
+    current_code().line(fmt::format("{} = {};", part, expressions.write_as(*stmt.value, type)));
     for (auto change = back.rbegin(); change != back.rend(); ++change) current_code().line(*change);
     write_line(store_statement(generation_, unit_, stmt.variable, "changed"));
     current_code().close();
@@ -289,10 +289,9 @@ void ProgramWriter::write_send(const ir::Stmt& stmt, const std::string& stem) {
     const EventUse& use = generation_.component.find_event(unit_, stmt.communication.event);
     const ExpressionWriter expressions(generation_, unit_);
     const ir::ExprPtr& expr = stmt.communication.value;
-    const std::string sent = expr ? expressions.write_fitting(*expr, *use.type) : "";
-    if (!use.filled.empty()) return fill_buffers(use, sent);
-    if (!use.ports.empty()) return send_out(use, sent);
     const std::string value = expr ? expressions.write_as(*expr, *use.type) : "";
+    if (!use.filled.empty()) return fill_buffers(use, value);
+    if (!use.ports.empty()) return send_out(use, value);
     if (use.peers.empty()) return current_code().comment(fmt::format("{} is connected to nothing", use.name));
     const std::string at = resume_here(stem, fmt::format("sends {}", use.name));
     write_offer(use, value, at, fresh_label(stem));
@@ -335,7 +334,7 @@ std::vector<std::string> ProgramWriter::write_arguments(const ir::Stmt& stmt) {
     assert(stmt.args.size() <= parameters.size());
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < stmt.args.size(); ++i)
-        texts.push_back(expressions.write_fitting(*stmt.args[i], parameters[i]));
+        texts.push_back(expressions.write_as(*stmt.args[i], parameters[i]));
     return texts;
 }
 

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <stdexcept>
 
+#include "cpp_emit/plan/list_capacities.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
 
@@ -96,8 +97,12 @@ CppExpr ExpressionWriter::expression_as(const ir::Expr& expr, ir::TypeId id) con
         return CppExpr(fmt::format("{}({})", numeric_name(type.kind), write(expr)));
     const bool converts =
         is_composed(type) && is_composed(generation_.system.type(expr.type)) && type_text(id) != type_text(expr.type);
-    return converts ? CppExpr(fmt::format("robochart::convert<{}>({})", type_text(id), write(expr)))
+    return converts ? CppExpr(fitting(id, fmt::format("robochart::convert<{}>({})", type_text(id), write(expr))))
                     : cpp_expression(expr);
+}
+
+std::string ExpressionWriter::fitting(ir::TypeId type, const std::string& value) const {
+    return has_lists(generation_.system, type) ? fmt::format("fit<Types>({})", value) : value;
 }
 
 std::string ExpressionWriter::variable_member(ir::VariableId id) const {
@@ -199,9 +204,7 @@ std::string ExpressionWriter::built_value(const ir::Expr& expr, const char* make
     const ir::Type& type = generation_.system.type(expr.type);
     if (!has_pairs(type)) return fmt::format("{}::{}({})", type_text(expr.type), maker, argument_list(expr, type.args));
     std::string pairs;
-    for (const ir::ExprPtr& pair : expr.args)
-        pairs += fmt::format("{}robochart::convert<{}>({})", pairs.empty() ? "" : ", ",
-                             cpp_pair(generation_.system, type), write(*pair));
+    for (const ir::ExprPtr& pair : expr.args) pairs += (pairs.empty() ? "" : ", ") + pair_text(type, *pair);
     return fmt::format("{}::{}({})", type_text(expr.type), maker, pairs);
 }
 
@@ -215,12 +218,10 @@ std::string ExpressionWriter::write_cast(const ir::Expr& expr) const {
     return down ? fmt::format("rounded_down<{}>({})", type, write(from)) : fmt::format("{}({})", type, write(from));
 }
 
-std::string ExpressionWriter::write_fitting(const ir::Expr& expr, ir::TypeId type) const {
-    const bool stored = expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value ||
-                        expr.kind == ExprKind::constant || expr.args.empty();
-    const bool copied = stored && type_text(expr.type) == type_text(type);
-    if (copied || !has_lists(generation_.system, type)) return write_as(expr, type);
-    return fmt::format("fit<Types>({})", write_as(expr, type));
+/// The pair as an element of a function or relation.
+std::string ExpressionWriter::pair_text(const ir::Type& whole, const ir::Expr& pair) const {
+    return fitting(pair.type,
+                   fmt::format("robochart::convert<{}>({})", cpp_pair(generation_.system, whole), write(pair)));
 }
 
 /// Functions are specified only by contracts: the platform computes them.
@@ -264,9 +265,7 @@ std::string ExpressionWriter::write_membership(const ir::Expr& expr) const {
     assert(expr.args.size() == 2);
     const ir::Expr& set = *expr.args[1];
     const ir::Type& whole = generation_.system.type(set.type);
-    if (has_pairs(whole))
-        return fmt::format("{}.contains(robochart::convert<{}>({}))", write_operand(set),
-                           cpp_pair(generation_.system, whole), write(value));
+    if (has_pairs(whole)) return fmt::format("{}.contains({})", write_operand(set), pair_text(whole, value));
     const ir::TypeId member = whole.args.at(0);
     const bool range = set.kind == ExprKind::set_range || set.kind == ExprKind::range;
     if (!range || generation_.system.type(member).kind == TypeKind::real)
@@ -298,7 +297,7 @@ CppExpr ExpressionWriter::cpp_expression(const ir::Expr& expr) const {
     CppExpr text = write_fold(expr);
     if (text.empty()) text = of_kind(expr);
     if (text.empty()) throw std::logic_error("generated code reads a value without a place, in " + unit_.machine->name);
-    return text;
+    return may_overflow(generation_.system, expr) ? CppExpr(fitting(expr.type, text.whole_text())) : text;
 }
 
 CppExpr ExpressionWriter::of_kind(const ir::Expr& expr) const {

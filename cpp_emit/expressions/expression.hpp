@@ -37,6 +37,7 @@ public:
     /// Sets the C++ text of `trigger_value`, the incoming value.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
+    /// Every list that the code builds passes `Cycle::fit`, so that no list is cut without StepResult::capacity.
     [[nodiscard]] CppExpr cpp_expression(const ir::Expr&) const;
     /// The expression converted to a numeric type; unchanged for other types.
     [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
@@ -45,15 +46,12 @@ public:
     [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
         return expression_as(expr, type).whole_text();
     }
-    /// The same as a value that is stored or sent. If its lists may have more items than their capacity, the code drops
-    /// the other items, and the cycle ends with StepResult::capacity.
-    [[nodiscard]] std::string write_fitting(const ir::Expr&, ir::TypeId) const;
     /// The text as an operand of any operator, in parentheses unless it has the highest precedence.
     [[nodiscard]] std::string write_operand(const ir::Expr& expr) const { return cpp_expression(expr).as_operand(); }
     /// The condition that all preconditions of called functions hold, innermost calls first (semantics 3.5); empty if
     /// none can be false. It is tested before the expression is evaluated.
     [[nodiscard]] CppExpr precondition_test(const ir::Expr&) const;
-    /// The condition preceded by its preconditions.
+    /// The condition preceded by its preconditions. It is false if the code cannot build the lists that it needs.
     [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
     /// The member that stores a variable; "" for shared variables that are never read.
     [[nodiscard]] std::string variable_member(ir::VariableId) const;
@@ -63,6 +61,9 @@ public:
 
 private:
     [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< empty for a kind that C++ cannot express
+    /// The value; if it contains lists, without the items beyond their capacity (Cycle::fit).
+    [[nodiscard]] std::string fitting(ir::TypeId, const std::string& value) const;
+    [[nodiscard]] std::string pair_text(const ir::Type& whole, const ir::Expr& pair) const;
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
     /// Arithmetic on two operands. Reals use the operator. Whole numbers use the function with that name, which is
     /// defined at the limits of the type, too.

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "cpp_emit/expressions/expression.hpp"
+#include "cpp_emit/plan/list_capacities.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/views.hpp"
 #include "semantics/evaluate/preconditions.hpp"
@@ -77,7 +78,11 @@ CppExpr ExpressionWriter::precondition_test(const ir::Expr& expr) const {
 }
 
 CppExpr ExpressionWriter::expression_asked(const ir::Expr& condition) const {
-    return conjunction(precondition_test(condition), cpp_expression(condition));
+    const CppExpr defined = conjunction(precondition_test(condition), cpp_expression(condition));
+    bool builds_list = false;
+    visit_values(generation_.system, condition,
+                 [&](const ir::Expr& part) { builds_list = builds_list || may_overflow(generation_.system, part); });
+    return builds_list ? conjunction(defined, CppExpr("lists_fit()")) : defined;
 }
 
 void write_preconditions(const Generation& generation, CodeWriter& out) {

@@ -40,7 +40,7 @@ public:
         out_.doc(fmt::format("Places where {}.", who));
         out_.line(fmt::format("static constexpr std::uint32_t sites_{} = {};", use.channel, places_.size()));
         out_.gap();
-        out_.open(fmt::format("[[nodiscard]] bool offers_{}([[maybe_unused]] std::uint32_t site{}) const noexcept {{",
+        out_.open(fmt::format("[[nodiscard]] bool offers_{}([[maybe_unused]] std::uint32_t site{}) noexcept {{",
                               use.channel, value));
         switch_of([&](const Place& place) { write_offer(place, use); }, "return false;", "const auto& ");
         out_.close();
@@ -95,7 +95,8 @@ private:
     void write_offer(const Place& place, const EventUse& use) {
         out_.line(fmt::format("if ({} != {}) return false;", place.site->thread, place.site->at));
         if (use.type && !place.site->value.empty()) out_.line(fmt::format("value = {};", place.site->value));
-        out_.line("return true;");
+        const bool lists = use.type && has_lists(generation_.system, *use.type);
+        out_.line(lists ? "return lists_fit();" : "return true;");
     }
 
     void write_acceptance(const Part& part, const Place& place) {

@@ -14,6 +14,7 @@
 #include "cpp_emit/files/files.hpp"
 #include "cpp_emit/files/shipped_headers.hpp"
 #include "cpp_emit/plan/feature_analysis.hpp"
+#include "cpp_emit/plan/list_capacities.hpp"
 #include "cpp_emit/plan/types.hpp"
 
 namespace robochart::cpp_emit {
@@ -417,6 +418,11 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
     out.open("class Step : private robochart::Cycle {");
     out.write_label("public:");
     numeric_aliases(out);
+    if (const std::size_t least = least_longest(generation.system, generation.component); least > 1)
+        out.line(
+            fmt::format("static_assert(robochart::HasCarriers<Types>::value || Types::longest >= {0}, \"a list "
+                        "of the model has {0} items\");",
+                        least));
     out.gap();
     out.line("Step(State<Types>& state, const Inputs<Types>& inputs, Platform& platform) noexcept");
     out.line("    : Cycle(step_bound), state_(state), inputs_(inputs), platform_(platform) {}");

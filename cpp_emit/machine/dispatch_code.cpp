@@ -91,6 +91,7 @@ bool DispatchCode::look_after(NodeId target) const {
 }
 
 std::string DispatchCode::rest_result() const {
+    if (generation_.component.lists) return "return this->result(finished(f));";
     return plan_.final_nodes().empty() ? "return robochart::StepResult::quiescent;"
                                        : "return finished(f) ? robochart::StepResult::terminated : "
                                          "robochart::StepResult::quiescent;";
@@ -232,7 +233,7 @@ void DispatchCode::dispatch_function() {
         dispatch_switch(rows, columns);
     }
     // Without such places the loop repeats only after the beginning, which occurs once, so it needs no bound.
-    if (columns.back() == nullptr) out_.line("if (!spend()) return robochart::StepResult::step_bound;");
+    if (columns.back() == nullptr) out_.line("if (!spend()) return this->result(false);");
     out_.close();
     out_.close();
     begin_function(columns);
@@ -271,9 +272,9 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
     if (columns.back() == nullptr) {
         out_.line("const robochart::StepResult result = begin();");
     } else {
-        out_.line(fmt::format("const robochart::StepResult result = {};", plan_.final_nodes().empty()
-                                                                              ? "robochart::StepResult::quiescent"
-                                                                              : "this->result(finished(f))"));
+        const bool quiescent = plan_.final_nodes().empty() && !generation_.component.lists;
+        out_.line(fmt::format("const robochart::StepResult result = {};",
+                              quiescent ? "robochart::StepResult::quiescent" : "this->result(finished(f))"));
     }
     if (time_.is_timed()) {
         out_.line("if (result == robochart::StepResult::quiescent) advance(f);");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The capacity of a set in generated code is the number of values of its elements' type, so that no element is lost.
-// The same count is written as C++ text over the policy, and computed over the instantiation's carriers.
+// The same count is written as C++ text over the policy, and computed over the instantiation's carriers. A set whose
+// elements have more values on the robot than in the carriers has the usual capacity of a list there.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -118,15 +119,30 @@ Count members_of(const ir::System& system, const ir::Type& type, const Rules& ru
 }  // namespace
 
 std::string set_capacity(const ir::System& system, const ir::Type& type, const Spelling& spelling) {
-    if (const std::size_t given = given_capacity(type); given != 0)
-        return fmt::format("robochart::capacity<{}>({})", spelling.types, given);
     const auto text = members_of<std::string>(system, type, Texts{spelling.types});
-    const bool simple = text.find_first_of("*(+") == std::string::npos;
-    return simple ? text : fmt::format("robochart::places({})", text);
+    const std::size_t given = given_capacity(type);
+    if (text.find_first_of("*(+") == std::string::npos)
+        return given == 0 ? text : fmt::format("robochart::capacity<{}>({})", spelling.types, given);
+    const auto deployed = [&](const std::string& capacity) {
+        return fmt::format("robochart::set_places<{}>({}, {})", spelling.types, text, capacity);
+    };
+    if (given != 0) return deployed(fmt::format("{}", given));
+    if (type.kind != TypeKind::set || !is_unbounded(system, type.args.at(0)))
+        return fmt::format("robochart::places({})", text);
+    if (!has_lists(system, type.args[0])) return deployed(spelling.types + "::longest");
+    return deployed(fmt::format("robochart::outer_capacity<{}>()", spelling.types));
 }
 
 std::size_t set_capacity(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
     return members_of<std::size_t>(system, type, Numbers{longest(inst)});
+}
+
+std::size_t deployed_capacity(const ir::System& system, const ir::Type& type) {
+    if (const std::size_t given = given_capacity(type); given != 0) return given;
+    const auto unbounded = [&](ir::TypeId part) { return is_unbounded(system, part); };
+    if (has_pairs(type) || std::ranges::none_of(type.args, unbounded))
+        return std::min(members_of<std::size_t>(system, type, Numbers{usual_capacity}), largest_set);
+    return has_lists(system, type.args.at(0)) ? usual_outer_capacity : usual_capacity;
 }
 
 }  // namespace robochart::cpp_emit

@@ -206,11 +206,13 @@ struct Component {
                                            ///< contain them
     bool probabilistic = false;            ///< whether there are probabilistic junctions
     bool matrices = false;                 ///< whether vectors or matrices are used: robochart/matrix.hpp
-    bool toolkit = false;  ///< whether functions or relations, conversions, or sets of composed values are used:
-                           ///< robochart/toolkit.hpp
-    bool views = false;    ///< whether collections may be visited in place: robochart/views.hpp
-    bool strings = false;  ///< whether strings are used: robochart/text.hpp
-    bool ordered = false;  ///< whether composed values are elements of sets
+    bool toolkit = false;    ///< whether functions or relations, conversions, or sets of composed values are used:
+                             ///< robochart/toolkit.hpp
+    bool views = false;      ///< whether collections may be visited in place: robochart/views.hpp
+    bool lists = false;      ///< whether values contain lists that may be longer than their capacity (has_lists)
+    bool sequences = false;  ///< whether sequences are used
+    bool strings = false;    ///< whether strings are used: robochart/text.hpp
+    bool ordered = false;    ///< whether composed values are elements of sets
 
     /// Whether several machines run in parallel.
     [[nodiscard]] bool is_composed() const { return parts.size() > 1; }

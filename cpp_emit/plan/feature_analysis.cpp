@@ -105,6 +105,8 @@ private:
         seen_.push_back(id);
         const ir::Type& found = system_.type(id);
         component_.matrices = component_.matrices || is_block_type(found);
+        component_.sequences = component_.sequences || found.kind == TypeKind::sequence;
+        component_.lists = component_.lists || has_lists(system_, id);
         component_.strings = component_.strings || found.kind == TypeKind::string;
         const bool of_parts = found.kind == TypeKind::set && is_composed(system_.type(found.args.at(0)));
         component_.toolkit = component_.toolkit || has_pairs(found) || of_parts;

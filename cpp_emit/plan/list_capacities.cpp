@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "cpp_emit/plan/list_growth.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
@@ -19,10 +20,10 @@ using ir::TypeKind;
 
 namespace {
 
-/// Visits the outermost types of lists in a type.
+/// Visits the outermost types of lists that may be longer than their capacity in a type that has_lists.
 void visit_list_types(const ir::System& system, ir::TypeId id, const std::function<void(ir::TypeId)>& visitor) {
     const ir::Type& type = system.type(id);
-    if (type.kind == TypeKind::sequence || type.kind == TypeKind::set) return visitor(id);
+    if (is_list(type) && is_unbounded(system, id)) return visitor(id);
     for (const ir::TypeId part : type.args) visit_list_types(system, part, visitor);
     for (const auto& arguments : type.literal_args)
         for (const ir::TypeId part : arguments) visit_list_types(system, part, visitor);
@@ -51,20 +52,59 @@ void raise_capacity(Capacities& capacities, ir::TypeId type, std::size_t least) 
     capacity = std::max(capacity, least);
 }
 
-/// List literals may have more elements than the usual capacity.
-void add_literals(const ir::System& system, const Component& component, Capacities& capacities) {
-    for (const Unit& unit : component.units)
-        visit_expressions(*unit.machine, [&](const ir::Expr& expr) {
-            const bool literal = expr.kind == ExprKind::sequence || expr.kind == ExprKind::set;
-            const TypeKind kind = literal ? system.type(expr.type).kind : TypeKind::unit;
-            if ((kind != TypeKind::sequence && kind != TypeKind::set) || !has_lists(system, expr.type)) return;
-            const bool outer = has_lists(system, system.type(expr.type).args.at(0));
-            const std::size_t usual = outer ? usual_outer_capacity : usual_capacity;
-            const auto given = capacities.find(expr.type);
-            if (expr.args.size() > (given == capacities.end() ? usual : given->second))
-                raise_capacity(capacities, expr.type, expr.args.size());
-        });
-}
+/// Literals, constants and initial values may have more elements than the usual capacity.
+class LongestValues {
+public:
+    LongestValues(const ir::System& system, Capacities& capacities) : system_(system), capacities_(capacities) {}
+
+    void add_component(const Component& component) {
+        const auto add_literal = [&](const ir::Expr& expr) {
+            if (expr.kind == ExprKind::sequence || expr.kind == ExprKind::set) add(expr.type, expr.args.size());
+        };
+        visit_tested_preconditions(component, system_, add_literal);
+        for (const Unit& unit : component.units) {
+            visit_expressions(*unit.machine, add_literal);
+            for (std::size_t i = 0; i < unit.constants.size(); ++i)
+                add_value(unit.machine->constants.at(i).type, unit.constants[i]);
+            for (std::size_t i = 0; i < unit.initials.size(); ++i)
+                add_value(unit.machine->variables.at(i).type, unit.initials[i]);
+        }
+        for (const StoredVariable& variable : component.variables) add_value(variable.variable->type, variable.initial);
+    }
+    [[nodiscard]] std::size_t longest_with_usual_capacity() const { return longest_; }
+
+private:
+    void add_value(ir::TypeId id, const ir::Value& value) {
+        if (!has_lists(system_, id)) return;
+        const ir::Type& type = system_.type(id);
+        if (is_list(type)) add(id, value.parts.size());
+        if (has_pairs(type)) {
+            for (const ir::Value& pair : value.parts) add_parts(type.args, pair);
+        } else if (type.kind == TypeKind::enumeration) {
+            const auto literal = static_cast<std::size_t>(value.number);
+            if (literal < type.literal_args.size()) add_parts(type.literal_args[literal], value);
+        } else {
+            add_parts(type.args, value);
+        }
+    }
+    /// The parts have one type each, or all the same.
+    void add_parts(const std::vector<ir::TypeId>& types, const ir::Value& value) {
+        for (std::size_t i = 0; i < value.parts.size(); ++i)
+            add_value(types.at(types.size() > 1 ? i : 0), value.parts[i]);
+    }
+    void add(ir::TypeId id, std::size_t elements) {
+        const ir::Type& type = system_.type(id);
+        if (!is_list(type) || !has_lists(system_, id)) return;
+        const auto chosen = capacities_.find(id);
+        const std::size_t capacity = chosen == capacities_.end() ? deployed_capacity(system_, type) : chosen->second;
+        if (elements > capacity) raise_capacity(capacities_, id, elements);
+        if (given_capacity(type) == 0) longest_ = std::max(longest_, elements);
+    }
+
+    const ir::System& system_;
+    Capacities& capacities_;
+    std::size_t longest_ = 0;
+};
 
 }  // namespace
 
@@ -81,7 +121,7 @@ std::optional<ir::System> with_capacities(const ir::System& system, const Compon
         visit_named(system, component, name, [&](ir::TypeId type) {
             visit_list_types(system, type, [&](ir::TypeId list) { raise_capacity(capacities, list, capacity); });
         });
-    add_literals(system, component, capacities);
+    LongestValues(system, capacities).add_component(component);
     if (capacities.empty()) return std::nullopt;
     ir::System result = system;
     for (const auto& [type, capacity] : capacities)
@@ -89,29 +129,119 @@ std::optional<ir::System> with_capacities(const ir::System& system, const Compon
     return result;
 }
 
-namespace {
-
-/// Whether the expression is longer than the variable that it contains.
-bool lengthens(const ir::Expr& expr, ir::VariableId variable) {
-    const bool joins =
-        expr.kind == ExprKind::concat || (expr.kind == ExprKind::toolkit &&
-                                          (expr.text == "sequence_toolkit_concat" || expr.text == "set_toolkit_union"));
-    const auto contains = [&](const ir::ExprPtr& part) {
-        bool found = false;
-        visit(part, [&](const ir::Expr& inner) {
-            found = found || (inner.kind == ExprKind::variable && inner.variable == variable);
-        });
-        return found;
-    };
-    if (joins && std::ranges::any_of(expr.args, contains)) return true;
-    return std::ranges::any_of(expr.args, [&](const ir::ExprPtr& part) { return part && lengthens(*part, variable); });
+std::size_t least_longest(const ir::System& system, const Component& component) {
+    Capacities capacities;
+    LongestValues values(system, capacities);
+    values.add_component(component);
+    return values.longest_with_usual_capacity();
 }
 
-std::size_t usual_capacity_of(const ir::System& system, ir::TypeId type) {
+namespace {
+
+/// A function of the toolkits whose result consists of elements of an operand, or is one of them.
+struct Selection {
+    std::string_view function;
+    std::size_t operand = 0;
+    bool one = false;  ///< the result is one element
+};
+
+constexpr Selection selections[] = {
+    {"sequence_toolkit_tail"},
+    {"sequence_toolkit_front"},
+    {"sequence_toolkit_reverse"},
+    {"sequence_toolkit_filter"},
+    {"sequence_toolkit_extract", 1},
+    {"set_toolkit_inter"},
+    {"set_toolkit_diff"},
+    {"relation_toolkit_dres", 1},
+    {"relation_toolkit_dsub", 1},
+    {"relation_toolkit_rres"},
+    {"relation_toolkit_rsub"},
+    {"sequence_toolkit_head", 0, true},
+    {"sequence_toolkit_last", 0, true},
+    {"relation_toolkit_first", 0, true},
+    {"relation_toolkit_second", 0, true},
+};
+
+bool selects_elements(const ir::System& system, const ir::Expr& expr) {
+    const auto* const selection = std::ranges::find(selections, std::string_view(expr.text), &Selection::function);
+    if (selection == std::end(selections)) return false;
+    const ir::TypeId whole = expr.args.at(selection->operand)->type;
+    return selection->one ? std::ranges::count(system.type(whole).args, expr.type) > 0 : whole == expr.type;
+}
+
+}  // namespace
+
+bool may_overflow(const ir::System& system, const ir::Expr& expr) {
+    if (!expr.type.is_valid() || !has_lists(system, expr.type)) return false;
+    switch (expr.kind) {
+        case ExprKind::concat:
+        case ExprKind::set_comprehension:
+        case ExprKind::lambda:
+        case ExprKind::function_value:
+        case ExprKind::set_range:
+        case ExprKind::range:
+        case ExprKind::call:
+        case ExprKind::apply:
+            return true;
+        case ExprKind::toolkit:
+            return !selects_elements(system, expr);
+        case ExprKind::boolean:
+        case ExprKind::integer:
+        case ExprKind::real:
+        case ExprKind::string:
+        case ExprKind::enum_literal:
+        case ExprKind::variable:
+        case ExprKind::trigger_value:
+        case ExprKind::constant:
+        case ExprKind::since:
+        case ExprKind::since_entry:
+        case ExprKind::negate:
+        case ExprKind::logical_not:
+        case ExprKind::iff:
+        case ExprKind::implies:
+        case ExprKind::disjunction:
+        case ExprKind::conjunction:
+        case ExprKind::equal:
+        case ExprKind::not_equal:
+        case ExprKind::greater:
+        case ExprKind::greater_equal:
+        case ExprKind::less:
+        case ExprKind::less_equal:
+        case ExprKind::plus:
+        case ExprKind::minus:
+        case ExprKind::times:
+        case ExprKind::divide:
+        case ExprKind::modulus:
+        case ExprKind::if_then_else:
+        case ExprKind::tuple:
+        case ExprKind::record:
+        case ExprKind::sequence:
+        case ExprKind::set:
+        case ExprKind::matrix:
+        case ExprKind::member:
+        case ExprKind::index:
+        case ExprKind::is_in:
+        case ExprKind::cast:
+        case ExprKind::bound:
+        case ExprKind::forall:
+        case ExprKind::exists:
+        case ExprKind::exists_unique:
+        case ExprKind::the:
+        case ExprKind::let:
+        case ExprKind::is_type:
+        case ExprKind::transpose:
+            break;
+    }
+    return false;
+}
+
+namespace {
+
+/// The capacity of the outermost lists in the type.
+std::size_t capacity_of_lists(const ir::System& system, ir::TypeId type) {
     std::size_t result = usual_capacity;
-    visit_list_types(system, type, [&](ir::TypeId list) {
-        if (has_lists(system, system.type(list).args.at(0))) result = usual_outer_capacity;
-    });
+    visit_list_types(system, type, [&](ir::TypeId list) { result = deployed_capacity(system, system.type(list)); });
     return result;
 }
 
@@ -120,19 +250,19 @@ std::size_t usual_capacity_of(const ir::System& system, ir::TypeId type) {
 void report_capacities(const ir::System& system, const Component& component, const Options& options,
                        diagnostics::Diagnostics& diagnostics) {
     std::set<std::string> reported;
-    const auto report = [&](const std::string& name, ir::TypeId type, diagnostics::Span span, const char* reason) {
+    const auto report = [&](const std::string& name, ir::TypeId type, diagnostics::Span span,
+                            const std::string& reason) {
         if (!has_lists(system, type) || options.capacities.contains(name) || !reported.insert(name).second) return;
+        const char* const mapped =
+            options.mapping == nullptr ? "" : " (for an event, also `capacity N` in the mapping)";
         diagnostics.report(rules::usual_capacity, span,
-                           {name, fmt::format("{}", usual_capacity_of(system, type)), reason, name});
+                           {name, fmt::format("{}", capacity_of_lists(system, type)), reason, name, mapped});
     };
     for (const Unit& unit : component.units) {
-        const ir::Machine& machine = *unit.machine;
-        ir::visit_statements(machine, [&](const ir::Stmt& stmt) {
-            if (stmt.kind != ir::StmtKind::assign || !stmt.value || !lengthens(*stmt.value, stmt.variable)) return;
-            const ir::Variable& variable = machine.variables[stmt.variable.index];
-            report(variable.name, variable.type, stmt.value->span,
-                   "this assignment may make the list longer each time");
-        });
+        for (const ListGrowth& growth : growing_lists(system, *unit.machine)) {
+            const ir::Variable& variable = unit.machine->variables[growth.variable.index];
+            report(variable.name, variable.type, growth.span, growth.reason);
+        }
     }
     for (const EventPort& event : component.events)
         if (event.received && event.type)

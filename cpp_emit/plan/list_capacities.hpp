@@ -21,6 +21,14 @@ namespace robochart::cpp_emit {
 /// of the longest literal of the type. No value if all lists have the usual capacity.
 [[nodiscard]] std::optional<ir::System> with_capacities(const ir::System&, const Component&, const Options&);
 
+/// Whether code for the expression builds a list, or receives one from the platform, that may have more items than its
+/// capacity. False if the list is stored, is written as a literal, or consists of elements of a list of the same type.
+[[nodiscard]] bool may_overflow(const ir::System&, const ir::Expr&);
+
+/// The number of elements of the longest literal, constant or initial value among the lists with the usual capacity.
+/// `Types::longest` must not be less.
+[[nodiscard]] std::size_t least_longest(const ir::System&, const Component&);
+
 /// Reports the events whose lists have the usual capacity, and the variables whose lists an assignment may make longer
 /// in every cycle (RC-G16).
 void report_capacities(const ir::System&, const Component&, const Options&, diagnostics::Diagnostics&);

@@ -122,30 +122,58 @@ std::vector<TypeMember> type_members(const ir::Type& type) {
     return result;
 }
 
+bool is_unbounded(const ir::System& system, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    const auto part = [&](ir::TypeId inner) { return is_unbounded(system, inner); };
+    switch (type.kind) {
+        case TypeKind::nat:
+        case TypeKind::integer:
+        case TypeKind::real:
+        case TypeKind::string:
+        case TypeKind::given:
+        case TypeKind::sequence:
+            return true;
+        case TypeKind::boolean:
+        case TypeKind::unit:
+            return false;
+        case TypeKind::enumeration:
+            return std::ranges::any_of(type.literal_args,
+                                       [&](const auto& arguments) { return std::ranges::any_of(arguments, part); });
+        case TypeKind::record:
+        case TypeKind::product:
+        case TypeKind::vector:
+        case TypeKind::matrix:
+        case TypeKind::set:
+        case TypeKind::relation:
+        case TypeKind::function:
+            return std::ranges::any_of(type.args, part);
+    }
+    return true;
+}
+
 namespace {
 
 bool contains_lists(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
-    if (type.kind == TypeKind::sequence) return true;
-    const bool of_set = type.kind == TypeKind::set || has_pairs(type);
-    const auto unbounded = [&](ir::TypeId part) {
-        const TypeKind kind = system.type(part).kind;
-        return contains_lists(system, part) || (of_set && (is_numeric(kind) || kind == TypeKind::string));
-    };
-    return std::ranges::any_of(type.args, unbounded) ||
-           std::ranges::any_of(type.literal_args,
-                               [&](const auto& arguments) { return std::ranges::any_of(arguments, unbounded); });
+    if (is_list(type) && is_unbounded(system, id)) return true;
+    const auto part = [&](ir::TypeId inner) { return contains_lists(system, inner); };
+    return std::ranges::any_of(type.args, part) || std::ranges::any_of(type.literal_args, [&](const auto& arguments) {
+               return std::ranges::any_of(arguments, part);
+           });
 }
 
 }  // namespace
+
+bool is_list(const ir::Type& type) {
+    return type.kind == TypeKind::sequence || type.kind == TypeKind::set || has_pairs(type);
+}
 
 bool has_lists(const ir::System& system, ir::TypeId id) {
     return is_supported(system, id) && contains_lists(system, id);
 }
 
 std::size_t given_capacity(const ir::Type& type) {
-    const bool list = type.kind == TypeKind::sequence || type.kind == TypeKind::set;
-    return list && !type.sizes.empty() ? static_cast<std::size_t>(type.sizes.front()) : 0;
+    return is_list(type) && !type.sizes.empty() ? static_cast<std::size_t>(type.sizes.front()) : 0;
 }
 
 namespace {

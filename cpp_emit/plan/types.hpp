@@ -46,13 +46,20 @@ struct Extent {
 /// Whether the type is a relation or function, whose values are sets of pairs.
 [[nodiscard]] bool has_pairs(const ir::Type&);
 [[nodiscard]] std::vector<TypeMember> type_members(const ir::Type&);
-/// Whether values of the type contain sequences, or sets of numbers or of other elements without a small number of
-/// values. False for types that are not supported.
+/// Whether the values of the type are stored in places of fixed size: sequences, sets, relations and functions.
+[[nodiscard]] bool is_list(const ir::Type&);
+/// Whether the robot has more values of the type than the instantiation's carriers: numbers, strings, elements of given
+/// types, sequences, and values that contain them.
+[[nodiscard]] bool is_unbounded(const ir::System&, ir::TypeId);
+/// Whether values of the type contain lists that may be longer than their capacity on the robot: sequences, and sets,
+/// relations and functions of an unbounded type. False for types that are not supported.
 [[nodiscard]] bool has_lists(const ir::System&, ir::TypeId);
 /// The usual capacity of lists in deployed code, in items; `usual_outer_capacity` is that of lists of lists.
 inline constexpr std::size_t usual_capacity = 64, usual_outer_capacity = 16;
-/// The capacity of a sequence or set type in deployed code if it is given (list_capacities.hpp); 0 otherwise.
+/// The capacity of a list type in deployed code if it is given (list_capacities.hpp); 0 otherwise.
 [[nodiscard]] std::size_t given_capacity(const ir::Type&);
+/// The capacity of a list type in deployed code over robochart::Deployment, in items.
+[[nodiscard]] std::size_t deployed_capacity(const ir::System&, const ir::Type&);
 /// The C++ name of a declared type.
 [[nodiscard]] std::string declared_name(const ir::Type&);
 /// The C++ name of a type: bool, Nat, Int, Real, the declared type's name, `robochart::Sequence<Nat, ...>`.

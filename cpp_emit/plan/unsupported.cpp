@@ -2,6 +2,7 @@
 #include "cpp_emit/plan/unsupported.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "cpp_emit/plan/exploration_ports.hpp"
@@ -51,6 +52,13 @@ bool has_at_most(const ir::System& system, const ir::Instantiation& inst, ir::Ty
     return true;
 }
 
+/// Whether a set of the type may have more members over the carriers than a set can have.
+bool exceeds_largest_set(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id) {
+    const ir::Type& type = system.type(id);
+    if (!(type.kind == ir::TypeKind::set || has_pairs(type)) || !is_supported(system, id)) return false;
+    return set_capacity(system, inst, type) > largest_set;
+}
+
 class Support {
 public:
     Support(const ir::System& system, const ir::Instantiation& inst, const Component& component,
@@ -94,12 +102,12 @@ private:
         visit_values(system_, root, [&](const ir::Expr& expr) { check_size(where, expr.type, expr.span); });
     }
 
-    /// Checks the capacity of a set, which needs a place for every possible element.
+    /// Checks the capacity of a set, which needs a place for every possible element. Sets of unbounded types need not
+    /// have one (StepResult::capacity).
     void check_size(const std::string& where, ir::TypeId id, Span span) {
-        const ir::Type& type = system_.type(id);
-        if (!(type.kind == ir::TypeKind::set || has_pairs(type)) || !is_supported(system_, id)) return;
-        if (set_capacity(system_, inst_, type) > largest_set)
-            diagnostics_.report(rules::too_large, span, {where, "a " + type.name + " may have more than 1024 members"});
+        if (exceeds_largest_set(system_, inst_, id) && !has_lists(system_, id))
+            diagnostics_.report(rules::too_large, span,
+                                {where, "a " + system_.type(id).name + " may have more than 1024 members"});
     }
 
     /// Bound variables range over all values of their types.
@@ -236,11 +244,31 @@ std::string range_option(const ir::System& system, ir::TypeId id) {
     return "--range Seq=0..N" + (found.empty() ? "" : " or " + found);
 }
 
+/// " (fewer with --range real=LOW..HIGH)"; "" if no range bounds the values of the type.
+std::string remedy_text(const ir::System& system, ir::TypeId type) {
+    const std::string option = is_supported(system, type) ? range_option(system, type) : "";
+    return option.empty() ? "" : " (fewer with " + option + ")";
+}
+
 /// A limit of the exploration interface, with the carrier that exceeds it.
 std::string limit_text(const ir::System& system, ir::TypeId type, const std::string& limit) {
-    const std::string option = is_supported(system, type) ? range_option(system, type) : "";
-    return "`conform` lists the values of " + system.type(type).name + ", and " + limit +
-           (option.empty() ? "" : " (fewer with " + option + ")");
+    return "`conform` lists the values of " + system.type(type).name + ", and " + limit + remedy_text(system, type);
+}
+
+/// The sets of unbounded types that the code builds and that do not fit over the carriers.
+void add_large_sets(const ir::System& system, const ir::Instantiation& inst, const Component& component,
+                    std::vector<BeyondExploration>& result) {
+    std::set<ir::TypeId> seen;
+    const auto look = [&](const std::string& name, const ir::Expr& expr) {
+        if (!seen.insert(expr.type).second || !exceeds_largest_set(system, inst, expr.type)) return;
+        if (!has_lists(system, expr.type)) return;  // refused by check_support
+        result.push_back({name, "over the carriers of `conform`, a " + system.type(expr.type).name +
+                                    " may have more than 1024 members" + remedy_text(system, expr.type)});
+    };
+    for (const Unit& unit : component.units)
+        ir::visit_running(*unit.machine, [&](const ir::Expr& root, ir::ExprRole) {
+            visit_values(system, root, [&](const ir::Expr& expr) { look(unit.machine->name, expr); });
+        });
 }
 
 }  // namespace
@@ -261,6 +289,7 @@ std::vector<BeyondExploration> beyond_exploration(const ir::System& system, cons
     for (const Output& output : exploration_outputs(component))
         for (const ir::TypeId type : output.types)
             look(type, output.name, max_output_values, "an output has at most 65536 values");
+    add_large_sets(system, inst, component, result);
     for (const FunctionHook& hook : component.functions) {
         try {
             (void)values_of(system, inst, hook.id);

@@ -200,6 +200,8 @@ bool has_generator(const System& system, const Expr& expr) {
 
 bool visits_in_place(const System& system, const Expr& expr) {
     if (has_generator(system, expr)) return true;
+    const bool partial = expr.kind == ExprKind::toolkit && ir::toolkit_precondition(expr.text);
+    if (partial && is_view(system, *expr.args.at(0))) return true;  // the precondition visits it
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i] || !folds(system, expr, i)) continue;
         const Expr* const sequence = sequence_of_pairs(system, *expr.args[i]);

@@ -64,14 +64,14 @@ public:
         if (count_ > capacity) return true;
         if constexpr (HoldsLists<T>::value)
             for (std::size_t i = 0; i < size(); ++i)
-                if (item_[i].overflowed()) return true;
+                if (robochart::overflowed(item_[i])) return true;
         return false;
     }
     constexpr bool drop_overflow() noexcept {
         bool dropped = count_ > capacity;
         count_ = static_cast<Number>(size());
         if constexpr (HoldsLists<T>::value)
-            for (std::size_t i = 0; i < size(); ++i) dropped = item_[i].drop_overflow() || dropped;
+            for (std::size_t i = 0; i < size(); ++i) dropped = robochart::drop_overflow(item_[i]) || dropped;
         return dropped;
     }
     [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }
@@ -134,10 +134,24 @@ public:
         return count_ < capacity ? static_cast<std::size_t>(count_) : capacity;
     }
     constexpr void mark_overflow() noexcept { count_ = static_cast<Number>(capacity + 1); }
-    [[nodiscard]] constexpr bool overflowed() const noexcept { return count_ > capacity; }
+    [[nodiscard]] constexpr bool overflowed() const noexcept {
+        if (count_ > capacity) return true;
+        if constexpr (HoldsLists<T>::value)
+            for (std::size_t i = 0; i < size(); ++i)
+                if (robochart::overflowed(item_[i])) return true;
+        return false;
+    }
     constexpr bool drop_overflow() noexcept {
         const bool dropped = overflowed();
         count_ = static_cast<Number>(size());
+        if constexpr (HoldsLists<T>::value) {
+            const Set cut = *this;
+            *this = Set{};
+            for (T member : cut) {
+                (void)robochart::drop_overflow(member);
+                insert(member);  // elements may be equal now
+            }
+        }
         return dropped;
     }
     [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }

@@ -129,28 +129,27 @@ struct Local {
     }
 };
 
+/// Whether values of the type contain lists, and what their overflow is.
 template <class T, class = void>
-struct HoldsLists : std::false_type {};
+struct HoldsLists : std::false_type {
+    static constexpr bool overflowed(const T&) noexcept { return false; }
+    static constexpr bool drop(T&) noexcept { return false; }
+};
 template <class T>
-struct HoldsLists<T, std::void_t<decltype(std::declval<const T&>().overflowed())>> : std::true_type {};
+struct HoldsLists<T, std::void_t<decltype(std::declval<const T&>().overflowed())>> : std::true_type {
+    static constexpr bool overflowed(const T& value) noexcept { return value.overflowed(); }
+    static constexpr bool drop(T& value) noexcept { return value.drop_overflow(); }
+};
 
 /// Whether a list in the value was given more items than its capacity.
 template <class T>
-[[nodiscard]] constexpr bool overflowed([[maybe_unused]] const T& value) noexcept {
-    if constexpr (HoldsLists<T>::value) {
-        return value.overflowed();
-    } else {
-        return false;
-    }
+[[nodiscard]] constexpr bool overflowed(const T& value) noexcept {
+    return HoldsLists<T>::overflowed(value);
 }
 /// Resets the overflow of the lists in the value, which keep the items that fit. Returns whether there was any.
 template <class T>
-constexpr bool drop_overflow([[maybe_unused]] T& value) noexcept {
-    if constexpr (HoldsLists<T>::value) {
-        return value.drop_overflow();
-    } else {
-        return false;
-    }
+constexpr bool drop_overflow(T& value) noexcept {
+    return HoldsLists<T>::drop(value);
 }
 
 /// The model's basic types on the robot.
@@ -476,7 +475,7 @@ public:
         budget_ = 0;
     }
     [[nodiscard]] constexpr bool violated() const noexcept { return violated_; }
-    /// The value, whose lists do not contain the items beyond their capacity. If there were any, the cycle ends with
+    /// A list that the code has built, without the items beyond its capacity. If there were any, the cycle ends with
     /// StepResult::capacity, unless the lists are bounded by finite carriers.
     template <class Types, class T>
     [[nodiscard]] constexpr T fit(T value) noexcept {
@@ -486,6 +485,8 @@ public:
         }
         return value;
     }
+    /// Whether every list that this cycle has built fits.
+    [[nodiscard]] constexpr bool lists_fit() const noexcept { return !overflowed_; }
     [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }
     /// Whether another round of transitions may begin. Nothing but this object and the state survives a round.
     [[nodiscard]] bool next_round() noexcept {
@@ -498,8 +499,8 @@ public:
         return budget_ != 0;
     }
     [[nodiscard]] constexpr StepResult result(bool terminated) const noexcept {
-        if (violated_) return StepResult::precondition;
         if (overflowed_) return StepResult::capacity;
+        if (violated_) return StepResult::precondition;
         if (budget_ == 0) return StepResult::step_bound;
         return terminated ? StepResult::terminated : StepResult::quiescent;
     }

@@ -30,6 +30,12 @@ constexpr std::size_t sequences(std::size_t items, std::size_t longest) noexcept
     return places(result);
 }
 
+/// Capacity of a set: all `values` over finite carriers, and `deployed` elements on the robot.
+template <class Types>
+constexpr std::size_t set_places(std::size_t values, std::size_t deployed) noexcept {
+    return HasCarriers<Types>::value ? places(values) : deployed;
+}
+
 /// 0: no padding; 1: padding at the end; 2: padding between the parts.
 template <class A, class B>
 inline constexpr int pair_shape = alignof(A) == alignof(B)  ? 0
@@ -84,6 +90,17 @@ constexpr bool operator<(const Pair<A, B, shape>& a, const Pair<A, B, shape>& b)
     return a.item_1 == b.item_1 ? a.item_2 < b.item_2 : a.item_1 < b.item_1;
 }
 
+template <class A, class B, int shape>
+struct HoldsLists<Pair<A, B, shape>> : std::bool_constant<HoldsLists<A>::value || HoldsLists<B>::value> {
+    static constexpr bool overflowed(const Pair<A, B, shape>& pair) noexcept {
+        return robochart::overflowed(pair.item_1) || robochart::overflowed(pair.item_2);
+    }
+    static constexpr bool drop(Pair<A, B, shape>& pair) noexcept {
+        const bool dropped = robochart::drop_overflow(pair.item_1);
+        return robochart::drop_overflow(pair.item_2) || dropped;
+    }
+};
+
 namespace detail {
 
 template <class T>
@@ -101,11 +118,11 @@ struct IsPair<T, std::void_t<decltype(T{}.item_1), decltype(T{}.item_2)>> : std:
 
 }  // namespace detail
 
-/// A list that is computed from one that has overflowed has overflowed, too.
+/// A list that is computed from one that has overflowed has overflowed, too. Generated code gives functions only lists
+/// that fit; this concerns lists between two functions of this header.
 template <class Result, class From>
-constexpr void inherit_overflow([[maybe_unused]] Result& result, [[maybe_unused]] const From& from) noexcept {
-    if constexpr (HoldsLists<Result>::value)
-        if (overflowed(from)) result.mark_overflow();
+constexpr void inherit_overflow(Result& result, const From& from) noexcept {
+    if (overflowed(from)) result.mark_overflow();
 }
 
 /// The value converted to another type: numbers to its unit, sequences to functions from 1.
@@ -298,12 +315,14 @@ template <class R, class A>
 constexpr R dom(const A& relation) noexcept {
     R result;
     for (const auto& pair : relation) result.insert(convert<typename R::value_type>(pair.item_1));
+    inherit_overflow(result, relation);
     return result;
 }
 template <class R, class A>
 constexpr R ran(const A& relation) noexcept {
     R result;
     for (const auto& pair : relation) result.insert(convert<typename R::value_type>(pair.item_2));
+    inherit_overflow(result, relation);
     return result;
 }
 template <class R, class Any>
@@ -322,6 +341,8 @@ constexpr R relcomp(const A& a, const B& b) noexcept {
         for (const auto& right : b)
             if (left.item_2 == convert<decltype(left.item_2)>(right.item_1))
                 result.insert(maplet<typename R::value_type>(left.item_1, right.item_2));
+    inherit_overflow(result, a);
+    inherit_overflow(result, b);
     return result;
 }
 template <class R, class A, class B>
@@ -348,6 +369,7 @@ template <class R, class A>
 constexpr R rinv(const A& relation) noexcept {
     R result;
     for (const auto& pair : relation) result.insert(maplet<typename R::value_type>(pair.item_2, pair.item_1));
+    inherit_overflow(result, relation);
     return result;
 }
 template <class R, class A, class S>
@@ -355,6 +377,7 @@ constexpr R rimage(const A& relation, const S& set) noexcept {
     R result;
     for (const auto& pair : relation)
         if (has(set, pair.item_1)) result.insert(convert<typename R::value_type>(pair.item_2));
+    inherit_overflow(result, relation);
     return result;
 }
 template <class R, class A, class B>
@@ -527,6 +550,7 @@ template <class R, class A>
 constexpr R squash(const A& function) noexcept {
     R result;
     for (const auto& pair : function) result.append(convert<typename R::value_type>(pair.item_2));
+    inherit_overflow(result, function);
     return result;
 }
 template <class R, class S, class A>

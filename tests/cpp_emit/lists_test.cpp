@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Code for models with lists: folds over windows of a sequence visit the items and build no set, lists that no later
-// cycle reads are no part of the state, no type is enumerated, and lists beyond their capacity end a cycle. One program
-// runs the code of four machines; the expected answers are computed by hand from the meaning of the functions.
+// cycle reads are no part of the state, no type is enumerated, and lists beyond their capacity end a cycle. The
+// programs run the code of small machines; the expected answers are computed by hand from the meaning of the functions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -198,6 +198,165 @@ TEST(Lists, FoldsVisitTheItemsAndTheStateHasNoLists) {
         "${CXX:-c++} -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti "
         "-fsanitize=undefined -fno-sanitize-recover=all -I. program.cpp -o program");
     EXPECT_EQ(folder.run("./program"), expected);
+}
+
+/// MOST: the items of a long list.
+const char* const full_machines = R"(package full
+import sequence_toolkit::* import set_toolkit::*
+datatype Point { x : nat y : nat }
+stm Junction {
+    event item : nat event high : nat event low : nat
+    var x : nat = 0 var all : Seq(nat) = < >
+    initial i state A { } junction j
+    transition t0 { from i to A }
+    transition t1 { from A to j trigger item ? x }
+    transition t2 { from j to A condition last(all ^ <x>) > 3 action all = all ^ <x> ; high ! size(all) }
+    transition t3 { from j to A condition last(all ^ <x>) <= 3 action all = all ^ <x> ; low ! size(all) } }
+stm Trigger {
+    event item : nat event high : nat event low : nat
+    var x : nat = 0 var all : Seq(nat) = < >
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger item ? x condition last(all ^ <x>) > 3 action high ! x }
+    transition t2 { from A to A trigger item ? x condition last(all ^ <x>) <= 3
+        action all = all ^ <x> ; low ! size(all) } }
+stm Action {
+    event item : nat event high : nat event low : nat
+    var x : nat = 0 var y : nat = 0 var all : Seq(nat) = < >
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger item ? x action y = last(all ^ <x>) ; high ! y ;
+        if y != x then low ! 1 end ; all = all ^ <x> } }
+stm Points {
+    event item : nat event high : nat event low : nat
+    var x : nat = 0 var all : Set(Point) = { }
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger item ? x action
+        all = union(all, {Point (| x = x, y = 1 |)}) ; high ! size(all) } }
+stm Nested {
+    event item : nat event high : nat event low : nat
+    var x : nat = 0 var all : Seq(nat) = < >
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger item ? x action
+        high ! size(head(< (all ^ <x>) >)) ; all = tail(<x> ^ <x>) ^ all } }
+stm Constant {
+    event item : nat event high : nat event low : nat
+    const most : Seq(nat) = < MOST >
+    var x : nat = 0 var all : Seq(nat) = < >
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger item ? x action all = tail(most) ; high ! size(all) } }
+stm Sender {
+    event item : nat event list : Seq(nat) var x : nat = 0 var all : Seq(nat) = < >
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger item ? x action all = all ^ <x> ; list ! (all ^ <0>) } }
+stm Receiver {
+    event list : Seq(nat) event high : nat event low : nat var received : Seq(nat) = < >
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger list ? received condition last(received) < 1
+        action high ! size(received) } }
+controller Pair {
+    event item : nat event high : nat event low : nat
+    sref sender = Sender
+    sref receiver = Receiver
+    connection Pair on item to sender on item
+    connection sender on list to receiver on list
+    connection receiver on high to Pair on high }
+)";
+
+const char* const full_program = R"(#include <cstdio>
+#include "Action_core.hpp"
+#include "Constant_core.hpp"
+#include "Junction_core.hpp"
+#include "Nested_core.hpp"
+#include "Pair_core.hpp"
+#include "Points_core.hpp"
+#include "Trigger_core.hpp"
+struct Types : robochart::Deployment {
+    static constexpr std::size_t longest = 2;
+};
+struct Platform {
+    void send_high(std::int64_t number) noexcept { std::printf(" high%d", static_cast<int>(number)); }
+    void send_low(std::int64_t number) noexcept { std::printf(" low%d", static_cast<int>(number)); }
+};
+const char* text_of(robochart::StepResult result) {
+    if (result == robochart::StepResult::capacity) return " full";
+    return result == robochart::StepResult::quiescent ? " ok" : " bad";
+}
+/// Drives a machine with one item in each cycle, then by its event API.
+#define DRIVE(machine, ...)                                                                      \
+    for (const bool by_events : {false, true}) {                                                 \
+        namespace core = full::machine##_core;                                                   \
+        Platform platform;                                                                       \
+        auto state = core::init<Types>();                                                        \
+        if (by_events) core::begin(state, platform);                                             \
+        for (const int item : {__VA_ARGS__}) {                                                   \
+            core::Inputs<Types> inputs;                                                          \
+            inputs.item.present = true;                                                          \
+            inputs.item.value = item;                                                            \
+            std::printf("%s", text_of(by_events ? core::dispatch(state, core::Event::item, inputs, platform) \
+                                                : core::step(state, inputs, platform)));         \
+        }                                                                                        \
+        std::puts("");                                                                           \
+    }
+int main() {
+    DRIVE(Junction, 5, 9, 1)
+    DRIVE(Trigger, 1, 2, 7)
+    DRIVE(Action, 5, 6, 7)
+    DRIVE(Points, 1, 2, 2, 3)
+    DRIVE(Nested, 1, 2, 3)
+    DRIVE(Constant, 1)
+    DRIVE(Pair, 0, 0)
+}
+)";
+
+/// All lists have at most two items, and 70 in Constant. A guard that needs a longer list is false. An action is
+/// completed with the items that fit: in the third cycle of Action, the last item that fits is 6.
+const char* const full_expected[] = {
+    " high1 ok high2 ok full\n",
+    " low1 ok low2 ok full\n",
+    " high5 ok high6 ok high6 low1 full\n",
+    " high1 ok high2 ok high2 ok high2 full\n",
+    " high1 ok high2 ok high2 full\n",
+    " high69 ok\n",
+    " high2 ok full\n",
+};
+
+/// A list that does not fit ends the cycle wherever it is built: in a guard, in a value that is computed from it, in a
+/// set of records, inside another list, in a value sent to another machine. Both APIs report it.
+TEST(Lists, NoListIsCutWithoutTheResultCapacity) {
+    std::string model = full_machines;
+    std::string items = "1";
+    for (int item = 2; item <= 70; ++item) items += ", " + std::to_string(item);
+    model.replace(model.find("MOST"), std::string("MOST").size(), items);
+    const ir::System system = testing::load_model(model);
+    const Folder folder;
+    Options options;
+    options.explored = false;
+    for (const char* name : {"Junction", "Trigger", "Action", "Points", "Nested", "Constant", "Pair"})
+        folder.write(testing::emit_ok(system, component_named(system, name), options));
+    folder.write("program.cpp", full_program);
+    folder.run("${CXX:-c++} -std=c++17 -O0 -Wall -Wextra -Wconversion -Wshadow -Werror -I. program.cpp -o program");
+    std::string lines;
+    for (const char* const line : full_expected) lines += std::string(line) + line;
+    EXPECT_EQ(folder.run("./program"), lines);
+}
+
+/// Own types may make lists shorter, but not shorter than a list that the model contains.
+TEST(Lists, OwnTypesHoldTheListsOfTheModel) {
+    const ir::System system = testing::load_model(
+        "package p stm M { event a : Seq(nat) initial i transition t0 { from i to A } state A { }\n"
+        "transition t1 { from A to A action a!<1, 2, 3> } }");
+    Options options;
+    options.explored = false;
+    const Emission emission = testing::emit_ok(system, component_named(system, "M"), options);
+    const auto core = std::ranges::find(emission.files, "M_core.hpp", &OutputFile::path);
+    ASSERT_NE(core, emission.files.end());
+    EXPECT_NE(core->text.find("Types::longest >= 3, \"a list of the model has 3 items\""), std::string::npos);
 }
 
 /// A test of membership in a literal needs no toolkit function, but the header of views includes that of the toolkits.
