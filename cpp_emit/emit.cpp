@@ -14,8 +14,10 @@
 #include "cpp_emit/plan/list_capacities.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "cpp_emit/plan/rules.hpp"
+#include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/unsupported.hpp"
 #include "cpp_emit/project.hpp"
+#include "cpp_emit/ros2/mapping.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -77,8 +79,45 @@ std::string Generation::round_test() const {
     return mutation.is_seeded(Fault::loop_never_ends) ? "" : "next_round() && ";
 }
 
+namespace {
+
+/// Reports a state of more than max_state_bytes, with its largest list and the option for it.
+void report_large_state(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
+    const Component& component = generation.component;
+    const auto size_of = [&](const StoredVariable& stored) {
+        return cpp_extent(generation.system, generation.inst, stored.variable->type).size;
+    };
+    const StoredVariable* largest = nullptr;
+    for (const StoredVariable& stored : component.variables) {
+        if (!stored.in_state() || !has_lists(generation.system, stored.variable->type)) continue;
+        if (largest == nullptr || size_of(stored) > size_of(*largest)) largest = &stored;
+    }
+    std::string text = "its state takes more than 64 KiB (long lists, or operations that call operations)";
+    if (largest != nullptr)
+        text += fmt::format("; the lists of '{0}' take {1} bytes: --capacity {0}=N sets a smaller capacity",
+                            largest->variable->name, size_of(*largest));
+    diagnostics.report(rules::too_large, largest == nullptr ? component.origin.span : largest->variable->origin.span,
+                       {component.name, text});
+}
+
+/// The options with the capacities of the mapping. If both give one, the greater counts.
+Options with_mapped_capacities(const Options& options) {
+    Options result = options;
+    if (options.mapping == nullptr) return result;
+    for (const ros2::Item& item : options.mapping->items)
+        for (const ros2::Assignment& assignment : item.assignments) {
+            if (!assignment.capacity) continue;
+            std::size_t& capacity = result.capacities[item.element.text];
+            capacity = std::max(capacity, assignment.capacity->items);
+        }
+    return result;
+}
+
+}  // namespace
+
 Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
-              const Options& options, diagnostics::Diagnostics& diagnostics) {
+              const Options& given, diagnostics::Diagnostics& diagnostics) {
+    const Options options = with_mapped_capacities(given);
     Emission emission;
     const std::optional<Component> component = resolve_component(system, inst, ref, diagnostics);
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
@@ -87,15 +126,13 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
     const FaultyModel model(sized ? *sized : system, inst, *component, mutation);
     const Generation generation{model.system(), inst, options, model.component(), mutation};
     if (!options.explored) report_capacities(system, *component, options, diagnostics);
-    for (const auto& [name, capacity] : options.capacities)
+    for (const auto& [name, capacity] : given.capacities)
         if (has_capacity(system, *component, name)) emission.sized_names.push_back(name);
     const bool explored = check_explorable(generation, diagnostics);
     if (!explored && options.explored) return emission;
     const Core core = make_core(generation);
     if (core.layout.size > max_state_bytes) {
-        diagnostics.report(
-            rules::too_large, component->origin.span,
-            {component->name, "its state takes more than 64 KiB (long lists, or operations that call operations)"});
+        report_large_state(generation, diagnostics);
         return emission;
     }
     const ClassApi api = make_class_api(generation);

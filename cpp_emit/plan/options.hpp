@@ -43,7 +43,7 @@ enum class Strategy {
 };
 
 /// The greatest capacity of lists that can be given.
-inline constexpr std::size_t greatest_capacity = 65'536;
+inline constexpr std::uint32_t greatest_capacity = 65'536;
 
 /// The options of a generation.
 struct Options {

@@ -52,10 +52,17 @@ struct Source {
     diagnostics::Span span;
 };
 
-/// An assignment to a field or value: `linear.x = speed`, `value = range`.
+/// `capacity 360` after the name of an array: the most items of the list that receives it.
+struct ListCapacity {
+    std::size_t items = 0;
+    diagnostics::Span span;
+};
+
+/// An assignment to a field or value: `linear.x = speed`, `value = range`, `value = ranges capacity 360`.
 struct Assignment {
     Path target;
     Source source;
+    std::optional<ListCapacity> capacity;  ///< received arrays only
 };
 
 /// The quality of service of messages. Options that are not given have the default of their kind.

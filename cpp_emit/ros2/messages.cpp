@@ -176,6 +176,10 @@ FoundField find_field(const MessageName& message, const Path& path) {
     return found;
 }
 
+FieldType item_type(const FieldType& array) {
+    return type_of(array.written.substr(0, array.written.find('[')));
+}
+
 std::string describe_field(const FieldType& type) {
     switch (type.kind) {
         case FieldKind::truth:

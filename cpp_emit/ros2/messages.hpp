@@ -43,6 +43,9 @@ struct FoundField {
 };
 [[nodiscard]] FoundField find_field(const MessageName&, const Path&);
 
+/// The type of the items of an array.
+[[nodiscard]] FieldType item_type(const FieldType&);
+
 /// Describes a field type for messages to the user: "whole numbers (uint8)".
 [[nodiscard]] std::string describe_field(const FieldType&);
 /// Whether a whole number is a value of the type. For example, "300" is no uint8.

@@ -53,10 +53,23 @@ std::string describe_type(const ir::Type& type) {
     return fmt::format("{} {}{}", article, kind, type.name);
 }
 
+namespace {
+
+/// The value as a scalar or a sequence of scalars.
+std::optional<Scalar> scalar_of(const ir::System& system, const ModelValue& value) {
+    const ir::Type& type = system.type(value.type);
+    const bool list = type.kind == TypeKind::sequence;
+    const ir::TypeId item = list ? type.args.at(0) : value.type;
+    const auto kind = scalar_kind(system.type(item));
+    return kind ? std::optional<Scalar>({*kind, item, value.place, value.name, list}) : std::nullopt;
+}
+
+}  // namespace
+
 bool scalars_of(const ir::System& system, const ModelValue& value, std::vector<Scalar>& scalars) {
     const ir::Type& type = system.type(value.type);
-    if (const auto kind = scalar_kind(type)) {
-        scalars.push_back({*kind, value.type, value.place, value.name});
+    if (const auto scalar = scalar_of(system, value)) {
+        scalars.push_back(*scalar);
         return true;
     }
     if (type.kind != TypeKind::record) return false;
@@ -88,11 +101,18 @@ FoundScalar find_scalar(const ir::System& system, const std::vector<ModelValue>&
         at = {at.name + "." + *label, at.place + "." + member.name, member.type};
     }
     found.type = at.type;
-    if (const auto kind = scalar_kind(system.type(at.type))) found.scalar = {*kind, at.type, at.place, at.name};
+    found.scalar = scalar_of(system, at);
     return found;
 }
 
-bool fits_field(const FieldType& field, ScalarKind kind, bool published) {
+bool fits_field(const FieldType& field, const Scalar& scalar, bool published) {
+    const ScalarKind kind = scalar.kind;
+    if (scalar.list) {
+        if (published || field.kind == FieldKind::unknown) return !published;
+        Scalar item = scalar;
+        item.list = false;
+        return field.kind == FieldKind::several && fits_field(item_type(field), item, published);
+    }
     switch (field.kind) {
         case FieldKind::truth:
             return kind == ScalarKind::truth;

@@ -24,7 +24,7 @@ struct ModelValue {
 /// Describes a type for messages to the user: "a number (real)", "an enumeration (Light)".
 [[nodiscard]] std::string describe_type(const ir::Type&);
 /// Collects all scalars in a value: the value itself, or the values of a record's fields. Returns false if a part is
-/// neither a scalar nor a record.
+/// neither a scalar, a sequence of scalars nor a record.
 bool scalars_of(const ir::System&, const ModelValue&, std::vector<Scalar>&);
 
 /// The scalar at the end of a path in the values.
@@ -38,6 +38,7 @@ struct FoundScalar {
 
 /// Whether every value fits. If the element is published, every value of the scalar must fit into the field; if it is
 /// received, every value of the field must fit into the scalar.
-[[nodiscard]] bool fits_field(const FieldType&, ScalarKind, bool published);
+/// Sequences are received from arrays, and not published.
+[[nodiscard]] bool fits_field(const FieldType&, const Scalar&, bool published);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -327,8 +327,14 @@ private:
         for (const Taken& taken : incoming.fields) conditions.push_back(taking_condition(taken));
         out_.open("{");
         out_.line(fmt::format("{} value{{}};", type_text(*incoming.type)));
-        out_.open(
-            fmt::format("if ({}) {{", conditions.empty() ? "true" : fmt::format("{}", fmt::join(conditions, " && "))));
+        std::string test = "if";
+        for (const Taken& taken : incoming.fields)
+            if (taken.scalar.list) {
+                refuse_longer(incoming, taken, test);
+                test = "} else if";
+            }
+        const std::string values = conditions.empty() ? "true" : fmt::format("{}", fmt::join(conditions, " && "));
+        open_branch(fmt::format("{} ({}) {{", test, values));
         out_.line(incoming.event != nullptr ? fmt::format("robot_->{}(value);", incoming.event->method)
                                             : fmt::format("robot_->{} = value;", incoming.variable->member));
         out_.reopen_block("} else {");
@@ -339,20 +345,47 @@ private:
         out_.close();
     }
 
+    /// Opens the first block of an `if`, or the next one.
+    void open_branch(const std::string& head) {
+        if (head.starts_with('}')) {
+            out_.reopen_block(head);
+        } else {
+            out_.open(head);
+        }
+    }
+
+    /// The message is refused as a whole if an array has more items than the list that receives it.
+    void refuse_longer(const Incoming& incoming, const Taken& taken, const std::string& test) {
+        open_branch(fmt::format("{} (message.{}.size() > {}.most) {{", test, taken.field, taken.scalar.place));
+        out_.line(
+            fmt::format("RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000, \"a message for {} is refused: {} has "
+                        "%zu items, and the capacity is %zu\",",
+                        incoming.name, taken.field));
+        out_.line(fmt::format("                     message.{}.size(), std::size_t{{{}.most}});", taken.field,
+                              taken.scalar.place));
+    }
+
     [[nodiscard]] std::string taking_condition(const Taken& taken) const {
-        const std::string& place = taken.scalar.place;
-        switch (taken.scalar.kind) {
+        const std::string field = "message." + taken.field;
+        if (!taken.scalar.list) return taking_scalar(taken.scalar, taken.scalar.place, field);
+        return fmt::format("::robochart::ros2::take_list({}, {}, [](auto& item, const auto& entry) {{ return {}; }})",
+                           taken.scalar.place, field, taking_scalar(taken.scalar, "item", "entry"));
+    }
+
+    [[nodiscard]] std::string taking_scalar(const Scalar& scalar, const std::string& place,
+                                            const std::string& field) const {
+        switch (scalar.kind) {
             case ScalarKind::nat:
-                return fmt::format("::robochart::ros2::take_nat({}, message.{})", place, taken.field);
+                return fmt::format("::robochart::ros2::take_nat({}, {})", place, field);
             case ScalarKind::enumeration:
-                return fmt::format("::robochart::ros2::take_literal({}, message.{}, {})", place, taken.field,
-                                   generation_.system.type(taken.scalar.type).labels.size());
+                return fmt::format("::robochart::ros2::take_literal({}, {}, {})", place, field,
+                                   generation_.system.type(scalar.type).labels.size());
             case ScalarKind::truth:
             case ScalarKind::integer:
             case ScalarKind::real:
                 break;
         }
-        return fmt::format("::robochart::ros2::take({}, message.{})", place, taken.field);
+        return fmt::format("::robochart::ros2::take({}, {})", place, field);
     }
 
     void write_cycle() {

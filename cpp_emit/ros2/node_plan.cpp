@@ -354,6 +354,11 @@ private:
             if (!field) continue;
             const auto scalar = scalar_of(element, values, assignment.target, *field, assignment.source.path);
             if (!scalar) continue;
+            if (assignment.capacity && !scalar->list)
+                diagnostics_.report(
+                    rules::wrong_type, assignment.capacity->span,
+                    {"a capacity", "for an array", fmt::format("the field '{}'", assignment.source.path.path_text()),
+                     describe_field(*field)});
             if (!used.insert(scalar->reading).second)
                 diagnostics_.report(rules::said_twice, assignment.target.span(),
                                     {fmt::format("'{}'", scalar->reading)});
@@ -378,10 +383,10 @@ private:
     void require_all(const Element& element, const ModelValue& value, const std::set<std::string>& used) {
         std::vector<Scalar> scalars;
         if (!scalars_of(generation_.system, value, scalars)) {
-            diagnostics_.report(
-                rules::wrong_type, element.item->element.span,
-                {fmt::format("the value of '{}'", element.name), describe_type(generation_.system.type(value.type)),
-                 "a value from a message", "a truth value, a number, an enumeration or a record of them"});
+            diagnostics_.report(rules::wrong_type, element.item->element.span,
+                                {fmt::format("the value of '{}'", element.name),
+                                 describe_type(generation_.system.type(value.type)), "a value from a message",
+                                 "a truth value, a number, an enumeration, a sequence of these or a record of them"});
             return;
         }
         for (const Scalar& scalar : scalars)
@@ -414,7 +419,7 @@ private:
                                 {place, what, word.text, suggest_name(word.text, found.known)});
             return std::nullopt;
         }
-        if (found.scalar && fits_field(field, found.scalar->kind, element.published)) return found.scalar;
+        if (found.scalar && fits_field(field, *found.scalar, element.published)) return found.scalar;
         diagnostics_.report(rules::wrong_type, path.span(),
                             {fmt::format("'{}'", path.path_text()), describe_type(generation_.system.type(*found.type)),
                              fmt::format("the field '{}'", field_path.path_text()), describe_field(field)});

@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "cpp_emit/plan/options.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
 #include "cpp_emit/ros2/rules.hpp"
 
@@ -101,16 +102,30 @@ private:
     }
 
     void read_depth(Delivery& delivery) {
-        const frontend::Token next = current_token();
-        std::uint32_t depth = 0;
-        const char* const end = next.text.data() + next.text.size();
-        const auto [rest, code] = std::from_chars(next.text.data(), end, depth);
-        const bool whole = next.kind == frontend::TokenKind::integer && code == std::errc() && rest == end;
-        if (!whole || depth == 0 || depth > deepest_queue)
-            return fail_expecting(fmt::format("a number from 1 to {}", deepest_queue));
-        advance_token();
+        const std::uint32_t depth = read_count(deepest_queue);
         if (delivery.depth) report(rules::said_twice, last_span(), {"the depth"});
         delivery.depth = depth;
+    }
+
+    void read_capacity(Assignment& assignment) {
+        const Span begin = last_span();
+        const std::size_t items = read_count(greatest_capacity);
+        assignment.capacity = {items, diagnostics::join_spans(begin, last_span())};
+    }
+
+    /// A whole number from 1 to `most`.
+    std::uint32_t read_count(std::uint32_t most) {
+        const frontend::Token next = current_token();
+        std::uint32_t number = 0;
+        const char* const end = next.text.data() + next.text.size();
+        const auto [rest, code] = std::from_chars(next.text.data(), end, number);
+        const bool whole = next.kind == frontend::TokenKind::integer && code == std::errc() && rest == end;
+        if (!whole || number == 0 || number > most) {
+            fail_expecting(fmt::format("a number from 1 to {}", most));
+            return 1;
+        }
+        advance_token();
+        return number;
     }
 
     void read_assignments(Item& item) {
@@ -119,6 +134,7 @@ private:
             assignment.target = read_path("a field");
             expect_word("=");
             assignment.source = read_source(item.published);
+            if (!item.published && take_word("capacity")) read_capacity(assignment);
             check_fields(item.published ? assignment.target : assignment.source.path);
             item.assignments.push_back(std::move(assignment));
         }

@@ -78,6 +78,20 @@ template <class Literal, class Field>
     return true;
 }
 
+/// A list from an array, whose items `take_item` reads. Returns false if the array has more items than the list can
+/// have, or an item is not a value of the model.
+template <class List, class Array, class TakeItem>
+[[nodiscard]] bool take_list(List& list, const Array& array, TakeItem take_item) noexcept {
+    list = List{};
+    if (array.size() > List::most) return false;
+    for (const auto& entry : array) {
+        typename List::value_type item{};
+        if (!take_item(item, entry)) return false;
+        list.append(item);
+    }
+    return true;
+}
+
 /// Describes a parameter that is set when the node starts, and not later.
 inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& description) {
     ::rcl_interfaces::msg::ParameterDescriptor descriptor;

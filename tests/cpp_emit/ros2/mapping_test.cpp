@@ -81,7 +81,15 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"publish operation stop as std_msgs/Empty on \"t\" with volatile volatile",
             "RC-R03 2:63 the durability is given twice\n"},
         Row{"publish operation stop as std_msgs/Empty on \"t\" with depth 1 depth 2",
-            "RC-R03 2:68 the depth is given twice\n"}));
+            "RC-R03 2:68 the depth is given twice\n"},
+        Row{"receive event list as my_msgs/List on \"t\" { value = data capacity 0 }",
+            "RC-R01 2:67 expected a number from 1 to 65536, found '0'\n"},
+        Row{"receive event list as my_msgs/List on \"t\" { value = data capacity 65537 }",
+            "RC-R01 2:67 expected a number from 1 to 65536, found '65537'\n"},
+        Row{"receive event list as my_msgs/List on \"t\" { value = data capacity -1 }",
+            "RC-R01 2:67 expected a number from 1 to 65536, found '-'\n"},
+        Row{"receive event list as my_msgs/List on \"t\" { value = data capacity many }",
+            "RC-R01 2:67 expected a number from 1 to 65536, found 'many'\n"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Names, WrongMapping,
@@ -188,8 +196,9 @@ INSTANTIATE_TEST_SUITE_P(
             "RC-R07 2:15 no field of the message provides 'value' of event 'obstacle'\n"
             "RC-R06 2:52 'value' is a real, and the field 'data' is a string\n"},
         Row{"receive event list as std_msgs/Int8 on \"t\"",
-            "RC-R06 2:15 the value of 'list' is a Seq(nat), and a value from a message is a truth value, a number, "
-            "an enumeration or a record of them\n"},
+            "RC-R07 2:15 no field of the message provides 'value' of event 'list'\n"},
+        Row{"receive event obstacle as sensor_msgs/Range on \"t\" { value = range capacity 3 }",
+            "RC-R06 2:68 a capacity is for an array, and the field 'range' is a float32\n"},
         Row{"publish operation stop as std_msgs/UInt8 on \"t\" { data = 256 }",
             "RC-R06 2:58 the value is out of its range, and the field 'data' is a uint8\n"},
         Row{"publish operation stop as std_msgs/UInt64 on \"t\" { data = -1 }",

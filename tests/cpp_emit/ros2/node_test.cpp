@@ -134,6 +134,45 @@ const char* const wheels = R"(ros2 for Mod {
 }
 )";
 
+/// A list is received whole or not at all: a message with more items than the capacity, or with an item that is not a
+/// value of the model, is logged and raises no event. The controller goes on.
+TEST_F(Package, RefusesArraysThatDoNotFit) {
+    emit(testing::load_model("package p import sequence_toolkit::*\n"
+                             "stm M { event scan : Seq(real) event seen : nat var s : Seq(real) initial i\n"
+                             "state A { } transition t0 { from i to A }\n"
+                             "transition t1 { from A to A trigger scan?s action seen!(size(s)) } }"),
+         "M",
+         "ros2 for M { receive event scan as sensor_msgs/LaserScan on \"scan\" { value = ranges capacity 3 }\n"
+         "publish event seen as std_msgs/Int64 on \"seen\" { data = value } }");
+    drive("M_node.hpp", R"(
+#include <limits>
+sensor_msgs::msg::LaserScan scan_of(std::vector<float> ranges) {
+    sensor_msgs::msg::LaserScan scan;
+    scan.ranges = ranges;
+    return scan;
+}
+std::int64_t seen(const sensor_msgs::msg::LaserScan& scan) {
+    Network::get().send("/scan", scan);
+    Network::get().tick();
+    const auto all = taken<std_msgs::msg::Int64>("/seen");
+    return all.empty() ? -1 : all.back().data;
+}
+int main() {
+    p::MNode node;
+    EXPECT(started(node));
+    EXPECT(seen(scan_of({0.5F, 1.5F, 2})) == 3);
+    EXPECT(seen(scan_of({})) == 0);
+    EXPECT(Network::get().log.empty());
+    EXPECT(seen(scan_of({0.5F, 1.5F, 2, 3})) == -1);
+    EXPECT(logged("a message for scan is refused: ranges has 4 items, and the capacity is 3"));
+    EXPECT(seen(scan_of({0.5F, std::numeric_limits<float>::infinity()})) == -1);
+    EXPECT(logged("a message for scan has no value of Seq"));
+    EXPECT(seen(scan_of({0.5F})) == 1);
+    EXPECT(!Network::get().running().empty());
+    return 0;
+})");
+}
+
 ir::InstantiationOptions chosen_constants() {
     ir::InstantiationOptions options;
     options.constants = {{"SPEED", "1.5"}, {"LIMIT", "7"}};
