@@ -243,6 +243,10 @@ private:
             "if (result == robochart::StepResult::precondition) std::cerr << \"an operation was called outside its "
             "precondition\\n\";");
         out_.line("if (result == robochart::StepResult::deadline) std::cerr << \"a deadline was missed\\n\";");
+        if (generation_.component.lists)
+            out_.line(
+                "if (result == robochart::StepResult::capacity) std::cerr << \"a list has more items than its "
+                "capacity\\n\";");
         out_.close();
     }
 

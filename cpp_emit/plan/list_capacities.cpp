@@ -117,9 +117,9 @@ bool has_capacity(const ir::System& system, const Component& component, const st
 std::optional<ir::System> with_capacities(const ir::System& system, const Component& component,
                                           const Options& options) {
     Capacities capacities;
-    for (const auto& [name, capacity] : options.capacities)
-        visit_named(system, component, name, [&](ir::TypeId type) {
-            visit_list_types(system, type, [&](ir::TypeId list) { raise_capacity(capacities, list, capacity); });
+    for (const auto& given : options.capacities)
+        visit_named(system, component, given.first, [&](ir::TypeId type) {
+            visit_list_types(system, type, [&](ir::TypeId list) { raise_capacity(capacities, list, given.second); });
         });
     LongestValues(system, capacities).add_component(component);
     if (capacities.empty()) return std::nullopt;
