@@ -240,7 +240,7 @@ void write_robot(std::string& out, const conformance::Result& r) {
     const conformance::RobotNumbers& robot = *r.robot;
     std::string answer = "the code acts as the model does";
     if (!robot.limit.empty()) answer = "no difference was found, but not all cycles were run: " + robot.limit;
-    if (!robot.difference.empty()) answer = "a difference is allowed: " + robot.difference;
+    if (!robot.difference.empty()) answer = "rounding makes a difference: " + robot.difference;
     if (r.outcome == conformance::Outcome::conforms && robot.numbers > 0)
         out += fmt::format("               numbers on the robot: with {} in {}, {}\n",
                            count_text(robot.numbers, "value"), count_text(robot.regions, "region"), answer);

@@ -110,7 +110,7 @@ Json special_json(const conformance::RobotNumbers::Special& special) {
 Json robot_json(const conformance::RobotNumbers& robot) {
     Json json{
         {"values", robot.numbers}, {"regions", robot.regions}, {"special", json_array(robot.special, special_json)}};
-    if (!robot.difference.empty()) json["allowedDifference"] = robot.difference;
+    if (!robot.difference.empty()) json["roundingDifference"] = robot.difference;
     if (!robot.limit.empty()) json["limit"] = robot.limit;
     return json;
 }

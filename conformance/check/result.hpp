@@ -121,7 +121,7 @@ struct RobotNumbers {
     };
     std::size_t numbers = 0;  ///< values with which the code was run
     std::size_t regions = 0;  ///< of the model's numbers
-    std::string difference;   ///< a difference that Options::rounding_allowed accepts; "": none
+    std::string difference;   ///< the first difference that does not change the outcome; "": none
     std::string limit;        ///< the reason why not all cycles were run with these numbers; "": all were
     std::vector<Special> special;
 };
