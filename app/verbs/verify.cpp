@@ -288,12 +288,14 @@ std::vector<ir::ComponentRef> mapped_component(driver::Project& project,
 
 /// Throws UsageError if a capacity is given for a name that no component has.
 void check_capacities(const Options& options, const std::vector<cpp_emit::Emission>& emissions) {
-    for (const auto& [name, capacity] : options.code.capacities)
-        if (std::ranges::none_of(emissions, [&](const cpp_emit::Emission& emission) {
-                return std::ranges::find(emission.sized_names, name) != emission.sized_names.end();
-            }))
+    for (const auto& given : options.code.capacities) {
+        const auto is_sized = [&](const cpp_emit::Emission& emission) {
+            return std::ranges::find(emission.sized_names, given.first) != emission.sized_names.end();
+        };
+        if (std::ranges::none_of(emissions, is_sized))
             throw UsageError(fmt::format("--capacity {0}={1}: no event or variable '{0}' has lists",
-                                         diagnostics::escape_for_display(name), capacity));
+                                         diagnostics::escape_for_display(given.first), given.second));
+    }
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ std::string kind_of(const Result& result) {
             return "conforms";
         case Outcome::differs:
             return "DIFFERS";
+        case Outcome::rounds:
+            return "rounds";
         case Outcome::not_schedulable:
             return "not schedulable";
         case Outcome::not_generated:
