@@ -17,7 +17,6 @@
 namespace robochart::csp_emit {
 namespace {
 
-using cspm::ExprKind;
 using DefinitionsByName = std::map<std::string, std::vector<BlockDefinition>>;
 
 /// The value in a constant's definition, if it is known without evaluating a script.
@@ -39,7 +38,7 @@ public:
     [[nodiscard]] Value value_of(const std::string& name) const {
         const cspm::ExprPtr expr = resolve_names(body_of(name));
         if (const auto value = evaluate_number(expr)) return {std::to_string(*value), true};
-        const bool literal = expr->kind == ExprKind::boolean || expr->kind == ExprKind::name;
+        const bool literal = expr->kind == cspm::ExprKind::boolean || expr->kind == cspm::ExprKind::name;
         return {cspm::print(expr), literal};
     }
 
@@ -48,9 +47,9 @@ private:
     [[nodiscard]] cspm::ExprPtr resolve_names(cspm::ExprPtr expr) const {
         std::set<std::string> followed;
         for (;;) {
-            if (expr->kind == ExprKind::parenthesised) {
+            if (expr->kind == cspm::ExprKind::parenthesised) {
                 expr = expr->args[0];
-            } else if (expr->kind == ExprKind::name && followed.insert(expr->text).second &&
+            } else if (expr->kind == cspm::ExprKind::name && followed.insert(expr->text).second &&
                        body_of(expr->text) != nullptr) {
                 expr = body_of(expr->text);
             } else {
@@ -60,17 +59,18 @@ private:
     }
     [[nodiscard]] std::optional<std::int64_t> evaluate_number(const cspm::ExprPtr& unresolved) const {
         const cspm::ExprPtr expr = resolve_names(unresolved);
-        if (expr->kind == ExprKind::integer) return expr->number;
-        if (expr->kind == ExprKind::negate) {
+        if (expr->kind == cspm::ExprKind::integer) return expr->number;
+        if (expr->kind == cspm::ExprKind::negate) {
             const auto value = evaluate_number(expr->args[0]);
             return value ? ir::checked_subtract(0, *value) : std::nullopt;
         }
-        if (expr->kind != ExprKind::plus && expr->kind != ExprKind::minus && expr->kind != ExprKind::times)
+        if (expr->kind != cspm::ExprKind::plus && expr->kind != cspm::ExprKind::minus &&
+            expr->kind != cspm::ExprKind::times)
             return std::nullopt;
         const auto left = evaluate_number(expr->args[0]), right = evaluate_number(expr->args[1]);
         if (!left || !right) return std::nullopt;
-        if (expr->kind == ExprKind::plus) return ir::checked_add(*left, *right);
-        if (expr->kind == ExprKind::minus) return ir::checked_subtract(*left, *right);
+        if (expr->kind == cspm::ExprKind::plus) return ir::checked_add(*left, *right);
+        if (expr->kind == cspm::ExprKind::minus) return ir::checked_subtract(*left, *right);
         return ir::checked_multiply(*left, *right);
     }
 

@@ -245,7 +245,7 @@ std::string change_text(const runs::Step& step, const runs::Change& change) {
     return step.event.text.ends_with(text) ? "" : text;
 }
 
-std::string step_text(const runs::Step& step) {
+std::string step_with_changes(const runs::Step& step) {
     std::string text = runs::text_of(step.event, step.with);
     for (const runs::Change& change : step.changes)
         if (const std::string news = change_text(step, change); !news.empty()) text += "; " + news;
@@ -338,7 +338,7 @@ std::string ReportPage::values_json(const std::vector<runs::Machine>& before,
 /// is null for the initial state.
 void ReportPage::write_row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
                            const std::vector<runs::Machine>& after) {
-    const std::string what = step == nullptr ? "the beginning" : step_text(*step);
+    const std::string what = step == nullptr ? "the beginning" : step_with_changes(*step);
     out_ += fmt::format(
         "<tr class=\"step\" data-on=\"{}\" data-fired=\"{}\" data-values=\"{}\" data-text=\"{}\"><td "
         "class=\"number\">{}</td>",

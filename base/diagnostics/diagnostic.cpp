@@ -78,6 +78,12 @@ Diagnostics Diagnostics::findings_in_texts(const std::set<SourceId>& texts) cons
     return result;
 }
 
+std::string Diagnostics::first_error() const {
+    for (const Diagnostic& finding : sorted_findings())
+        if (finding.rule->severity == Severity::error) return finding.message();
+    return "";
+}
+
 std::vector<Diagnostic> Diagnostics::sorted_findings() const {
     std::vector<Diagnostic> result = items_;
     const auto key = [](const Diagnostic& d) {

@@ -74,6 +74,8 @@ public:
     [[nodiscard]] Diagnostics findings_in_texts(const std::set<SourceId>& texts) const;
     [[nodiscard]] std::vector<Diagnostic> sorted_findings() const;
     [[nodiscard]] std::size_t error_count() const { return errors_; }
+    /// The message of the first error in the order of `sorted_findings`; "" without errors.
+    [[nodiscard]] std::string first_error() const;
     [[nodiscard]] std::size_t warning_count() const { return warnings_; }
     [[nodiscard]] bool ok() const { return errors_ == 0; }
     /// True if an error was found in this text.

@@ -18,6 +18,12 @@ private:
     Exploration& exploration_;
 };
 
+class FindsTau final : public SuccessorSink {
+public:
+    void add(Event event, StateView /*target*/, Event /*revealed*/) override { found = found || event == tau; }
+    bool found = false;
+};
+
 }  // namespace
 
 Exploration explore(TransitionSystem& system, const std::function<void(std::size_t)>& on_state) {
@@ -41,6 +47,12 @@ void GraphSystem::successors(StateView state, SuccessorSink& sink) {
 
 std::string GraphSystem::describe(StateView state) const {
     return "state " + std::to_string(state[0]);
+}
+
+bool has_tau(TransitionSystem& system, StateView state) {
+    FindsTau sink;
+    system.successors(state, sink);
+    return sink.found;
 }
 
 }  // namespace robochart::lts

@@ -55,6 +55,9 @@ struct Exploration {
 /// number of states found so far; it may throw to stop.
 [[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& on_state);
 
+/// True if the state has a transition with tau, so that it is not stable.
+[[nodiscard]] bool has_tau(TransitionSystem& system, StateView state);
+
 /// A graph as a transition system.
 class GraphSystem final : public TransitionSystem {
 public:

@@ -13,7 +13,7 @@ namespace {
 using diagnostics::splitmix64_mixed;
 using Colour = std::uint64_t;
 
-constexpr std::size_t most_work = 50'000'000;  // number of edges visited in all rounds
+constexpr std::size_t most_visited_edges = 50'000'000;  // number of edges visited in all rounds
 
 Colour combine_colours(Colour a, Colour b) {
     return splitmix64_mixed(splitmix64_mixed(a) + b);
@@ -36,7 +36,7 @@ public:
     void run() {
         std::size_t edges = 1;
         for (Local state = 0; state < component_.size(); ++state) edges += component_.edges(state).size();
-        for (std::size_t work = 0, known = 0; work < most_work; work += edges) {
+        for (std::size_t work = 0, known = 0; work < most_visited_edges; work += edges) {
             const std::size_t now = count_distinct(states_) + count_distinct(events_);
             if (now == known) return;
             known = now;

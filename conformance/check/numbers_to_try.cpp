@@ -86,10 +86,10 @@ TriedNumber itself(double number) {
     return {std::bit_cast<std::int64_t>(number + 0.0), std::nullopt};
 }
 
-class Chooser {
+class NumberChooser {
 public:
-    Chooser(const NumberSpace& space, const ir::ExploredValues& explored, std::size_t random,
-            diagnostics::Pollable& budget)
+    NumberChooser(const NumberSpace& space, const ir::ExploredValues& explored, std::size_t random,
+                  diagnostics::Pollable& budget)
         : space_(space), explored_(explored), random_(random), budget_(budget) {}
 
     std::vector<TriedRegion> choose() {
@@ -298,7 +298,7 @@ std::string value_text(const NumberSpace& space, const TriedValue& value) {
 
 std::vector<TriedRegion> numbers_to_try(const NumberSpace& space, const ir::ExploredValues& explored,
                                         std::size_t random, diagnostics::Pollable& budget) {
-    return Chooser(space, explored, random, budget).choose();
+    return NumberChooser(space, explored, random, budget).choose();
 }
 
 }  // namespace robochart::conformance

@@ -19,11 +19,11 @@ namespace robochart::conformance {
 namespace {
 
 // Layout of a packed state.
-enum Field : std::size_t { phase, number, detail, fields };
-enum Phase : lts::Word {
-    reading,  ///< number: node of the tree of readings; detail: number of registers read
-    acting,   ///< number: result; detail: number of writes done, then of tocks done
-    over,     ///< terminated
+enum Place : std::size_t { phase_place, number_place, detail_place, places };
+enum CodePhase : lts::Word {
+    code_reads,    ///< number: node of the tree of readings; detail: number of registers read
+    code_acts,     ///< number: result; detail: number of writes done, then of tocks done
+    code_stopped,  ///< terminated
 };
 
 /// Maximal number of results of one cycle, and of calls of `step` to find them.
@@ -74,7 +74,7 @@ CodeSystem::CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::
 }
 
 std::size_t CodeSystem::width() const {
-    return fields;
+    return places;
 }
 
 void CodeSystem::initial(std::span<lts::Word> state) {
@@ -82,40 +82,40 @@ void CodeSystem::initial(std::span<lts::Word> state) {
 }
 
 void CodeSystem::enter_cycle(std::span<lts::Word> state, std::uint32_t image) {
-    state[phase] = alphabet_->interface().inputs.empty() ? acting : reading;
-    state[number] = reading_tree(image);
-    state[detail] = 0;
+    state[phase_place] = alphabet_->interface().inputs.empty() ? code_acts : code_reads;
+    state[number_place] = reading_tree(image);
+    state[detail_place] = 0;
 }
 
 void CodeSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    if (state[phase] == acting) add_writes(state, sink);
-    if (state[phase] == reading) add_reads(state, sink);
+    if (state[phase_place] == code_acts) add_writes(state, sink);
+    if (state[phase_place] == code_reads) add_reads(state, sink);
 }
 
 void CodeSystem::add_reads(lts::StateView state, lts::SuccessorSink& sink) {
-    const std::uint32_t input = state[detail];
+    const std::uint32_t input = state[detail_place];
     const bool last = input + 1 == alphabet_->interface().inputs.size();
-    const Node& node = nodes_[state[number]];
+    const Node& node = nodes_[state[number_place]];
     for (std::uint32_t r = 0; r < node.size(); ++r) {
-        const std::array<lts::Word, fields> next{last ? acting : reading, node[r], last ? 0 : input + 1};
+        const std::array<lts::Word, places> next{last ? code_acts : code_reads, node[r], last ? 0 : input + 1};
         const process::Event event = alphabet_->read_event(input, r);
         sink.add(event, next, event);
     }
 }
 
 void CodeSystem::add_writes(lts::StateView state, lts::SuccessorSink& sink) {
-    const CycleResult& result = results_[state[number]];
+    const CycleResult& result = results_[state[number_place]];
     for (const std::uint32_t way : result.ways)
-        sink.add(process::tau, std::array<lts::Word, fields>{acting, way, 0}, process::tau);
+        sink.add(process::tau, std::array<lts::Word, places>{code_acts, way, 0}, process::tau);
     if (!result.ways.empty()) return;
-    if (state[detail] >= result.writes.size()) return add_end_of_cycle(state, result, sink);
-    const std::array<lts::Word, fields> next{acting, state[number], state[detail] + 1};
-    const process::Event event = result.writes[state[detail]];
+    if (state[detail_place] >= result.writes.size()) return add_end_of_cycle(state, result, sink);
+    const std::array<lts::Word, places> next{code_acts, state[number_place], state[detail_place] + 1};
+    const process::Event event = result.writes[state[detail_place]];
     sink.add(event, next, event);
 }
 
 void CodeSystem::add_end_of_cycle(lts::StateView state, const CycleResult& result, lts::SuccessorSink& sink) {
-    std::array<lts::Word, fields> next{over, 0, 0};
+    std::array<lts::Word, places> next{code_stopped, 0, 0};
     if (const char* const wrong = violation_event(result)) {
         const process::Event event = alphabet_->events().intern(wrong);
         sink.add(event, next, event);
@@ -126,18 +126,18 @@ void CodeSystem::add_end_of_cycle(lts::StateView state, const CycleResult& resul
     } else if (result.outcome == RC_STEP_BOUND) {
         sink.add(process::tau, state, process::tau);
     } else {
-        if (state[detail] + 1 == result.writes.size() + cycle_length_)
+        if (state[detail_place] + 1 == result.writes.size() + cycle_length_)
             enter_cycle(next, result.next);
         else
-            next = {acting, state[number], state[detail] + 1};
+            next = {code_acts, state[number_place], state[detail_place] + 1};
         sink.add(alphabet_->tock(), next, alphabet_->tock());
     }
 }
 
 std::string CodeSystem::describe(lts::StateView state) const {
-    if (state[phase] == over) return "stopped";
-    if (state[phase] == reading) return fmt::format("{} registers read", state[detail]);
-    return "in the cycle that leads to " + print_image(results_[state[number]].next);
+    if (state[phase_place] == code_stopped) return "stopped";
+    if (state[phase_place] == code_reads) return fmt::format("{} registers read", state[detail_place]);
+    return "in the cycle that leads to " + print_image(results_[state[number_place]].next);
 }
 
 std::uint32_t CodeSystem::reading_tree(std::uint32_t image) {

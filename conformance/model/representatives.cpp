@@ -147,10 +147,10 @@ void for_each_part(const ir::Type& type, const ir::Value& value, const TakePart&
     }
 }
 
-class Chooser {
+class RepresentativeChooser {
 public:
-    Chooser(const ir::System& system, const ir::Instantiation& instantiation, const cpp_emit::Component& component,
-            std::size_t names)
+    RepresentativeChooser(const ir::System& system, const ir::Instantiation& instantiation,
+                          const cpp_emit::Component& component, std::size_t names)
         : system_(system), component_(component), names_(names), result_{instantiation, {}} {
         std::vector<ir::MachineId> machines;
         for (const cpp_emit::Unit& unit : component.units) machines.push_back(unit.id);
@@ -352,7 +352,7 @@ RepresentedParts represented_parts(const ir::System& system, const Representativ
 
 Representatives choose_representatives(const ir::System& system, const ir::Instantiation& instantiation,
                                        const cpp_emit::Component& component, std::size_t names) {
-    return Chooser(system, instantiation, component, names).choose();
+    return RepresentativeChooser(system, instantiation, component, names).choose();
 }
 
 }  // namespace robochart::conformance

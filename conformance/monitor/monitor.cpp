@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "checker/lts/graph.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/normal_form.hpp"
 #include "conformance/model/provenance_text.hpp"
@@ -39,21 +40,11 @@ struct Automaton {
     [[nodiscard]] std::size_t size() const { return arcs.size(); }
 };
 
-class FindsTau final : public lts::SuccessorSink {
-public:
-    void add(process::Event event, lts::StateView /*target*/, process::Event /*revealed*/) override {
-        found = found || event == process::tau;
-    }
-    bool found = false;
-};
-
 std::vector<std::string> elements_of(CyclicModel& model, const refine::NormalForm& form, Node node,
                                      const diagnostics::SourceManager& sources) {
     std::vector<std::string> result;
     for (const lts::StateView state : form.states(node)) {
-        FindsTau sink;
-        model.normal_form().successors(state, sink);
-        if (sink.found || !model.normal_form().begins_cycle(state)) continue;
+        if (lts::has_tau(model.normal_form(), state) || !model.normal_form().begins_cycle(state)) continue;
         const std::string text = model.normal_form().describe_model(state);
         for (std::string& element : elements_of_state(text, model.provenance(), sources))
             if (std::ranges::find(result, element) == result.end() && result.size() < 4)
@@ -107,13 +98,6 @@ std::vector<std::uint32_t> minimise_automaton(const Automaton& automaton, refine
         count = known.size();
         classes = std::move(next);
     }
-}
-
-template <class Channel>
-std::vector<std::string> shown_names(const std::vector<Channel>& channels) {
-    std::vector<std::string> names;
-    for (const Channel& channel : channels) names.push_back(channel.name);
-    return cpp_emit::trace_names(names);
 }
 
 }  // namespace
@@ -194,8 +178,8 @@ private:
 
     void add_channels() {
         const Interface& interface = model_.interface();
-        const auto inputs = shown_names(model_.outside_interface().inputs);
-        const auto outputs = shown_names(model_.outside_interface().outputs);
+        const auto inputs = cpp_emit::trace_names_of(model_.outside_interface().inputs);
+        const auto outputs = cpp_emit::trace_names_of(model_.outside_interface().outputs);
         for (std::uint32_t i = 0; i < interface.inputs.size(); ++i) {
             MonitorBuild::Channel& channel = begin_channel(interface.inputs[i].name, inputs[i]);
             if (model_.boundary().input_types[i]) add_values(channel, *model_.boundary().input_types[i]);

@@ -13,13 +13,6 @@ namespace robochart::conformance {
 
 namespace {
 
-template <class Channel>
-std::vector<std::string> shown_names(const std::vector<Channel>& channels) {
-    std::vector<std::string> names;
-    for (const Channel& channel : channels) names.push_back(channel.name);
-    return cpp_emit::trace_names(names);
-}
-
 /// Converts "a, b" outside brackets and quotes to "a!b". As in logs, quotes inside a string are octal escapes here.
 std::string arguments(const std::string& text) {
     std::string result;
@@ -46,8 +39,8 @@ class Wording {
 public:
     explicit Wording(const CyclicModel& model)
         : model_(model),
-          inputs_(shown_names(model.outside_interface().inputs)),
-          outputs_(shown_names(model.outside_interface().outputs)) {}
+          inputs_(cpp_emit::trace_names_of(model.outside_interface().inputs)),
+          outputs_(cpp_emit::trace_names_of(model.outside_interface().outputs)) {}
 
     [[nodiscard]] std::string write_inputs(const std::vector<std::uint32_t>& readings) const {
         std::string text;

@@ -83,22 +83,8 @@ bool ObservedSystem::is_hidden(process::Event event) {
     return hidden_[event] == 1;
 }
 
-namespace {
-
-class FindsTau final : public lts::SuccessorSink {
-public:
-    void add(process::Event event, lts::StateView /*target*/, process::Event /*revealed*/) override {
-        found = found || event == process::tau;
-    }
-    bool found = false;
-};
-
-}  // namespace
-
 bool ObservedSystem::is_stable(lts::StateView state) {
-    FindsTau sink;
-    successors(state, sink);
-    return !sink.found;
+    return !lts::has_tau(*this, state);
 }
 
 std::string ObservedSystem::describe(lts::StateView state) const {

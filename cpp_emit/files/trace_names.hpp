@@ -14,5 +14,12 @@ inline constexpr int trace_version = 1;
 /// "seeRobot", "reached", "Move", "linearSpeed". A name stays unchanged if two would become equal. Inputs and outputs
 /// are converted separately.
 [[nodiscard]] std::vector<std::string> trace_names(const std::vector<std::string>& interface_names);
+/// `trace_names` of channels, which have a member `name`.
+template <class Channel>
+[[nodiscard]] std::vector<std::string> trace_names_of(const std::vector<Channel>& channels) {
+    std::vector<std::string> names;
+    for (const Channel& channel : channels) names.push_back(channel.name);
+    return trace_names(names);
+}
 
 }  // namespace robochart::cpp_emit

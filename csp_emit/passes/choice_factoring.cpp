@@ -10,20 +10,19 @@ namespace robochart::csp_emit {
 
 namespace b = cspm::build;
 using cspm::Expr;
-using cspm::ExprKind;
 using cspm::ExprPtr;
 
 namespace {
 
 bool mentions_name(const Expr& expr, const std::string& name) {
-    bool found = expr.kind == ExprKind::name && expr.text == name;
+    bool found = expr.kind == cspm::ExprKind::name && expr.text == name;
     for_each_part(expr, [&](const Expr& part) { found = found || mentions_name(part, name); });
     return found;
 }
 
 /// Whether the branch is `c -> P`, or `c?x -> P` with a P that does not use x.
 bool only_event_matters(const Expr& branch) {
-    if (branch.kind != ExprKind::prefix || branch.args[0]->kind != ExprKind::name) return false;
+    if (branch.kind != cspm::ExprKind::prefix || branch.args[0]->kind != cspm::ExprKind::name) return false;
     if (branch.fields.empty()) return true;
     const cspm::Field& field = branch.fields.front();
     const bool plain = branch.fields.size() == 1 && field.kind == cspm::FieldKind::input && !field.value &&
@@ -32,7 +31,7 @@ bool only_event_matters(const Expr& branch) {
 }
 
 void collect_operands(const ExprPtr& expr, b::Exprs& out) {
-    if (expr->kind != ExprKind::external_choice) return out.push_back(expr);
+    if (expr->kind != cspm::ExprKind::external_choice) return out.push_back(expr);
     for (const ExprPtr& operand : expr->args) collect_operands(operand, out);
 }
 
@@ -43,8 +42,8 @@ public:
 
     ExprPtr rewrite(const ExprPtr& expr) {
         if (!expr) return expr;
-        if (expr->kind == ExprKind::external_choice) return rewrite_choice(expr);
-        if (expr->kind == ExprKind::apply || expr->args.empty()) return expr;
+        if (expr->kind == cspm::ExprKind::external_choice) return rewrite_choice(expr);
+        if (expr->kind == cspm::ExprKind::apply || expr->args.empty()) return expr;
         return with_parts(expr, [&](const ExprPtr& part) { return rewrite(part); });
     }
 
@@ -77,7 +76,8 @@ private:
     }
 
     ExprPtr offer_events(const b::Exprs& events, const ExprPtr& next) {
-        return b::replicated(ExprKind::replicated_external, {b::generator(event_, named_set(b::productions(events)))},
+        return b::replicated(cspm::ExprKind::replicated_external,
+                             {b::generator(event_, named_set(b::productions(events)))},
                              b::prefix(b::name(event_), next));
     }
 

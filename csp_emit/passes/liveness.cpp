@@ -14,7 +14,6 @@ namespace robochart::csp_emit {
 
 namespace b = cspm::build;
 using cspm::Expr;
-using cspm::ExprKind;
 using cspm::ExprPtr;
 
 namespace {
@@ -94,7 +93,7 @@ Family::Family(const std::vector<Function>& functions, const ExprPtr& initial, c
 }
 
 void Family::names_in(const Expr& expr, std::set<std::size_t>& result) const {
-    if (expr.kind == ExprKind::name)
+    if (expr.kind == cspm::ExprKind::name)
         if (const auto found = number_.find(expr.text); found != number_.end()) result.insert(found->second);
     for_each_part(expr, [&](const Expr& part) { names_in(part, result); });
 }
@@ -107,7 +106,7 @@ Names Family::names_in(const Expr& expr) const {
 
 void Family::survey_expression(std::size_t caller, const Expr& expr) {
     if (const SparseCall* call = sparse_.find_call(expr)) return survey_call(caller, expr, *call);
-    if (expr.kind == ExprKind::name)
+    if (expr.kind == cspm::ExprKind::name)
         if (const auto found = number_.find(expr.text); found != number_.end()) used_[caller].push_back(found->second);
     for_each_part(expr, [&](const Expr& part) { survey_expression(caller, part); });
 }
@@ -231,8 +230,8 @@ FamilyIndex index_of(const std::vector<Function>& functions) {
 }
 
 const std::size_t* called_function(const FamilyIndex& index, const Expr& expr) {
-    const bool applied = expr.kind == ExprKind::apply && expr.args[0]->kind == ExprKind::name;
-    if (!applied && expr.kind != ExprKind::name) return nullptr;
+    const bool applied = expr.kind == cspm::ExprKind::apply && expr.args[0]->kind == cspm::ExprKind::name;
+    if (!applied && expr.kind != cspm::ExprKind::name) return nullptr;
     const auto found = index.find(applied ? expr.args[0]->text : expr.text);
     return found == index.end() ? nullptr : &found->second;
 }
@@ -252,7 +251,7 @@ const std::string* FamilyCalls::only_calls(const Expr& expr) const {
     const SparseCall* call = find_call(expr);
     if (call == nullptr || call->after_tock) return nullptr;
     for (const auto& [parameter, value] : call->changed)
-        if (value->kind != ExprKind::name || value->text != parameter) return nullptr;
+        if (value->kind != cspm::ExprKind::name || value->text != parameter) return nullptr;
     return &call->function;
 }
 

@@ -59,7 +59,7 @@ bool provides_variable(const Variables& provided, const Variable& required, bool
 
 using Missing = std::vector<const Declaration*>;
 
-std::string list_names(const Missing& missing) {
+std::string join_missing(const Missing& missing) {
     std::string names;
     for (const Declaration* declaration : missing) names += (names.empty() ? "`" : ", `") + declaration->name + "`";
     return names;
@@ -197,7 +197,7 @@ void check_call(const Caller& caller, const Stmt& call, const Machine& operation
     const Lack lack = lack_of(caller, operation);
     if (!lack.variables.empty()) {
         auto& finding = out.report(rules::stm8, call.span,
-                                   {name, operation.name, plural_suffix(lack.variables), list_names(lack.variables)});
+                                   {name, operation.name, plural_suffix(lack.variables), join_missing(lack.variables)});
         add_notes(finding, lack.variables, caller.variables);
         caller.add_context(finding);
     }
@@ -227,8 +227,8 @@ void check_required(const Caller& caller, const OperationSignature& signature, c
     all.insert(all.end(), lack.events.begin(), lack.events.end());
     all.insert(all.end(), lack.clocks.begin(), lack.clocks.end());
     if (all.empty()) return;
-    auto& finding =
-        out.report(rules::stm8_required, caller.part.name_span, {caller.machine.name, operation.name, list_names(all)});
+    auto& finding = out.report(rules::stm8_required, caller.part.name_span,
+                               {caller.machine.name, operation.name, join_missing(all)});
     finding.notes.push_back({signature.name_span, "the operation is required through this signature"});
 }
 
@@ -258,12 +258,12 @@ void check_part(const Caller& caller, bool first, Diagnostics& out) {
     const Missing variables = missing_variables(required_variables(machine), visible);
     if (!variables.empty())
         add_notes(out.report(rules::c3, caller.part.name_span,
-                             {controller, plural_suffix(variables), machine.name, list_names(variables)}),
+                             {controller, plural_suffix(variables), machine.name, join_missing(variables)}),
                   variables, visible);
     const Missing operations = missing_operations(machine, caller.surroundings.offer);
     if (!operations.empty())
         add_notes(out.report(rules::c4, caller.part.name_span,
-                             {controller, plural_suffix(operations), machine.name, list_names(operations)}),
+                             {controller, plural_suffix(operations), machine.name, join_missing(operations)}),
                   operations);
     if (first) check_calls(caller, out);
 }
@@ -311,12 +311,12 @@ void check_module_provision(const Component& module, Diagnostics& out) {
         const Missing variables = missing_variables(required_variables(*controller), visible);
         if (!variables.empty())
             add_notes(out.report(rules::m2_variables, part->name_span,
-                                 {module.name, plural_suffix(variables), controller->name, list_names(variables)}),
+                                 {module.name, plural_suffix(variables), controller->name, join_missing(variables)}),
                       variables, visible);
         const Missing operations = missing_operations(*controller, offer);
         if (!operations.empty())
             add_notes(out.report(rules::m2_operations, part->name_span,
-                                 {module.name, plural_suffix(operations), controller->name, list_names(operations)}),
+                                 {module.name, plural_suffix(operations), controller->name, join_missing(operations)}),
                       operations);
     }
 }

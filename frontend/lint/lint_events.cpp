@@ -18,9 +18,9 @@ namespace {
 
 /// The first use of each event of a machine, by name. Operations that the controller defines count as part of the
 /// machine.
-class Traffic {
+class EventUses {
 public:
-    Traffic(const Machine& machine, const std::map<std::string_view, const Machine*>& defined) : defined_(defined) {
+    EventUses(const Machine& machine, const std::map<std::string_view, const Machine*>& defined) : defined_(defined) {
         add(machine);
     }
     [[nodiscard]] const Communication* first_communication(std::string_view event) const {
@@ -103,7 +103,7 @@ void report_loose(const rules::Rule& rule, Span at, const std::vector<Loose>& lo
 void check_machine(const Component& controller, const Declaration& part, const Machine& machine,
                    const Connected& connected, const std::map<std::string_view, const Machine*>& defined,
                    Diagnostics& out) {
-    const Traffic traffic(machine, defined);
+    const EventUses traffic(machine, defined);
     std::vector<Loose> loose;
     for (const Event* event : visible_events(machine)) {
         const Connection::End* end = connected.end(part, event->name);
@@ -117,7 +117,7 @@ void check_machine(const Component& controller, const Declaration& part, const M
                  controller.name, out);
 }
 
-void check_controller(const Component& controller, Diagnostics& out) {
+void check_controller_events(const Component& controller, Diagnostics& out) {
     const Connected connected(controller);
     std::map<std::string_view, const Machine*> defined;
     for (const Machine* operation : defined_operations(controller)) defined.emplace(operation->name, operation);
@@ -152,7 +152,7 @@ void check_part(const Component& module, const Declaration& part, const Context&
 }  // namespace
 
 void lint_events(const Component& component, Diagnostics& out) {
-    if (component.kind == DeclKind::controller) return check_controller(component, out);
+    if (component.kind == DeclKind::controller) return check_controller_events(component, out);
     const Connected outside(component);
     for (const Declaration* part : component.order) {
         const auto* behind = follow_to<Context>(part);

@@ -18,7 +18,7 @@
 namespace robochart::ir {
 namespace {
 
-constexpr std::size_t most_values = 512;
+constexpr std::size_t most_modelled_values = 512;
 constexpr std::size_t fresh_values = 2;
 
 std::int64_t& number_at(Value& value, const NumberPart& part) {
@@ -218,7 +218,7 @@ bool Explorer::add_regions(const LinearConditions& linear, TypeId type, std::vec
         for (const NumberPart& part : linear.components()) point.push_back(number_at(value, part));
         if (++found[linear.signs_at(point)] <= fresh_values) values.push_back(std::move(value));
     }
-    return values.size() <= most_values;
+    return values.size() <= most_modelled_values;
 }
 
 void Explorer::add_cuts(const LinearConditions& linear, TypeId type, std::vector<Cut>& cuts) const {

@@ -11,7 +11,6 @@ namespace robochart::lsp {
 namespace {
 
 using cspm::Decl;
-using cspm::DeclKind;
 using cspm::DeclPtr;
 
 /// An entry of the outline with its inner entries.
@@ -62,44 +61,44 @@ private:
 
     void add(const Decl& decl, const std::string& prefix, std::vector<Entry>& out) {
         switch (decl.kind) {
-            case DeclKind::function:
+            case cspm::DeclKind::function:
                 if (!out.empty() && out.back().kind == kinds::function && out.back().name == decl.names.at(0))
                     out.back().whole = diagnostics::join_spans(out.back().whole, decl.span);
                 else
                     out.push_back(make_entry(decl.names.at(0), prefix, kinds::function, decl.span));
                 break;
-            case DeclKind::value:
+            case cspm::DeclKind::value:
                 add_pattern(*decl.patterns.at(0).at(0), decl.span, prefix, out);
                 break;
-            case DeclKind::channel:
+            case cspm::DeclKind::channel:
                 for (const std::string& name : decl.names)
                     out.push_back(make_entry(name, prefix, kinds::event, decl.span, "channel"));
                 break;
-            case DeclKind::datatype:
-            case DeclKind::subtype:
+            case cspm::DeclKind::datatype:
+            case cspm::DeclKind::subtype:
                 add_datatype(decl, prefix, out);
                 break;
-            case DeclKind::nametype:
+            case cspm::DeclKind::nametype:
                 out.push_back(make_entry(decl.names.at(0), prefix, kinds::type, decl.span));
                 break;
-            case DeclKind::module:
+            case cspm::DeclKind::module:
                 add_module(decl, prefix, out);
                 break;
-            case DeclKind::instance:
+            case cspm::DeclKind::instance:
                 out.push_back(
                     make_entry(decl.names.at(0), prefix, kinds::module, decl.span, "instance of " + decl.text));
                 break;
-            case DeclKind::timed:
+            case cspm::DeclKind::timed:
                 for (Entry& entry : list_entries(decl.decls, prefix)) out.push_back(std::move(entry));
                 break;
-            case DeclKind::assertion:
+            case cspm::DeclKind::assertion:
                 add_assertion(decl, out);
                 break;
-            case DeclKind::transparent:
-            case DeclKind::external:
-            case DeclKind::annotation:
-            case DeclKind::print:
-            case DeclKind::include:
+            case cspm::DeclKind::transparent:
+            case cspm::DeclKind::external:
+            case cspm::DeclKind::annotation:
+            case cspm::DeclKind::print:
+            case cspm::DeclKind::include:
                 break;
         }
     }

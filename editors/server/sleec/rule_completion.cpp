@@ -16,13 +16,13 @@ using sleec::RuleFile;
 using sleec::Tok;
 using sleec::Token;
 
-namespace kinds {  // CompletionItemKind (LSP 3.17)
+namespace completion_kinds {  // CompletionItemKind (LSP 3.17)
 constexpr int variable = 6;
 constexpr int keyword = 14;
 constexpr int literal = 20;
 constexpr int constant = 21;
 constexpr int event = 23;
-}  // namespace kinds
+}  // namespace completion_kinds
 
 /// Uses the tokens before the place, because the text usually has errors while it is written.
 class RuleCompleter {
@@ -65,16 +65,16 @@ private:
             {{"label", text}, {"kind", kind}, {"textEdit", Json::object({{"range", range_}, {"newText", text}})}}));
     }
     void add_words(std::initializer_list<std::string_view> list) {
-        for (const std::string_view word : list) add(word, kinds::keyword);
+        for (const std::string_view word : list) add(word, completion_kinds::keyword);
     }
     void add_events() {
-        for (const sleec::Event& event : file_.events) add(event.name.text, kinds::event);
+        for (const sleec::Event& event : file_.events) add(event.name.text, completion_kinds::event);
     }
     void add_measures() {
-        for (const sleec::Measure& measure : file_.measures) add(measure.name.text, kinds::variable);
+        for (const sleec::Measure& measure : file_.measures) add(measure.name.text, completion_kinds::variable);
     }
     void add_constants() {
-        for (const sleec::Constant& constant : file_.constants) add(constant.name.text, kinds::constant);
+        for (const sleec::Constant& constant : file_.constants) add(constant.name.text, completion_kinds::constant);
     }
     void add_condition_words() {
         add_measures();
@@ -93,7 +93,7 @@ private:
     void add_compared_values() {
         const sleec::Measure* left = find_measure(word_before(word_before(2) == "}" ? 3 : 2));
         if (left != nullptr && left->type == MeasureType::scale) {
-            for (const sleec::Name& literal : left->literals) add(literal.text, kinds::literal);
+            for (const sleec::Name& literal : left->literals) add(literal.text, completion_kinds::literal);
             return;
         }
         add_measures();

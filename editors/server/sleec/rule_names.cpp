@@ -20,12 +20,12 @@ using sleec::MeasureType;
 using sleec::ResponsePtr;
 using sleec::RuleFile;
 
-namespace symbols {  // SymbolKind (LSP 3.17)
+namespace rule_symbols {  // SymbolKind (LSP 3.17)
 constexpr int function = 12;
 constexpr int variable = 13;
 constexpr int constant = 14;
 constexpr int event = 24;
-}  // namespace symbols
+}  // namespace rule_symbols
 
 /// A declaration of the file.
 struct Declared {
@@ -46,21 +46,21 @@ std::string measure_type(const sleec::Measure& measure) {
 std::vector<Declared> declared_in(const RuleFile& file) {
     std::vector<Declared> result;
     for (const sleec::Event& event : file.events)
-        result.push_back({&event.name, symbols::event, "event " + event.name.text, event.name.span});
+        result.push_back({&event.name, rule_symbols::event, "event " + event.name.text, event.name.span});
     for (const sleec::Measure& measure : file.measures)
-        result.push_back({&measure.name, symbols::variable,
+        result.push_back({&measure.name, rule_symbols::variable,
                           fmt::format("measure {} : {}", measure.name.text, measure_type(measure)), measure.name.span});
     for (const sleec::Constant& constant : file.constants)
-        result.push_back({&constant.name, symbols::constant,
+        result.push_back({&constant.name, rule_symbols::constant,
                           fmt::format("constant {} = {}", constant.name.text, sleec::print(constant.value)),
                           constant.name.span});
     for (const sleec::Rule& rule : file.rules)
         result.push_back(
-            {&rule.name, symbols::function, fmt::format("{} {}", rule.name.text, sleec::print(rule)), rule.span});
+            {&rule.name, rule_symbols::function, fmt::format("{} {}", rule.name.text, sleec::print(rule)), rule.span});
     for (const auto& [properties, what] : {std::pair(&file.concerns, "concern"), std::pair(&file.purposes, "purpose")})
         for (const sleec::Property& property : *properties)
-            result.push_back(
-                {&property.name, symbols::function, fmt::format("{} {}", what, property.name.text), property.span});
+            result.push_back({&property.name, rule_symbols::function, fmt::format("{} {}", what, property.name.text),
+                              property.span});
     return result;
 }
 
@@ -149,7 +149,7 @@ std::string about_rule_name(const RuleFile& file, const RuleName& name, bool mar
     for (const Declared& declared : declared_in(file)) {
         if (declared.name->text != name.text) continue;
         std::string text = markdown ? fmt::format("```sleec\n{}\n```", declared.text) : declared.text;
-        const std::string where = declared.kind == symbols::function ? "" : rules_with(file, name.text);
+        const std::string where = declared.kind == rule_symbols::function ? "" : rules_with(file, name.text);
         return where.empty() ? text : text + "\n" + where;
     }
     for (const sleec::Measure& measure : file.measures)

@@ -12,13 +12,6 @@
 namespace robochart::diagrams {
 namespace {
 
-/// The letter in the circle of a node.
-std::string_view letter_of(Look look) {
-    if (look == Look::initial) return "i";
-    if (look == Look::probabilistic) return "P";
-    return look == Look::final ? "F" : "";
-}
-
 class DotWriter {
 public:
     explicit DotWriter(const Picture& picture) : picture_(picture), outline_(picture) {}

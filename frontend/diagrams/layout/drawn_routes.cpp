@@ -14,7 +14,7 @@ namespace robochart::diagrams::layout {
 namespace {
 
 /// A horizontal segment with a given y, or a vertical segment with a given x.
-struct Piece {
+struct DrawnPiece {
     bool horizontal = true;
     double at = 0;
 };
@@ -51,14 +51,14 @@ double clamp_to_range(double value, const Range& range) {
 
 /// Removes the segments at the beginning of a route that are inside its box, and moves the first remaining one to an
 /// allowed end.
-void begin_at(std::vector<Piece>& pieces, const RouteEnd& end) {
+void begin_at(std::vector<DrawnPiece>& pieces, const RouteEnd& end) {
     while (pieces.size() > 1 && extent_along(end, pieces[0].horizontal).contains(pieces[1].at))
         pieces.erase(pieces.begin());
     pieces.front().at = clamp_to_range(pieces.front().at, slot_range(end, pieces.front().horizontal));
 }
 
 /// The range of a box along a segment that ends at it.
-Range covered_by(const RouteEnd& end, const Piece& piece) {
+Range covered_by(const RouteEnd& end, const DrawnPiece& piece) {
     const Range extent = extent_along(end, piece.horizontal);
     if (end.shape != RouteEnd::Shape::circle) return extent;
     const double radius = (extent.high - extent.low) / 2;
@@ -74,15 +74,15 @@ std::optional<double> side_towards(const Range& extent, double place) {
     return std::nullopt;
 }
 
-Point point_at(const Piece& piece, double along) {
+Point point_at(const DrawnPiece& piece, double along) {
     return piece.horizontal ? Point{along, piece.at} : Point{piece.at, along};
 }
 
 /// A route of one segment.
-std::vector<Point> straight_route(const Piece& piece, const RouteEnd& from, const RouteEnd& to) {
+std::vector<Point> straight_route(const DrawnPiece& piece, const RouteEnd& from, const RouteEnd& to) {
     const Range range = overlap_of(slot_range(from, piece.horizontal), slot_range(to, piece.horizontal));
     if (range.empty()) return {};
-    const Piece moved{piece.horizontal, clamp_to_range(piece.at, range)};
+    const DrawnPiece moved{piece.horizontal, clamp_to_range(piece.at, range)};
     const Range source = covered_by(from, moved);
     const Range target = covered_by(to, moved);
     if (source.high < target.low) return {point_at(moved, source.high), point_at(moved, target.low)};
@@ -110,7 +110,7 @@ std::vector<Point> remove_straight_points(const std::vector<Point>& points) {
 }
 
 /// The points of a route; empty if it does not lead from one box to the other.
-std::vector<Point> points_of(std::vector<Piece> pieces, const RouteEnd& from, const RouteEnd& to) {
+std::vector<Point> points_of(std::vector<DrawnPiece> pieces, const RouteEnd& from, const RouteEnd& to) {
     if (pieces.empty()) return {};
     begin_at(pieces, from);
     std::ranges::reverse(pieces);
@@ -127,7 +127,7 @@ std::vector<Point> points_of(std::vector<Piece> pieces, const RouteEnd& from, co
 }
 
 /// Appends a segment; consecutive segments of one direction are merged.
-void add_piece(std::vector<Piece>& pieces, const Piece& piece) {
+void add_piece(std::vector<DrawnPiece>& pieces, const DrawnPiece& piece) {
     if (pieces.empty() || pieces.back().horizontal != piece.horizontal) pieces.push_back(piece);
 }
 
@@ -167,9 +167,9 @@ bool is_askew(const DrawnEdge& edge, std::size_t bend) {
 }
 
 /// The segments of a drawn route; a diagonal segment becomes a corner.
-std::vector<Piece> pieces_of(const DrawnEdge& edge, const std::vector<Point>& points, const RouteEnd& from,
-                             const RouteEnd& to) {
-    std::vector<Piece> pieces;
+std::vector<DrawnPiece> pieces_of(const DrawnEdge& edge, const std::vector<Point>& points, const RouteEnd& from,
+                                  const RouteEnd& to) {
+    std::vector<DrawnPiece> pieces;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Point& a = points[i - 1];
         const Point& b = points[i];
@@ -279,7 +279,7 @@ std::vector<Point> route_as_drawn(const DrawnEdge& edge, const RouteEnd& from, c
 std::vector<Point> new_route(const RouteEnd& from, const RouteEnd& to, const FreeSpace& space) {
     std::vector<Point> best;
     double least = std::numeric_limits<double>::infinity();
-    const auto see = [&](std::vector<Piece> pieces) {
+    const auto see = [&](std::vector<DrawnPiece> pieces) {
         std::vector<Point> points = points_of(std::move(pieces), from, to);
         if (points.size() < 2) return;
         if (const double cost = space.route_cost(points); cost < least) {

@@ -28,7 +28,7 @@ Icon icon_of(DeclKind kind) {
 }
 
 /// The label of a connection: `async`, or none.
-layout::Lines label_of(const Connection& connection) {
+layout::Lines connection_label(const Connection& connection) {
     return connection.async ? layout::Lines{{"async"}, false} : layout::Lines{};
 }
 
@@ -119,7 +119,7 @@ void PartLevel::add_connection(const Connection& connection) {
     edge.to = to.part;
     edge.from_port = from.square;
     edge.to_port = to.square;
-    edge.label = size_of(label_of(connection));
+    edge.label = size_of(connection_label(connection));
     level_.edges.push_back(std::move(edge));
     connections_.push_back(&connection);
     ends_.emplace_back(from, to);
@@ -357,7 +357,7 @@ void PartLevel::paint_connection(Picture& picture, std::size_t c, const Point& c
     line.to = squares_[ends_[c].second.part][ends_[c].second.square];
     line.both_ways = connections_[c]->multiple;
     for (const Point& point : placed.points) line.points.push_back({point.x + corner.x, point.y + corner.y});
-    const layout::Lines label = label_of(*connections_[c]);
+    const layout::Lines label = connection_label(*connections_[c]);
     if (!placed.label.empty()) {
         line.label = placed.label;
         line.label.x += corner.x;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "frontend/diagrams/layout/geometry.hpp"
@@ -74,6 +75,12 @@ enum class Look {
 /// True for nodes that are drawn as circles.
 [[nodiscard]] inline bool is_round(Look look) {
     return look >= Look::initial;
+}
+/// The letter in the circle of a node; "" if it has none.
+[[nodiscard]] inline std::string_view letter_of(Look look) {
+    if (look == Look::initial) return "i";
+    if (look == Look::probabilistic) return "P";
+    return look == Look::final ? "F" : "";
 }
 
 /// A box with its text.

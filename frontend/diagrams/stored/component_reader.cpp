@@ -21,7 +21,7 @@ using layout::Point;
 
 namespace {
 
-constexpr double inset = 5;          ///< the distance of shapes from the border of their area
+constexpr double shape_inset = 5;    ///< the distance of shapes from the border of their area
 constexpr double title_height = 28;  ///< the height of a displayed title
 
 /// "S" of "ref S = T", "e: nat", "op(x: nat)".
@@ -234,7 +234,7 @@ private:
     /// A shape with areas is as large as the areas need.
     void read_box(std::size_t shape, const Declaration& it) {
         const AirdShape& own = diagram_.shapes[shape];
-        layout::DrawnBox box{{own.x.value_or(0) + inset, own.y.value_or(0) + inset}, own.width, own.height};
+        layout::DrawnBox box{{own.x.value_or(0) + shape_inset, own.y.value_or(0) + shape_inset}, own.width, own.height};
         StoredArea area;
         std::vector<std::size_t> areas;
         areas_in(shape, areas);

@@ -75,13 +75,6 @@ std::string_view class_of(Look look) {
     return "";
 }
 
-/// The letter in the circle of a node.
-std::string_view letter_of(Look look) {
-    if (look == Look::initial) return "i";
-    if (look == Look::junction) return "";
-    return look == Look::probabilistic ? "P" : "F";
-}
-
 /// The path of a line with rounded corners.
 std::string path_of(const std::vector<Point>& points) {
     constexpr double radius = 5;

@@ -18,12 +18,6 @@
 namespace robochart::probability {
 namespace {
 
-std::string first_error(const diagnostics::Diagnostics& diagnostics) {
-    for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings())
-        if (finding.rule->severity == diagnostics::Severity::error) return finding.message();
-    return "";
-}
-
 std::string magnitude_digits(const boost::multiprecision::cpp_int& value) {
     std::string digits = value.str();
     return value < 0 ? digits.substr(1) : digits;
@@ -128,7 +122,7 @@ const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Val
     instantiation_options.constants = ir::not_overridden(system_, options_.instantiation.constants, chosen);
     instantiation_options.constants.merge(chosen);
     ir::Instantiation instantiation = ir::instantiate_system(system_, instantiation_options, findings);
-    if (!findings.ok()) throw Wrong(first_error(findings));
+    if (!findings.ok()) throw Wrong(findings.first_error());
     made->process =
         explore_process(system_, subject_, std::move(instantiation), names_->observed(), sources_,
                         {options_.max_states, options_.compared_states, options_.budget, options_.on_session});
@@ -251,7 +245,7 @@ const prism::StateSpace& ProcessEncoding::explore_space(const Question& question
     auto made = std::make_unique<Answered>();
     DecisionProcess process = make_decision_process(found);
     made->model = prism::check_model(model_declarations(found, question, process.happening), made->findings);
-    if (!made->model) throw Wrong(first_error(made->findings));
+    if (!made->model) throw Wrong(made->findings.first_error());
     prism::Values of_file;
     for (const auto& [name, value] : constants)
         if (name.find("::") == std::string::npos) of_file.emplace(name, value);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "prism/assertions/process/decision_process.hpp"
+#include "prism/assertions/properties/names.hpp"
 #include "prism/syntax/lexer.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -18,19 +19,6 @@ using prism::Op;
 
 [[noreturn]] void throw_absent(const std::string& what, const std::string& path) {
     throw NotExpressed(fmt::format("the process has no {} `{}`", what, path));
-}
-
-std::string owner_of(const std::string& path) {
-    const std::size_t at = path.rfind("::");
-    return at == std::string::npos ? "" : path.substr(0, at);
-}
-
-std::string last_of(const std::string& path) {
-    return path.substr(path.rfind(':') + 1);
-}
-
-ExprPtr name_expression(const std::string& name) {
-    return prism::make_expr(Op::name, {}, {}, name);
 }
 
 /// True if values of the type are numbers in PRISM.

@@ -12,10 +12,8 @@
 namespace robochart::probability {
 namespace {
 
-using ir::ExprKind;
-
 /// Limits the nesting of constants, which may be defined by each other.
-constexpr unsigned most_depth = 100;
+constexpr unsigned most_constant_depth = 100;
 
 Rational power_of_ten(std::uint32_t exponent) {
     return boost::multiprecision::pow(boost::multiprecision::cpp_int(10), exponent);
@@ -84,7 +82,8 @@ Rational Weights::constant_value(const Scope& scope, ir::ConstantId id) const {
         return Rational(given->second.number) / (real ? instantiation_.scale : 1);
     }
     const ir::ExprPtr& defined = source.constant != nullptr ? source.constant->value : declared.value;
-    if (!defined || scope.depth > most_depth) throw Wrong(fmt::format("the constant {} has no value", declared.name));
+    if (!defined || scope.depth > most_constant_depth)
+        throw Wrong(fmt::format("the constant {} has no value", declared.name));
     Scope inner = scope;
     ++inner.depth;
     return expression_value(inner, *defined);
@@ -93,71 +92,71 @@ Rational Weights::constant_value(const Scope& scope, ir::ConstantId id) const {
 Rational Weights::expression_value(const Scope& scope, const ir::Expr& expr) const {
     const auto arg = [&](std::size_t i) { return expression_value(scope, *expr.args[i]); };
     switch (expr.kind) {
-        case ExprKind::boolean:
-        case ExprKind::integer:
-        case ExprKind::enum_literal:
+        case ir::ExprKind::boolean:
+        case ir::ExprKind::integer:
+        case ir::ExprKind::enum_literal:
             return expr.number;
-        case ExprKind::real:
+        case ir::ExprKind::real:
             return Rational(expr.decimal.unscaled) / power_of_ten(expr.decimal.decimals);
-        case ExprKind::constant:
+        case ir::ExprKind::constant:
             return constant_value(scope, expr.constant);
-        case ExprKind::variable: {
+        case ir::ExprKind::variable: {
             if (scope.value_of == nullptr) break;
             const std::int64_t units = (*scope.value_of)(scope.draw->variables[expr.variable.index]);
             const bool real = system_.type(expr.type).kind == ir::TypeKind::real;
             return Rational(units) / (real ? instantiation_.scale : 1);
         }
-        case ExprKind::negate:
+        case ir::ExprKind::negate:
             return -arg(0);
-        case ExprKind::logical_not:
+        case ir::ExprKind::logical_not:
             return truth_number(arg(0) == 0);
-        case ExprKind::iff:
-        case ExprKind::equal:
+        case ir::ExprKind::iff:
+        case ir::ExprKind::equal:
             return truth_number(arg(0) == arg(1));
-        case ExprKind::not_equal:
+        case ir::ExprKind::not_equal:
             return truth_number(arg(0) != arg(1));
-        case ExprKind::implies:
+        case ir::ExprKind::implies:
             return truth_number(arg(0) == 0 || arg(1) != 0);
-        case ExprKind::disjunction:
+        case ir::ExprKind::disjunction:
             return truth_number(arg(0) != 0 || arg(1) != 0);
-        case ExprKind::conjunction:
+        case ir::ExprKind::conjunction:
             return truth_number(arg(0) != 0 && arg(1) != 0);
-        case ExprKind::greater:
+        case ir::ExprKind::greater:
             return truth_number(arg(0) > arg(1));
-        case ExprKind::greater_equal:
+        case ir::ExprKind::greater_equal:
             return truth_number(arg(0) >= arg(1));
-        case ExprKind::less:
+        case ir::ExprKind::less:
             return truth_number(arg(0) < arg(1));
-        case ExprKind::less_equal:
+        case ir::ExprKind::less_equal:
             return truth_number(arg(0) <= arg(1));
-        case ExprKind::plus:
+        case ir::ExprKind::plus:
             return arg(0) + arg(1);
-        case ExprKind::minus:
+        case ir::ExprKind::minus:
             return arg(0) - arg(1);
-        case ExprKind::times:
+        case ir::ExprKind::times:
             return arg(0) * arg(1);
-        case ExprKind::divide: {
+        case ir::ExprKind::divide: {
             const Rational divisor = arg(1);
             if (divisor == 0) throw Wrong("a probability divides by 0");
             // Numbers in probabilities are fractions: 1/3 is a third, even if 1 and 3 are whole numbers.
             return arg(0) / divisor;
         }
-        case ExprKind::if_then_else:
+        case ir::ExprKind::if_then_else:
             return arg(0) != 0 ? arg(1) : arg(2);
-        case ExprKind::cast: {
+        case ir::ExprKind::cast: {
             const bool rounds = system_.type(expr.type).kind != ir::TypeKind::real &&
                                 system_.type(expr.args.front()->type).kind == ir::TypeKind::real;
             return rounds ? floor_of(arg(0)) : arg(0);
         }
         // clang-format off
-        case ExprKind::string: case ExprKind::trigger_value: case ExprKind::since: case ExprKind::since_entry:
-        case ExprKind::modulus: case ExprKind::call: case ExprKind::function_value: case ExprKind::apply:
-        case ExprKind::tuple: case ExprKind::record: case ExprKind::sequence: case ExprKind::set:
-        case ExprKind::matrix: case ExprKind::member: case ExprKind::index: case ExprKind::concat:
-        case ExprKind::is_in: case ExprKind::set_range: case ExprKind::bound: case ExprKind::forall:
-        case ExprKind::exists: case ExprKind::exists_unique: case ExprKind::lambda: case ExprKind::the:
-        case ExprKind::set_comprehension: case ExprKind::let: case ExprKind::toolkit: case ExprKind::is_type:
-        case ExprKind::range: case ExprKind::transpose:
+        case ir::ExprKind::string: case ir::ExprKind::trigger_value: case ir::ExprKind::since: case ir::ExprKind::since_entry:
+        case ir::ExprKind::modulus: case ir::ExprKind::call: case ir::ExprKind::function_value: case ir::ExprKind::apply:
+        case ir::ExprKind::tuple: case ir::ExprKind::record: case ir::ExprKind::sequence: case ir::ExprKind::set:
+        case ir::ExprKind::matrix: case ir::ExprKind::member: case ir::ExprKind::index: case ir::ExprKind::concat:
+        case ir::ExprKind::is_in: case ir::ExprKind::set_range: case ir::ExprKind::bound: case ir::ExprKind::forall:
+        case ir::ExprKind::exists: case ir::ExprKind::exists_unique: case ir::ExprKind::lambda: case ir::ExprKind::the:
+        case ir::ExprKind::set_comprehension: case ir::ExprKind::let: case ir::ExprKind::toolkit: case ir::ExprKind::is_type:
+        case ir::ExprKind::range: case ir::ExprKind::transpose:
             break;
     }
     // clang-format on

@@ -27,7 +27,7 @@ using prism::ExprPtr;
 using prism::Op;
 
 /// Nesting of definitions; a greater depth means that a definition uses itself.
-constexpr unsigned most_depth = 50;
+constexpr unsigned most_definition_depth = 50;
 
 [[noreturn]] void throw_not_expressed(const std::string& what) {
     throw NotExpressed(what);
@@ -169,7 +169,7 @@ private:
     class Deeper {
     public:
         explicit Deeper(unsigned& depth) : depth_(depth) {
-            if (++depth_ > most_depth) throw_not_expressed("a definition that uses itself");
+            if (++depth_ > most_definition_depth) throw_not_expressed("a definition that uses itself");
         }
         ~Deeper() { --depth_; }
         Deeper(const Deeper&) = delete;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "prism/assertions/properties/names.hpp"
 #include "prism/assertions/robotool/wording.hpp"
 #include "prism/checks/check.hpp"
 #include "prism/session/experiment.hpp"
@@ -18,16 +19,6 @@ namespace robochart::probability {
 namespace {
 
 using prism::ExprPtr;
-
-std::string first_error(const diagnostics::Diagnostics& diagnostics) {
-    for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings())
-        if (finding.rule->severity == diagnostics::Severity::error) return finding.message();
-    return "";
-}
-
-ExprPtr name_expression(const std::string& name) {
-    return prism::make_expr(prism::Op::name, {}, {}, name);
-}
 
 std::set<std::string> names_of(const prism::ModelFile& model) {
     std::set<std::string> result;
@@ -124,7 +115,7 @@ prism_emit::Emission emit_model(const ir::System& system, const ir::Module& modu
     diagnostics::Diagnostics findings;
     if (budget != nullptr) findings.set_budget(budget);
     auto result = prism_emit::emit(system, module, preferences, findings, functions);
-    if (!result) throw NotExpressed("RoboTool's encoding: " + first_error(findings));
+    if (!result) throw NotExpressed("RoboTool's encoding: " + findings.first_error());
     return std::move(*result);
 }
 
@@ -253,7 +244,7 @@ RoboToolEncoding::Prepared& RoboToolEncoding::prepare_model(const Question& ques
     made->text = std::move(text);
     made->values = std::move(values);
     made->model = prism::check_model(whole, made->findings);
-    if (!made->model) throw Wrong(first_error(made->findings));
+    if (!made->model) throw Wrong(made->findings.first_error());
     prepared_ = std::move(made);
     return *prepared_;
 }

@@ -6,20 +6,13 @@
 #include <charconv>
 #include <optional>
 
+#include "prism/assertions/properties/names.hpp"
+
 namespace robochart::probability {
 namespace {
 
 constexpr std::string_view counter = "::scpc_8";
 constexpr std::string_view entering = "_entering";
-
-std::string owner_of(const std::string& element) {
-    const std::size_t at = element.rfind("::");
-    return at == std::string::npos ? "" : element.substr(0, at);
-}
-
-std::string last_of(const std::string& element) {
-    return element.substr(element.rfind(':') + 1);
-}
 
 /// The value of a constant that is defined as a number.
 std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::string& name) {
