@@ -69,6 +69,11 @@ std::string symmetry_text(const refine::Statistics& size) {
                              : "";
 }
 
+std::string proof_text(const refine::Statistics& size) {
+    const std::string_view reason = reason_of(size.decided_by);
+    return reason.empty() ? "" : fmt::format("               no search was necessary: {}\n", reason);
+}
+
 /// The assertion whose run is printed, and the other components with the same run.
 struct SharedRun {
     std::string shown_at;             ///< "module P::M"; "": with this assertion
@@ -98,6 +103,7 @@ std::string assertion_rest(const driver::AssertionReport& a, const std::string& 
         out += fmt::format("  {:>9} states {:>8}", with_commas(a.statistics.states),
                            a.searched ? duration_text(a.statistics.seconds) : "known");
     out += '\n';
+    out += proof_text(a.statistics);
     out += symmetry_text(a.statistics);
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     for (const std::string& line : basis_lines(a.basis, listed_grounds))
@@ -366,6 +372,30 @@ std::string_view name_of(conformance::Outcome outcome) {
     constexpr std::array<std::string_view, 7> names{"conforms",      "differs", "rounds",      "not schedulable",
                                                     "not generated", "error",   "inconclusive"};
     return names[static_cast<std::size_t>(outcome)];
+}
+
+std::string_view name_of(refine::DecidedBy decided_by) {
+    switch (decided_by) {
+        case refine::DecidedBy::search:
+            return "search";
+        case refine::DecidedBy::tau_acyclic:
+            return "no tau cycle";
+        case refine::DecidedBy::choice_free:
+            return "no choice";
+    }
+    return "";
+}
+
+std::string_view reason_of(refine::DecidedBy decided_by) {
+    switch (decided_by) {
+        case refine::DecidedBy::search:
+            return "";
+        case refine::DecidedBy::tau_acyclic:
+            return "no cycle of hidden events is possible";
+        case refine::DecidedBy::choice_free:
+            return "no event is hidden, and each event has only one way to happen";
+    }
+    return "";
 }
 
 const std::string_view indent_of_runs = "                 ";

@@ -21,6 +21,11 @@ std::unique_ptr<TransitionSystem> SymmetricSystem::clone_for_thread() const {
     return system ? std::make_unique<SymmetricSystem>(std::move(system), symmetry_) : nullptr;
 }
 
+std::unique_ptr<TransitionSystem> SymmetricSystem::make_cycle_system(diagnostics::Pollable& budget) const {
+    std::unique_ptr<TransitionSystem> system = system_->make_cycle_system(budget);
+    return system ? std::make_unique<SymmetricSystem>(std::move(system), symmetry_) : nullptr;
+}
+
 void SymmetricSystem::set_budget(diagnostics::Pollable& budget) {
     budget_ = &budget;
     system_->set_budget(budget);

@@ -25,6 +25,7 @@ public:
     [[nodiscard]] const EventTable& events() const override { return system_->events(); }
     [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }
     void set_budget(diagnostics::Pollable& budget) override;
+    [[nodiscard]] std::unique_ptr<TransitionSystem> make_cycle_system(diagnostics::Pollable& budget) const override;
     [[nodiscard]] std::uint64_t chased_state_count() const override { return system_->chased_state_count(); }
     /// The original system.
     [[nodiscard]] const TransitionSystem& original_system() const { return *system_; }

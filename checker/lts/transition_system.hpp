@@ -30,6 +30,12 @@ public:
 class FinerSystem;
 class ReducedSystem;
 
+/// The steps that a reduced system may follow without storing the states in between (docs/search.md, "Confluent taus").
+enum class Followed {
+    taus,   ///< taus; the reduced system answers every question about the process
+    steps,  ///< steps with any event; the reduced system answers only whether the process can deadlock
+};
+
 /// A system that can be searched: an initial packed state, the successors of a state, names of events.
 class TransitionSystem {
 public:
@@ -55,10 +61,23 @@ public:
     /// are replayed in it before they are reported. Null if there is none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
-    /// Returns the same process with fewer states. Its initial state is branching bisimilar with explicit divergence to
-    /// that of this system, which preserves every model. The result may outlive this system. Null if no reduction is
-    /// known. Polls the budget.
-    [[nodiscard]] virtual std::unique_ptr<ReducedSystem> make_reduced_system(diagnostics::Pollable& /*budget*/) const;
+    /// Returns the same process with fewer states. If only taus are followed, its initial state is branching bisimilar
+    /// with explicit divergence to that of this system, which preserves every model. If all steps are followed, it has
+    /// a state without transitions iff this system has one. The result may outlive this system. Null if no reduction
+    /// is known. Polls the budget.
+    [[nodiscard]] virtual std::unique_ptr<ReducedSystem> make_reduced_system(Followed /*followed*/,
+                                                                             diagnostics::Pollable& /*budget*/) const;
+    /// Whether the rules of the process show that it has no cycle of taus (docs/search.md, "Static proofs"). If not,
+    /// it may have one or none. Polls the budget.
+    [[nodiscard]] virtual bool excludes_tau_cycles(diagnostics::Pollable& /*budget*/) const { return false; }
+    /// Whether the rules of the process show that no state has a tau, two transitions with the same event, or tick
+    /// beside another event. If not, there may be such states or none. Polls the budget.
+    [[nodiscard]] virtual bool excludes_choices(diagnostics::Pollable& /*budget*/) const { return false; }
+    /// Returns a system with the same states, but with only some of the transitions, among them all that are on cycles
+    /// of taus. Null if the rules exclude no tau. Polls the budget.
+    [[nodiscard]] virtual std::unique_ptr<TransitionSystem> make_cycle_system(diagnostics::Pollable& /*budget*/) const {
+        return nullptr;
+    }
     /// Returns the same process before its parts were minimised, or null if that is not known or too large. It is
     /// strongly bisimilar to this system, and its transitions have the names of hidden events that the process gives
     /// them: a state of a minimised part has the names of one of the states that it represents. For the display of
@@ -78,12 +97,14 @@ private:
     std::shared_ptr<TransitionSystem> reference_;
 };
 
-/// A reduced system, in which a state that a sequence of taus reaches may represent an earlier state. The states are
-/// those of the original system.
+/// A reduced system, in which a state that a sequence of followed steps reaches may represent an earlier state. The
+/// states are those of the original system.
 class ReducedSystem : public TransitionSystem {
 public:
-    /// Returns the states on the path of taus from `state` to its representative. Empty if the state represents itself.
-    [[nodiscard]] virtual std::vector<std::vector<Word>> tau_path(StateView state) = 0;
+    [[nodiscard]] virtual Followed followed() const = 0;
+    /// Returns the states on the path of followed steps from `state` to its representative. Empty if the state
+    /// represents itself.
+    [[nodiscard]] virtual std::vector<std::vector<Word>> followed_path(StateView state) = 0;
 };
 
 /// A system before its parts were minimised.
@@ -99,7 +120,8 @@ inline std::unique_ptr<FinerSystem> TransitionSystem::make_finer_system(diagnost
     return nullptr;
 }
 
-inline std::unique_ptr<ReducedSystem> TransitionSystem::make_reduced_system(diagnostics::Pollable& /*budget*/) const {
+inline std::unique_ptr<ReducedSystem> TransitionSystem::make_reduced_system(Followed /*followed*/,
+                                                                            diagnostics::Pollable& /*budget*/) const {
     return nullptr;
 }
 

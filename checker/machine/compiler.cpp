@@ -310,7 +310,8 @@ std::unique_ptr<SupercombinatorSystem> Compiler::combine_components(Skeleton ske
 std::optional<process::Machine> Compiler::explore(TermId term, lts::Equivalence up_to, diagnostics::Pollable& budget) {
     const auto system = compile(term, budget);
     if (!system) return std::nullopt;
-    const auto reduced = up_to == lts::Equivalence::strong ? nullptr : system->make_reduced_system(budget);
+    const auto reduced =
+        up_to == lts::Equivalence::strong ? nullptr : system->make_reduced_system(lts::Followed::taus, budget);
     lts::TransitionSystem& explored = reduced ? static_cast<lts::TransitionSystem&>(*reduced) : *system;
     return without_names(RowCollector(explored, term, bounds_.compressed_states).run(budget));
 }

@@ -28,8 +28,12 @@ bool shares_region(const std::vector<std::uint32_t>& some, const std::vector<Pas
 
 }  // namespace
 
+bool is_candidate(const WholeRule& rule, lts::Followed followed) {
+    return (followed == lts::Followed::steps || rule.event == tau) && rule.prevented.empty();
+}
+
 Confluence::Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
-                       ProofPlan plan)
+                       lts::Followed followed, ProofPlan plan)
     : combined_(std::move(combined)),
       rules_(std::move(rules)),
       plan_(std::move(plan)),
@@ -42,7 +46,7 @@ Confluence::Confluence(std::shared_ptr<const Supercombinator> combined, std::sha
         known_[slot].resize(component(slot).size());
     }
     count_offers();
-    list_tau_rules();
+    list_candidates(followed);
 }
 
 void Confluence::count_offers() {
@@ -54,13 +58,12 @@ void Confluence::count_offers() {
     }
 }
 
-/// Condition 1. Lists each rule at one component, which is the component that can perform its part in the fewest
-/// states.
-void Confluence::list_tau_rules() {
+/// Lists each candidate at one component, which is the component that can perform its part in the fewest states.
+void Confluence::list_candidates(lts::Followed followed) {
     const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
         const WholeRule& rule = rules_->rules[number];
-        if (rule.event != tau || !rule.prevented.empty()) continue;
+        if (!is_candidate(rule, followed)) continue;
         const Part* lead = nullptr;
         for (const Part& part : rule.parts)
             if (part.event && (lead == nullptr || share(part) < share(*lead))) lead = &part;
@@ -70,7 +73,7 @@ void Confluence::list_tau_rules() {
     }
 }
 
-bool Confluence::follow_tau(std::span<Local> state) {
+bool Confluence::follow_step(std::span<Local> state) {
     assert(state.size() == known_.size());
     ++states_asked_;
     for (std::uint32_t slot = 0; slot < state.size(); ++slot) {

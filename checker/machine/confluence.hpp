@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides by rules which taus of a compiled process are confluent (docs/search.md, "Confluent taus", contains the
-// statement and the proof). Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000;
+// statement and the proof). If only deadlocks matter, steps with any event may be confluent ("Deadlocks"). Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000;
 // Blom and van de Pol, "State space reduction by proving confluence", CAV 2002.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "checker/lts/transition_system.hpp"
 #include "checker/machine/answer_table.hpp"
 #include "checker/machine/whole_rules.hpp"
 
@@ -36,7 +37,7 @@ public:
         std::uint64_t proofs = 0;  ///< number of successful proofs
         std::uint64_t looked = 0;  ///< number of states examined by proofs
         std::uint64_t rules = 0;   ///< number of rules examined in these states
-        std::uint64_t used = 0;    ///< number of taus followed because of such a proof
+        std::uint64_t used = 0;    ///< number of steps followed because of such a proof
         std::map<Slots, std::uint64_t> next;
     };
 
@@ -52,20 +53,23 @@ private:
     std::map<Key, Sum> sums_;
 };
 
-/// Proves taus confluent by their rule and the current states of the components in it, and caches the results. The
+/// Whether steps by this rule may be followed: it has a suitable event, and the first level in its regions (condition 1).
+[[nodiscard]] bool is_candidate(const WholeRule& rule, lts::Followed followed);
+
+/// Proves steps confluent by their rule and the current states of the components in it, and caches the results. The
 /// answers do not depend on earlier queries.
 class Confluence {
 public:
     /// `plan`: a plan for a system with the same rules. The results depend on it.
     Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
-               ProofPlan plan);
+               lts::Followed followed, ProofPlan plan);
     Confluence(const Confluence&) = delete;
     Confluence& operator=(const Confluence&) = delete;
     ~Confluence();
 
-    /// Performs the first tau of the state that is proved to be confluent. `state` contains the states of the
-    /// components. Returns false if there is no such tau.
-    bool follow_tau(std::span<Local> state);
+    /// Performs the first step of the state that is proved to be confluent. `state` contains the states of the
+    /// components. Returns false if there is no such step.
+    bool follow_step(std::span<Local> state);
     /// Adds the costs and results of the proofs so far.
     void add_to(ProofRecord&) const;
     /// The total work so far, in the unit of `work_of_a_state`.
@@ -103,7 +107,7 @@ private:
     class Closure;
 
     void count_offers();
-    void list_tau_rules();
+    void list_candidates(lts::Followed followed);
     const std::vector<RuleNumber>& candidates(std::uint32_t slot, Local local);
     [[nodiscard]] std::vector<RuleNumber> make_entry(std::uint32_t slot, Local local) const;
     [[nodiscard]] bool never_commutes(RuleNumber rule, std::uint32_t slot, Local local) const;
@@ -140,7 +144,7 @@ private:
     ProofPlan plan_;
     std::vector<std::vector<double>> share_;  // by slot and event: the fraction of the component's states that can
                                               // perform it
-    std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the tau rules listed there
+    std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the candidates listed there
     std::vector<std::vector<std::uint32_t>> known_;              // by slot and state: one more than an index into
                                                                  // lists_
     std::vector<std::vector<RuleNumber>> lists_;

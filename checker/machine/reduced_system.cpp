@@ -11,9 +11,13 @@ namespace robochart::machine {
 
 namespace {
 
-/// The maximal length of a sequence of followed taus. The sequence may end at any of its states, which then represents
-/// the states before it.
-constexpr std::size_t most_steps = 1000;
+/// Returns the maximal length of a sequence of followed steps. The sequence may end at any of its states, which then
+/// represents the states before it. If all steps are followed, sequences with all steps of all components end in
+/// cycles, which are worth finding: no deadlock can be reached from them.
+std::size_t most_steps(lts::Followed followed, std::size_t components) {
+    constexpr std::size_t enough = 1000, for_each_component = 16;
+    return followed == lts::Followed::taus ? enough : enough + for_each_component * components;
+}
 /// The numbers of states of the pilot rounds, which estimate the benefit of proofs. After the first rounds the least
 /// useful proofs are removed.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
@@ -71,7 +75,7 @@ private:
 /// Returns the plan that results from the pilot search. No value if following taus costs more than it saves.
 std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombinator>& combined,
                                         const process::TermStore& terms, const std::shared_ptr<const WholeRules>& rules,
-                                        diagnostics::Pollable& budget) {
+                                        lts::Followed followed, diagnostics::Pollable& budget) {
     constexpr double of_a_state = 5;  // in addition to the steps of components
     Pilot pilot(combined->words);
     ProofRecord record;
@@ -81,7 +85,7 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
     for (const std::size_t states : pilot_states) {
         auto whole = std::make_unique<SupercombinatorSystem>(combined, terms);
         const SupercombinatorSystem& searched = *whole;
-        ReducedSystem reduced(std::move(whole), combined, rules, plan);
+        ReducedSystem reduced(std::move(whole), combined, rules, followed, plan);
         reduced.set_budget(budget);
         const std::size_t expanded_before = pilot.expanded_count();
         const bool whole_round = pilot.expand_states(reduced, states, budget);
@@ -102,26 +106,26 @@ std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombina
 
 }  // namespace
 
-std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::make_reduced_system(diagnostics::Pollable& budget) const {
-    std::optional<WholeRules> rules = whole_rules(*combined_, budget);
-    // A rule is never followed if its event is not tau, or if it does not have the first level in its regions.
-    const auto may_be_followed = [](const WholeRule& rule) {
-        return rule.event == process::tau && rule.prevented.empty();
-    };
-    if (!rules || std::ranges::none_of(rules->rules, may_be_followed)) return nullptr;
-    const auto shared = std::make_shared<const WholeRules>(std::move(*rules));
-    const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, shared, budget);
-    return plan ? std::make_unique<ReducedSystem>(clone_for_thread(), combined_, shared, *plan) : nullptr;
+std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::make_reduced_system(lts::Followed followed,
+                                                                               diagnostics::Pollable& budget) const {
+    const WholeRules* const rules = find_whole_rules(budget);
+    const auto may_be_followed = [&](const WholeRule& rule) { return is_candidate(rule, followed); };
+    if (rules == nullptr || std::ranges::none_of(rules->rules, may_be_followed)) return nullptr;
+    const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, facts_.whole, followed, budget);
+    if (!plan) return nullptr;
+    return std::make_unique<ReducedSystem>(clone_for_thread(), combined_, facts_.whole, followed, *plan);
 }
 
 ReducedSystem::ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole,
                              std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
-                             ProofPlan plan)
+                             lts::Followed followed, ProofPlan plan)
     : whole_(std::move(whole)),
       combined_(std::move(combined)),
       rules_(std::move(rules)),
+      followed_(followed),
       plan_(std::move(plan)),
-      confluence_(combined_, rules_, plan_),
+      most_steps_(most_steps(followed, combined_->components.size())),
+      confluence_(combined_, rules_, followed, plan_),
       locals_(combined_->components.size()),
       target_(combined_->words) {}
 
@@ -144,7 +148,7 @@ void ReducedSystem::pack_locals(std::span<lts::Word> state) const {
 void ReducedSystem::initial(std::span<lts::Word> state) {
     whole_->initial(state);
     unpack_locals(state);
-    chased_ += follow_all_taus();
+    chased_ += follow_all_steps();
     pack_locals(state);
 }
 
@@ -156,32 +160,51 @@ void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
         return other->successors(state, sink);
     }
     const lts::SinkInUse in_use(sink_, sink);
+    if (followed_ == lts::Followed::steps && pass_followed_step(state)) return;
     whole_->successors(state, *this);
+}
+
+/// If a step can be followed from the state, passes it as the only transition. The state is on a cycle of followed
+/// steps, or a sequence was cut off there.
+bool ReducedSystem::pass_followed_step(lts::StateView state) {
+    unpack_locals(state);
+    if (!follow_step()) return false;
+    chased_ += follow_all_steps();
+    pack_locals(target_);
+    sink_->add(process::tau, target_, process::tau);
+    return true;
+}
+
+/// A cycle of the reduced system is a cycle of the process whose followed taus are left out.
+std::unique_ptr<lts::TransitionSystem> ReducedSystem::make_cycle_system(diagnostics::Pollable& budget) const {
+    std::unique_ptr<lts::TransitionSystem> whole = whole_->make_cycle_system(budget);
+    if (!whole || followed_ != lts::Followed::taus) return nullptr;
+    return std::make_unique<ReducedSystem>(std::move(whole), combined_, rules_, followed_, plan_);
 }
 
 void ReducedSystem::add(Event event, lts::StateView target, Event revealed) {
     assert(sink_ != nullptr);
     unpack_locals(target);
-    const std::size_t steps = follow_all_taus();
+    const std::size_t steps = follow_all_steps();
     if (steps == 0) return sink_->add(event, target, revealed);
     chased_ += steps;
     pack_locals(target_);
     sink_->add(event, target_, revealed);
 }
 
-bool ReducedSystem::follow_tau() {
-    return confluence_.follow_tau(locals_);
+bool ReducedSystem::follow_step() {
+    return confluence_.follow_step(locals_);
 }
 
-/// Follows confluent taus to the end, or to the least state of the cycle that they reach; returns the number of steps.
+/// Follows confluent steps to the end, or to the least state of the cycle that they reach; returns the number of steps.
 /// (Cycles are found as in Brent, BIT 20, 1980.)
-std::size_t ReducedSystem::follow_all_taus() {
+std::size_t ReducedSystem::follow_all_steps() {
     budget_->poll();
     begin_ = seen_ = locals_;
     std::size_t length = 0;  // length of the cycle, if there is one
     std::size_t next_look = 1;
-    for (std::size_t steps = 0; steps < most_steps; ++steps) {
-        if (!follow_tau()) return steps;
+    for (std::size_t steps = 0; steps < most_steps_; ++steps) {
+        if (!follow_step()) return steps;
         ++length;
         if (locals_ == seen_) return enter_cycle(length);
         if (length != next_look) continue;
@@ -189,7 +212,7 @@ std::size_t ReducedSystem::follow_all_taus() {
         next_look *= 2;
         length = 0;
     }
-    return most_steps;
+    return most_steps_;
 }
 
 /// Goes from the beginning of the run to the first visit of the least state of the cycle, which contains the current
@@ -197,26 +220,26 @@ std::size_t ReducedSystem::follow_all_taus() {
 std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     least_ = locals_;
     for (std::size_t i = 0; i < length; ++i) {
-        follow_tau();
+        follow_step();
         least_ = std::min(least_, locals_);
     }
     assert(locals_ == seen_);  // once around the cycle
     locals_ = begin_;
     std::size_t steps = 0;
     for (; locals_ != least_; ++steps) {
-        assert(steps < most_steps);  // run has passed the state
-        follow_tau();
+        assert(steps < most_steps_);  // run has passed the state
+        follow_step();
     }
     return steps;
 }
 
-std::vector<std::vector<lts::Word>> ReducedSystem::tau_path(lts::StateView state) {
+std::vector<std::vector<lts::Word>> ReducedSystem::followed_path(lts::StateView state) {
     unpack_locals(state);
-    const std::size_t steps = follow_all_taus();
+    const std::size_t steps = follow_all_steps();
     std::vector<std::vector<lts::Word>> row;
     unpack_locals(state);
     for (std::size_t i = 0; i < steps; ++i) {
-        follow_tau();
+        follow_step();
         pack_locals(row.emplace_back(width()));
     }
     return row;

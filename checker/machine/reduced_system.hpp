@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A compiled process without the states from which confluent taus lead on (docs/search.md, "Confluent taus").
+// A compiled process without the states from which confluent steps lead on (docs/search.md, "Confluent taus",
+// "Deadlocks").
 #pragma once
 
 #include <memory>
@@ -11,24 +12,28 @@
 
 namespace robochart::machine {
 
-/// The states are those of the process. Targets of transitions are replaced by their representatives.
+/// The states are those of the process. Targets of transitions are replaced by their representatives. If all steps are
+/// followed and one leads on from a state, this step is the only transition of the state. It is passed as tau.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
     /// `plan`: the plan for its proofs (Confluence).
     ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
-                  std::shared_ptr<const WholeRules> rules, ProofPlan plan);
+                  std::shared_ptr<const WholeRules> rules, lts::Followed followed, ProofPlan plan);
 
     [[nodiscard]] std::size_t width() const override { return whole_->width(); }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override {
-        return std::make_unique<ReducedSystem>(whole_->clone_for_thread(), combined_, rules_, plan_);
+        return std::make_unique<ReducedSystem>(whole_->clone_for_thread(), combined_, rules_, followed_, plan_);
     }
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> make_cycle_system(
+        diagnostics::Pollable& budget) const override;
     [[nodiscard]] const process::EventTable& events() const override { return whole_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override { return whole_->describe(state); }
     void set_budget(diagnostics::Pollable& budget) override;
     [[nodiscard]] std::uint64_t chased_state_count() const override { return chased_; }
-    [[nodiscard]] std::vector<std::vector<lts::Word>> tau_path(lts::StateView state) override;
+    [[nodiscard]] lts::Followed followed() const override { return followed_; }
+    [[nodiscard]] std::vector<std::vector<lts::Word>> followed_path(lts::StateView state) override;
     /// Adds the costs and results of the proofs in the states found so far (Confluence).
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// The work of the proofs so far (Confluence).
@@ -40,14 +45,17 @@ private:
     void add(Event event, lts::StateView target, Event revealed) override;
     void unpack_locals(lts::StateView state);
     void pack_locals(std::span<lts::Word> state) const;
-    std::size_t follow_all_taus();
+    bool pass_followed_step(lts::StateView state);
+    std::size_t follow_all_steps();
     std::size_t enter_cycle(std::size_t length);
-    bool follow_tau();
+    bool follow_step();
 
     std::unique_ptr<lts::TransitionSystem> whole_;
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
+    lts::Followed followed_;
     ProofPlan plan_;
+    std::size_t most_steps_;  // maximal length of a sequence of followed steps
     Confluence confluence_;
     std::vector<Local> locals_, seen_, least_, begin_;
     std::vector<lts::Word> target_;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "checker/machine/static_proofs.hpp"
+
 namespace robochart::machine {
 
 using process::tau;
@@ -91,13 +93,15 @@ private:
     void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
         assert(rule <= end && end <= region_.rules.size());
         for (; rule < end; ++rule)
-            if (is_relevant(region_.rules[rule]))
+            if (is_relevant(rule))
                 take_step(region_.rules[rule], who, way, region_.rules[rule].first_requirement, tau);
     }
 
-    [[nodiscard]] bool is_relevant(const Rule& rule) const {
+    [[nodiscard]] bool is_relevant(std::uint32_t number) const {
+        const Rule& rule = region_.rules[number];
         if (probing_) return rule.level < best_;
-        return around_ == nullptr || (*around_)[rule.place] < (*around_)[rule.place + 1U];
+        if (around_ != nullptr) return (*around_)[rule.place] < (*around_)[rule.place + 1U];
+        return system_.fired_ == nullptr || (*system_.fired_)[number];
     }
 
     /// Applies the change of one participant, and then processes the requirements from index `next` on. A tau gets the
@@ -227,9 +231,9 @@ std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     // If the same system is both sides of a refinement, the sink asks for successors while it receives some.
     if (busy_) {
-        SupercombinatorSystem another(combined_, terms_);
-        another.budget_ = budget_;
-        return another.successors(state, sink);
+        const std::unique_ptr<SupercombinatorSystem> another = make_copy();
+        another->budget_ = budget_;
+        return another->successors(state, sink);
     }
     busy_ = true;
     try {
@@ -251,6 +255,56 @@ void SupercombinatorSystem::pass_successors(lts::StateView state, lts::Successor
     }
     Firing(*this, static_cast<std::uint32_t>(moves_.size() - 1)).pass_results(state, sink);
     assert(changes_.empty());
+}
+
+std::unique_ptr<SupercombinatorSystem> SupercombinatorSystem::make_copy() const {
+    auto copy = std::make_unique<SupercombinatorSystem>(combined_, terms_);
+    copy->facts_ = facts_;
+    copy->fired_ = fired_;
+    return copy;
+}
+
+/// Returns the rules of the whole process. Null if there are too many.
+const WholeRules* SupercombinatorSystem::find_whole_rules(diagnostics::Pollable& budget) const {
+    if (facts_.whole == nullptr && !facts_.too_many) {
+        std::optional<WholeRules> rules = whole_rules(*combined_, budget);
+        facts_.too_many = !rules;
+        if (rules) facts_.whole = std::make_shared<const WholeRules>(std::move(*rules));
+    }
+    return facts_.whole.get();
+}
+
+const std::vector<bool>& SupercombinatorSystem::find_cycle_rules(const WholeRules& rules,
+                                                                 diagnostics::Pollable& budget) const {
+    if (facts_.on_cycles == nullptr)
+        facts_.on_cycles =
+            std::make_shared<const std::vector<bool>>(rules_on_tau_cycles(*combined_, rules, budget));
+    return *facts_.on_cycles;
+}
+
+bool SupercombinatorSystem::excludes_tau_cycles(diagnostics::Pollable& budget) const {
+    const WholeRules* const rules = find_whole_rules(budget);
+    if (rules == nullptr) return false;
+    const std::vector<bool>& on_cycles = find_cycle_rules(*rules, budget);
+    return std::ranges::find(on_cycles, true) == on_cycles.end();
+}
+
+bool SupercombinatorSystem::excludes_choices(diagnostics::Pollable& budget) const {
+    const WholeRules* const rules = find_whole_rules(budget);
+    return rules != nullptr && exclude_choices(*combined_, *rules);
+}
+
+/// A rule of the outermost region fires if some rule of the whole process that passes through it may lie on a cycle.
+std::unique_ptr<lts::TransitionSystem> SupercombinatorSystem::make_cycle_system(diagnostics::Pollable& budget) const {
+    const WholeRules* const rules = find_whole_rules(budget);
+    if (rules == nullptr) return nullptr;
+    const std::vector<bool>& on_cycles = find_cycle_rules(*rules, budget);
+    std::vector<bool> fired(combined_->regions.back().rules.size());
+    for (std::size_t rule = 0; rule < on_cycles.size(); ++rule)
+        if (on_cycles[rule]) fired[rules->rules[rule].outermost] = true;
+    std::unique_ptr<SupercombinatorSystem> copy = make_copy();
+    copy->fired_ = std::make_shared<const std::vector<bool>>(std::move(fired));
+    return copy;
 }
 
 std::string SupercombinatorSystem::describe(lts::StateView state) const {

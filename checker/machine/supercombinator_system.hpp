@@ -8,6 +8,7 @@
 
 #include "checker/lts/transition_system.hpp"
 #include "checker/machine/supercombinator.hpp"
+#include "checker/machine/whole_rules.hpp"
 
 namespace robochart::machine {
 
@@ -20,10 +21,13 @@ public:
     [[nodiscard]] std::size_t width() const override { return combined_->words; }
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
-    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override {
-        return std::make_unique<SupercombinatorSystem>(combined_, terms_);
-    }
-    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(diagnostics::Pollable& budget) const override;
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> clone_for_thread() const override { return make_copy(); }
+    [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(lts::Followed followed,
+                                                                          diagnostics::Pollable& budget) const override;
+    [[nodiscard]] bool excludes_tau_cycles(diagnostics::Pollable& budget) const override;
+    [[nodiscard]] bool excludes_choices(diagnostics::Pollable& budget) const override;
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> make_cycle_system(
+        diagnostics::Pollable& budget) const override;
     /// Builds the process before its components were minimised; null if that is not possible.
     using MakeFiner = std::function<std::unique_ptr<lts::FinerSystem>(diagnostics::Pollable&)>;
     void set_finer_system(MakeFiner make) { make_finer_ = std::move(make); }
@@ -60,14 +64,27 @@ private:
     };
     class Firing;
 
+    [[nodiscard]] std::unique_ptr<SupercombinatorSystem> make_copy() const;
+    [[nodiscard]] const WholeRules* find_whole_rules(diagnostics::Pollable& budget) const;
+    [[nodiscard]] const std::vector<bool>& find_cycle_rules(const WholeRules& rules,
+                                                            diagnostics::Pollable& budget) const;
     void pass_successors(lts::StateView state, lts::SuccessorSink& sink);
     void unpack(lts::StateView state);
     Range leading_moves(std::uint32_t region, const std::vector<std::uint32_t>& first_rule_around);
     Range moves_by(std::uint32_t region, std::uint32_t event);
     std::uint32_t best_level(std::uint32_t region);
 
+    /// What is known about the rules of the whole process. Copies of the system share it.
+    struct RuleFacts {
+        std::shared_ptr<const WholeRules> whole;             ///< null: not computed, or too many
+        bool too_many = false;                               ///< whether there are too many rules to be useful
+        std::shared_ptr<const std::vector<bool>> on_cycles;  ///< rules_on_tau_cycles; null: not computed
+    };
+
     std::shared_ptr<const Supercombinator> combined_;
     const process::TermStore& terms_;
+    mutable RuleFacts facts_;                         // computed on first use
+    std::shared_ptr<const std::vector<bool>> fired_;  // by rule of the outermost region; null: all fire
     MakeFiner make_finer_;
     std::vector<Local> locals_;
     std::vector<Moves> moves_;         // by region

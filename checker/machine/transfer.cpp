@@ -2,6 +2,7 @@
 #include "checker/machine/transfer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <tuple>
 
@@ -287,6 +288,15 @@ const Supercombinator* process_of(const lts::TransitionSystem& system) {
     return smaller != nullptr ? &smaller->combined() : nullptr;
 }
 
+constexpr std::array reduced_forms{lts::Followed::taus, lts::Followed::steps};
+
+/// Returns 0 for a whole process, and otherwise one more than the index of its reduced form.
+std::uint64_t form_of(const lts::TransitionSystem& system) {
+    const auto* smaller = dynamic_cast<const ReducedSystem*>(&system);
+    if (smaller == nullptr) return 0;
+    return static_cast<std::uint64_t>(std::ranges::find(reduced_forms, smaller->followed()) - reduced_forms.begin()) + 1;
+}
+
 }  // namespace
 
 bool write(const lts::TransitionSystem& system, ByteWriter& out) {
@@ -294,7 +304,7 @@ bool write(const lts::TransitionSystem& system, ByteWriter& out) {
     const lts::TransitionSystem& inner = folded != nullptr ? folded->original_system() : system;
     const Supercombinator* process = process_of(inner);
     if (process == nullptr) return false;
-    out.write_number(dynamic_cast<const ReducedSystem*>(&inner) != nullptr ? 1 : 0);
+    out.write_number(form_of(inner));
     write(*process, out);
     out.write_number(folded != nullptr ? 1 : 0);
     if (folded != nullptr) write(folded->symmetry(), *process, out);
@@ -302,10 +312,10 @@ bool write(const lts::TransitionSystem& system, ByteWriter& out) {
 }
 
 std::unique_ptr<lts::TransitionSystem> read_system(ByteReader& in, process::TermStore& terms) {
-    const bool smaller = in.read_below(2) == 1;
+    const std::uint32_t form = in.read_below(reduced_forms.size() + 1);
     const auto process = std::make_shared<const Supercombinator>(read_supercombinator(in, TermId{0}));
     std::unique_ptr<lts::TransitionSystem> system = std::make_unique<SupercombinatorSystem>(process, terms);
-    if (smaller) system = system->make_reduced_system(diagnostics::unlimited);
+    if (form != 0) system = system->make_reduced_system(reduced_forms[form - 1], diagnostics::unlimited);
     if (!system) throw BadBytes("a process has no reduced form");
     if (in.read_below(2) == 0) return system;
     return std::make_unique<lts::SymmetricSystem>(std::move(system), read_symmetry(in, *process));

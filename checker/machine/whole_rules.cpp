@@ -40,6 +40,7 @@ private:
     struct Changes {
         Event event = process::tau;
         std::uint32_t place = 0;
+        std::uint32_t rule = 0;
         std::vector<Change> list;
         std::vector<Passage> passages;
     };
@@ -58,8 +59,9 @@ private:
     std::vector<Changes> flatten_region(std::uint32_t number) {
         const Region& region = combined_.regions[number];
         std::vector<Changes> result;
-        for (const Rule& rule : region.rules) {
-            std::vector<Changes> open{{rule.event, rule.place, {}, {{number, rule.level}}}};
+        for (std::uint32_t rule_number = 0; rule_number < region.rules.size(); ++rule_number) {
+            const Rule& rule = region.rules[rule_number];
+            std::vector<Changes> open{{rule.event, rule.place, rule_number, {}, {{number, rule.level}}}};
             extend(region, rule.lead, open);
             for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
                 extend(region, region.requirements[i], open);
@@ -113,6 +115,7 @@ private:
         }
         WholeRule rule;
         rule.event = changes.event;
+        rule.outermost = changes.rule;
         for (const auto& [slot, part] : parts) {
             assert(part.event || part.assigned);
             rule.parts.push_back(part);

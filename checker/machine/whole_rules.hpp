@@ -29,6 +29,7 @@ struct Passage {
 /// "If these components perform these events, the whole process performs this one", unless a priority prevents it.
 struct WholeRule {
     Event event = process::tau;
+    std::uint32_t outermost = 0;  ///< the rule of the outermost region through which it passes
     std::vector<Part> parts;  ///< ascending by slot, one for each slot
     /// The regions that can prevent the rule, because its level there is not the first.
     std::vector<Passage> prevented;

@@ -17,7 +17,7 @@ using refine::RowKeeping;
 
 namespace {
 
-constexpr std::uint64_t version = 3;
+constexpr std::uint64_t version = 4;
 
 void write(std::string_view text, ByteWriter& out) {
     out.write_number(text.size());

@@ -58,6 +58,7 @@ runs::Context reading_context(const Context& context) {
 }
 
 void add(refine::Statistics& sum, const refine::Statistics& one) {
+    if (sum.states == 0) sum.decided_by = one.decided_by;
     sum.states += one.states;
     sum.transitions += one.transitions;
     sum.depth = std::max(sum.depth, one.depth);

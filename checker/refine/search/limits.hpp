@@ -36,8 +36,8 @@ struct Limits : diagnostics::Limits {
     unsigned threads = 0;  ///< maximal number for wide state spaces; 0: one for each core. Verdicts do not depend on it
     std::size_t wide_level =
         2048;  ///< levels with fewer states are processed by one thread, because waking others takes longer
-    /// Whether the search follows confluent taus and skips the states that they leave (docs/search.md). Verdicts do not
-    /// depend on it.
+    /// Whether static proofs replace searches, and searches skip states by confluence and symmetry (docs/search.md).
+    /// Verdicts do not depend on it.
     bool reduction = false;
     /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
     /// depend on it.
@@ -49,8 +49,16 @@ struct Limits : diagnostics::Limits {
     std::function<void(const Progress&)> progress;
 };
 
+/// How an answer was found (docs/search.md, "Static proofs").
+enum class DecidedBy : std::uint8_t {
+    search,       ///< states were searched
+    tau_acyclic,  ///< the rules of the process exclude cycles of taus
+    choice_free,  ///< the rules of the process exclude taus and choices between transitions with the same event
+};
+
 /// The size of a search.
 struct Statistics {
+    DecidedBy decided_by = DecidedBy::search;
     std::uint64_t states = 0;  ///< number of visited pairs (specification node, implementation state), or states
     std::uint64_t transitions = 0;
     std::uint64_t depth = 0;  ///< breadth-first level of the last state
@@ -60,8 +68,7 @@ struct Statistics {
     bool divergence_open = false;  ///< with searched_steps: these runs were not examined for divergence
     std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes
     double seconds = 0;
-    std::uint64_t chased = 0;    ///< number of skipped states, from which a confluent tau was followed
-                                 ///< led on
+    std::uint64_t chased = 0;    ///< number of skipped states, from which a confluent step was followed
     std::uint64_t replicas = 0;  ///< greatest number of equal components whose exchange leads to no further state; 0:
                                  ///< none
     std::uint64_t distinguished = 0;  ///< number of equal components that the assertion distinguishes, which prevents

@@ -238,7 +238,7 @@ private:
 void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     budget_.charge();
     TauRows rows(pairs_, nodes_ ? std::optional(node(pair)) : std::nullopt);
-    system_.successors(state(pair), rows);
+    (cycle_system_ ? *cycle_system_ : system_).successors(state(pair), rows);
     for (std::size_t i = 0; i < rows.hashes.size(); ++i) {
         const StateView row = StateView(rows.words).subspan(i * pairs_.width(), pairs_.width());
         const StateIndex target =
@@ -256,7 +256,15 @@ GraphView Search::tau_graph() {
             }};
 }
 
+/// The rules of the system may exclude that some taus lie on a cycle.
+void Search::leave_out_acyclic_taus() {
+    if (!budget_.limits().reduction) return;
+    cycle_system_ = system_.make_cycle_system(budget_);
+    if (cycle_system_) cycle_system_->set_budget(budget_);
+}
+
 std::optional<StateIndex> Search::first_tau_cycle() {
+    leave_out_acyclic_taus();
     const std::optional<StateIndex> vertex = least_on_cycle(tau_graph(), back_taus_.list());
     return vertex && antichain_ ? std::optional(antichain_->first_pair(*vertex)) : vertex;
 }

@@ -77,11 +77,13 @@ private:
     lts::StateStore::Insertion enter_pair(lts::StateView row, std::uint64_t hash);
     class TauRows;
     [[nodiscard]] std::optional<lts::StateIndex> tau_vertex(lts::StateIndex pair);
+    void leave_out_acyclic_taus();
     [[nodiscard]] GraphView tau_graph();
     void tau_targets(lts::StateIndex pair, std::vector<lts::StateIndex>& targets);
     void record_block(const ParallelLevel::Block& block);
 
     lts::TransitionSystem& system_;
+    std::unique_ptr<lts::TransitionSystem> cycle_system_;  // with the taus of cycles; null: all taus are followed
     Monitor& monitor_;
     Budget& budget_;
     const bool nodes_;  // pairs begin with the monitor's node

@@ -176,16 +176,24 @@ std::optional<Violation> refined_by(lts::TransitionSystem& implementation, Budge
     return std::nullopt;
 }
 
+/// A refinement of a specification.
+struct RefinementQuestion {
+    NormalForm& normal;
+    Model model;
+    Search::Pairs pairs;
+    bool may_diverge;  ///< whether a divergence of the implementation matters and is not excluded
+};
+
 /// Returns the first fault of the implementation's runs with respect to the normal form.
-std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSystem& implementation, Model model,
-                                           Search::Pairs pairs, Budget& budget, Statistics& statistics,
-                                           const Violation* known) {
-    const bool with_divergence =
-        known != nullptr ? known->kind == ViolationKind::divergence : model == Model::failures_divergences;
+std::optional<Violation> search_refinement(const RefinementQuestion& refinement, lts::TransitionSystem& implementation,
+                                           Budget& budget, Statistics& statistics, const Violation* known) {
+    const auto& [normal, model, pairs, may_diverge] = refinement;
+    const bool with_divergence = known != nullptr ? known->kind == ViolationKind::divergence : may_diverge;
+    const bool spec_may_diverge = known == nullptr && model == Model::failures_divergences;
     if (pairs == Search::Pairs::all) normal.refuse_growth();
     if (std::optional<LevelQuestion> question = refinement_by_levels(normal, model, pairs, budget)) {
         statistics.spec_nodes = question->specification->nodes.size();
-        if (with_divergence && question->specification->nodes.front().diverges)
+        if (spec_may_diverge && question->specification->nodes.front().diverges)
             return refined_by(implementation, budget);
         question->divergence = with_divergence;
         question->events_until = events_until(known);
@@ -194,7 +202,7 @@ std::optional<Violation> search_refinement(NormalForm& normal, lts::TransitionSy
     RefinementMonitor monitor(normal, model);
     Search search(implementation, monitor, budget, with_divergence, pairs);
     const Tally tally(search, statistics, &normal);
-    if (with_divergence && normal.diverges(normal.initial())) return refined_by(implementation, budget);
+    if (spec_may_diverge && normal.diverges(normal.initial())) return refined_by(implementation, budget);
     const bool levels_count =
         pairs == Search::Pairs::all;  // in an antichain a pair represents others that may be nearer
     return first_fault(search, implementation, known, levels_count, with_divergence, budget, statistics);
@@ -205,13 +213,16 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
     NormalForm normal(specification, budget);
     verdict.outcome = Outcome::holds;
     Indifference indifference(specification, model, budget);
+    RefinementQuestion refinement{normal, model, pairs, false};
     const SearchQuestion question{
         [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
-            return search_refinement(normal, system, model, pairs, own, size, known);
+            return search_refinement(refinement, system, own, size, known);
         },
         [&](const lts::EventPermutation& exchange) { return indifference.holds_for(exchange); }};
-    const std::optional<Violation> violation = reuse_or_search(
-        earlier, verdict, [&] { return search_reduced(implementation, budget, verdict.statistics, question); });
+    const std::optional<Violation> violation = reuse_or_search(earlier, verdict, [&] {
+        refinement.may_diverge = model == Model::failures_divergences && !is_tau_acyclic(implementation, budget);
+        return search_reduced(implementation, budget, verdict.statistics, question);
+    });
     if (!violation) return;
     const auto judge = [&](lts::TransitionSystem& system, const Violation& shown, Budget& own) {
         const bool by_reference = &system == implementation.reference() && specification.reference() != nullptr;
@@ -237,16 +248,31 @@ std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbi
     return first_fault(search, system, known, forbid_deadlock, forbid_divergence, budget, statistics);
 }
 
+/// If the rules exclude divergence, only the other part of the question is searched. A question about deadlocks alone
+/// does not depend on events, so all steps may be followed.
+std::optional<Violation> find_bad_state(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence,
+                                        Budget& budget, Statistics& statistics) {
+    const bool may_diverge = forbid_divergence && !is_tau_acyclic(system, budget);
+    if (!forbid_deadlock && !may_diverge) {
+        statistics.decided_by = DecidedBy::tau_acyclic;
+        return std::nullopt;
+    }
+    const SearchQuestion question{
+        [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
+            return search_states(searched, forbid_deadlock, may_diverge, own, size, known);
+        },
+        [](const lts::EventPermutation&) { return true; },
+        true,
+        may_diverge ? lts::Followed::taus : lts::Followed::steps};
+    return search_reduced(system, budget, statistics, question);
+}
+
 void decide_states(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence, Budget& budget,
                    Verdict& verdict, Earlier earlier) {
     verdict.outcome = Outcome::holds;
-    const SearchQuestion question{
-        [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
-            return search_states(searched, forbid_deadlock, forbid_divergence, own, size, known);
-        },
-        [](const lts::EventPermutation&) { return true; }};
-    const std::optional<Violation> violation =
-        reuse_or_search(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
+    const std::optional<Violation> violation = reuse_or_search(earlier, verdict, [&] {
+        return find_bad_state(system, forbid_deadlock, forbid_divergence, budget, verdict.statistics);
+    });
     if (!violation) return;
     set_failure(verdict,
                 make_counterexample(confirm_violation(system, *violation, budget, confirm_property_violation)));

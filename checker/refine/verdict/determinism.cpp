@@ -199,13 +199,17 @@ std::optional<Ambiguity> ambiguity_of(lts::TransitionSystem& system, Budget& bud
     }
 }
 
-std::optional<Violation> search_choice(lts::TransitionSystem& system, Model model, Budget& budget,
+/// Whether the rules exclude every choice between transitions with the same event, and every tau.
+bool is_choice_free(const lts::TransitionSystem& system, Budget& budget) {
+    return budget.limits().reduction && system.excludes_choices(budget);
+}
+
+std::optional<Violation> search_choice(lts::TransitionSystem& system, bool may_diverge, Budget& budget,
                                        Statistics& statistics, const Violation* known) {
     if (known == nullptr && leaves_no_choice(system, budget, statistics)) return std::nullopt;
     statistics = {};
     std::optional<Violation> violation;
-    const bool may_diverge =
-        known != nullptr ? known->kind == ViolationKind::divergence : model == Model::failures_divergences;
+    if (known != nullptr) may_diverge = known->kind == ViolationKind::divergence;
     if (may_diverge) violation = divergence_of(system, budget, statistics, known);
     if (!violation)
         if (const std::optional<Ambiguity> ambiguity = ambiguity_of(system, budget, statistics))
@@ -230,16 +234,26 @@ void add_accepting_run(lts::TransitionSystem& system, const Violation& refusing,
     }
 }
 
-void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict, Earlier earlier) {
-    verdict.outcome = Outcome::holds;
+std::optional<Violation> find_choice(lts::TransitionSystem& system, Model model, Budget& budget,
+                                     Statistics& statistics) {
+    if (is_choice_free(system, budget)) {
+        statistics.decided_by = DecidedBy::choice_free;
+        return std::nullopt;
+    }
+    const bool may_diverge = model == Model::failures_divergences && !is_tau_acyclic(system, budget);
     const SearchQuestion question{
         [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
-            return search_choice(searched, model, own, size, known);
+            return search_choice(searched, may_diverge, own, size, known);
         },
         // A state and its image under a symmetry may have resolutions with different choices.
         [](const lts::EventPermutation&) { return false; }};
+    return search_reduced(system, budget, statistics, question);
+}
+
+void decide_determinism(lts::TransitionSystem& system, Model model, Budget& budget, Verdict& verdict, Earlier earlier) {
+    verdict.outcome = Outcome::holds;
     const std::optional<Violation> violation =
-        reuse_or_search(earlier, verdict, [&] { return search_reduced(system, budget, verdict.statistics, question); });
+        reuse_or_search(earlier, verdict, [&] { return find_choice(system, model, budget, verdict.statistics); });
     if (!violation) return;
     const Confirmed refusing = confirm_violation(system, *violation, budget, confirm_property_violation);
     verdict.counterexample = make_counterexample(refusing);

@@ -95,6 +95,7 @@ private:
 std::string encode(const Findings& findings, const EventSet& named) {
     Encoder out(named);
     const Statistics& size = findings.statistics;
+    out.write_number(static_cast<std::uint64_t>(size.decided_by));
     for (const std::uint64_t value :
          {size.states, size.transitions, size.depth, size.spec_nodes, size.chased, size.replicas, size.distinguished})
         out.write_number(value);
@@ -114,6 +115,8 @@ std::optional<Findings> decode(std::string_view bytes, const EventSet& named, st
     try {
         Findings findings;
         Statistics& size = findings.statistics;
+        constexpr auto ways = static_cast<std::uint64_t>(DecidedBy::choice_free) + 1;
+        size.decided_by = static_cast<DecidedBy>(in.number_below(ways));
         for (std::uint64_t* value : {&size.states, &size.transitions, &size.depth, &size.spec_nodes, &size.chased,
                                      &size.replicas, &size.distinguished})
             *value = in.read_number();

@@ -27,7 +27,7 @@ public:
         : system_(system), budget_(budget), question_(question) {}
 
     std::optional<Violation> run(Statistics& statistics) {
-        std::shared_ptr<lts::ReducedSystem> reduced = system_.make_reduced_system(budget_);
+        std::shared_ptr<lts::ReducedSystem> reduced = system_.make_reduced_system(question_.followed, budget_);
         find_symmetry();
         const std::optional<Violation> violation = search(reduced, budget_, statistics, nullptr);
         record_reduction(statistics);
@@ -101,10 +101,14 @@ private:
     const SearchQuestion& question_;
     std::optional<lts::Symmetry> symmetry_;
     std::size_t distinguished_ = 0;
-    bool followed_ = false;  // the last search has followed confluent taus
+    bool followed_ = false;  // the last search has followed confluent steps
 };
 
 }  // namespace
+
+bool is_tau_acyclic(const lts::TransitionSystem& system, Budget& budget) {
+    return budget.limits().reduction && system.excludes_tau_cycles(budget);
+}
 
 std::uint64_t events_until(const Violation* known) {
     const bool bounded = known != nullptr && known->kind == ViolationKind::divergence;

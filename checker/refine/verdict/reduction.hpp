@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches of a system with fewer states (docs/search.md, "Confluent taus", "Symmetry"). Their results are converted to
-// shortest runs of the whole system.
+// Searches of a system with fewer states (docs/search.md, "Confluent taus", "Deadlocks", "Symmetry"). Their results are
+// converted to shortest runs of the whole system.
 #pragma once
 
 #include <functional>
@@ -23,6 +23,8 @@ struct SearchQuestion {
     std::function<bool(const lts::EventPermutation&)> indifferent;
     /// Whether to search for a shortest run in the whole system after a run has been found in its reduced form.
     bool shortest = true;
+    /// The steps that the search may follow. If these are all steps, it looks only for states without transitions.
+    lts::Followed followed = lts::Followed::taus;
 };
 
 /// Returns the result of the search in the reduced form of the system, if limits allow it and there is one, or
@@ -30,6 +32,9 @@ struct SearchQuestion {
 /// system. It is a shortest one unless a limit ends the search for it.
 [[nodiscard]] std::optional<Violation> search_reduced(lts::TransitionSystem& system, Budget& budget,
                                                       Statistics& statistics, const SearchQuestion& question);
+
+/// Whether limits allow static proofs, and the rules of the system exclude cycles of taus.
+[[nodiscard]] bool is_tau_acyclic(const lts::TransitionSystem& system, Budget& budget);
 
 /// Returns the number of steps of a run for which events are followed (Search::first_violation).
 [[nodiscard]] std::uint64_t events_until(const Violation* known);

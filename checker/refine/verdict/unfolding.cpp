@@ -20,7 +20,7 @@ public:
     Unfolding(lts::TransitionSystem& system, const Reduction& reduction)
         : system_(system), reduction_(reduction), shown_(initial_of(system)), run_{shown_, {}} {
         set_shown_state(shown_);
-        follow_confluent_taus();
+        follow_confluent_steps();
         set_shown_state(representative(shown_));
     }
 
@@ -28,7 +28,7 @@ public:
         for (const RunStep& step : shown.steps) {
             const RunStep behind = step_behind(step);
             go_to(behind.state, behind.event);
-            follow_confluent_taus();
+            follow_confluent_steps();
             set_shown_state(step.state);
         }
     }
@@ -53,8 +53,12 @@ public:
     }
 
 private:
-    [[nodiscard]] std::vector<State> confluent_tau_path(const State& state) const {
-        return reduction_.taus == nullptr ? std::vector<State>{} : reduction_.taus->tau_path(state);
+    [[nodiscard]] std::vector<State> followed_path(const State& state) const {
+        return reduction_.steps == nullptr ? std::vector<State>{} : reduction_.steps->followed_path(state);
+    }
+    /// Whether the reduced form shows steps without their events.
+    [[nodiscard]] bool has_no_events() const {
+        return reduction_.steps != nullptr && reduction_.steps->followed() == lts::Followed::steps;
     }
     [[nodiscard]] State representative(State state) const {
         if (reduction_.symmetry != nullptr) reduction_.symmetry->replace_by_representative(state);
@@ -67,30 +71,31 @@ private:
     /// Returns the step of the system from the current state that the reduced form shows as this step.
     [[nodiscard]] RunStep step_behind(const RunStep& shown) const {
         for (RunStep& step : steps_from(system_, shown_)) {
-            if (step.event != shown.event || step.revealed != shown.revealed) continue;
-            const std::vector<State> row = confluent_tau_path(step.state);
+            const bool same_event = step.event == shown.event && step.revealed == shown.revealed;
+            if (!same_event && !has_no_events()) continue;
+            const std::vector<State> row = followed_path(step.state);
             if (representative(row.empty() ? step.state : row.back()) == shown.state) return std::move(step);
         }
         throw std::logic_error("a step of the reduced system cannot be taken");
     }
 
-    /// Returns the step of the system from the end of the run.
-    [[nodiscard]] RunStep step_to(const State& target, lts::Event event) const {
+    /// Returns the step of the system from the end of the run. Without an event, the step may have any event.
+    [[nodiscard]] RunStep step_to(const State& target, std::optional<lts::Event> event) const {
         for (RunStep& step : steps_from(system_, run_.last_state()))
-            if (step.state == target && orbit_of(step.event) == orbit_of(event)) return std::move(step);
+            if (step.state == target && (!event || orbit_of(step.event) == orbit_of(*event))) return std::move(step);
         throw std::logic_error("the image of a transition is none");
     }
 
-    void go_to(const State& next, lts::Event event) {
+    void go_to(const State& next, std::optional<lts::Event> event) {
         State image = next;
         if (reduction_.symmetry != nullptr) reduction_.symmetry->apply(permutation_, image);
         run_.steps.push_back(step_to(image, event));
         shown_ = next;
     }
 
-    /// Follows confluent taus.
-    void follow_confluent_taus() {
-        for (const State& next : confluent_tau_path(shown_)) go_to(next, process::tau);
+    void follow_confluent_steps() {
+        const auto event = has_no_events() ? std::nullopt : std::optional(process::tau);
+        for (const State& next : followed_path(shown_)) go_to(next, event);
     }
 
     /// Sets the state of the reduced form. The current state of the run is an image of it.

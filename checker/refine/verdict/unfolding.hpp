@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts runs of a system's reduced or minimised forms to runs of the system. For reduced forms it inserts the
-// confluent taus that were followed, and moves every replica back to its place (docs/search.md, "Confluent taus",
+// confluent steps that were followed, and moves every replica back to its place (docs/search.md, "Confluent taus",
 // "Symmetry").
 #pragma once
 
@@ -14,10 +14,10 @@
 
 namespace robochart::refine {
 
-/// The reductions of a system; a null member means that the reduction was not applied. Taus are followed before states
+/// The reductions of a system; a null member means that the reduction was not applied. Steps are followed before states
 /// are replaced by their symmetric representatives.
 struct Reduction {
-    lts::ReducedSystem* taus = nullptr;
+    lts::ReducedSystem* steps = nullptr;
     lts::Symmetry* symmetry = nullptr;
 };
 

@@ -31,7 +31,7 @@ void compare(Session& session, Compared& compared) {
         if (name == last) continue;
         last = std::move(name);
         const auto whole = session.system(process);
-        const auto reduced = whole->make_reduced_system(diagnostics::unlimited);
+        const auto reduced = whole->make_reduced_system(lts::Followed::taus, diagnostics::unlimited);
         ++compared.processes;
         if (!reduced) continue;
         try {

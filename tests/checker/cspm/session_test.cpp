@@ -141,7 +141,8 @@ Lock(n, writing) = (not writing and n < 8) & begin?r -> Lock(n + 1, writing) [] 
 Reader(r) = begin.r -> read.r -> end.r -> Reader(r)
 Writer = beginWrite -> write -> endWrite -> Writer
 Locking = {|begin, end, beginWrite, endWrite|}
-assert (((||| r : R @ Reader(r)) ||| Writer) [| Locking |] Lock(0, false)) \ Locking :[deadlock free]
+Any = read?r -> Any [] write -> Any
+assert Any [T= (((||| r : R @ Reader(r)) ||| Writer) [| Locking |] Lock(0, false)) \ Locking
 )";
     refine::Limits limits;
     limits.reduction = true;

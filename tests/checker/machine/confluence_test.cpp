@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the conditions for following a tau (docs/search.md, "Confluent taus") one by one. Each condition has a process
-// whose answer would be wrong without it. The expected answers follow by reasoning about the few states of each
+// Tests the conditions for following a tau (docs/search.md, "Confluent taus") one by one, and those for following a step
+// with any event ("Deadlocks"). Each condition has a process whose answer would be wrong without it. The expected answers follow by reasoning about the few states of each
 // process.
 #include <gtest/gtest.h>
 
@@ -21,14 +21,6 @@ using process::tau;
 
 // Events of components and of rules with the same names. `a` and `h` are hidden. The specification forbids `x`.
 enum Name : Event { a = first_visible, b, c, d, h, o, x };
-using Rows = std::vector<std::vector<std::pair<Event, Local>>>;
-
-/// The components in these slots perform this event together; the assignments set the states of components.
-struct Joint {
-    Event event;
-    std::vector<std::uint32_t> slots;
-    std::vector<Assignment> assignments;
-};
 
 std::uint32_t place_of(const EventSet& alphabet, Event event) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(alphabet, event) - alphabet.begin());
@@ -115,8 +107,24 @@ protected:
         return testing::AssertionFailure() << "x cannot happen";
     }
 
+    /// Checks with and without the reduction whether the process can deadlock; fails if the answers differ.
+    testing::AssertionResult can_deadlock() {
+        refine::Limits limits;
+        const auto all = refine::deadlock_free(*whole, refine::Model::failures, limits).outcome;
+        limits.reduction = true;
+        const refine::Verdict reduced = refine::deadlock_free(*whole, refine::Model::failures, limits);
+        if (all != reduced.outcome) return testing::AssertionFailure() << "the reduction changes the answer";
+        if (all == refine::Outcome::fails) return testing::AssertionSuccess() << "it can deadlock";
+        return testing::AssertionFailure() << "it cannot deadlock";
+    }
+    std::uint64_t states_for_deadlock() {
+        refine::Limits limits;
+        limits.reduction = true;
+        return refine::deadlock_free(*whole, refine::Model::failures, limits).statistics.states;
+    }
+
     std::pair<std::size_t, std::size_t> states_and_kept() {
-        const auto reduced = whole->make_reduced_system(diagnostics::unlimited);
+        const auto reduced = whole->make_reduced_system(lts::Followed::taus, diagnostics::unlimited);
         const lts::Graph all = lts::graph_of(*whole, 1'000);
         if (!reduced) return {all.size(), all.size()};
         const lts::Graph reduced_graph = lts::graph_of(*reduced, 1'000);
@@ -272,6 +280,61 @@ TEST_F(Conditions, ACycleOfFollowedTausLosesNothing) {
     limits.reduction = true;
     EXPECT_EQ(refine::divergence_free(*whole, limits).outcome, refine::Outcome::fails);
     EXPECT_EQ(refine::deadlock_free(*whole, refine::Model::failures, limits).outcome, refine::Outcome::holds);
+}
+
+// For deadlocks visible steps are followed too: all states of two components that move on their own are one.
+TEST_F(Conditions, VisibleStepsAreFollowedForDeadlocks) {
+    make({{{{b, 1}}, {{c, 0}}}, {{{d, 1}}, {{o, 0}}}}, {{b, {0}, {}}, {c, {0}, {}}, {d, {1}, {}}, {o, {1}, {}}});
+    EXPECT_FALSE(can_deadlock());
+    EXPECT_EQ(states_for_deadlock(), 1U);
+}
+
+// A deadlock after all steps, which the followed steps reach.
+TEST_F(Conditions, ADeadlockAtTheEndOfFollowedStepsIsFound) {
+    make({{{{b, 1}}, {}}, {{{d, 1}}, {}}}, {{b, {0}, {}}, {d, {1}, {}}});
+    EXPECT_TRUE(can_deadlock());
+    EXPECT_EQ(states_for_deadlock(), 1U);
+}
+
+// 1. An event of a higher level prevents the step: b occurs first, and then o is always possible. If c came first, x
+// would lead to a deadlock.
+TEST_F(Conditions, AVisibleStepThatIsPreventedIsNotFollowed) {
+    make({{{{b, 1}, {c, 0}, {x, 2}}, {{c, 1}, {o, 1}}, {}}, {{{c, 1}}, {{x, 2}}, {}}},
+         {{b, {0}, {}}, {c, {0, 1}, {}}, {o, {0}, {}}, {x, {0, 1}, {}}}, {no_level, no_level, no_level, 0, 1}, 1);
+    EXPECT_FALSE(can_deadlock());
+}
+
+// 2. The step leads to two states, one of them a deadlock.
+TEST_F(Conditions, AVisibleStepWithTwoResultsIsNotFollowed) {
+    make({{{{b, 1}, {b, 2}}, {{o, 1}}, {}}}, {{b, {0}, {}}, {o, {0}, {}}});
+    EXPECT_TRUE(can_deadlock());
+}
+
+// 3. The component has an alternative to the step, which leads to a deadlock.
+TEST_F(Conditions, AVisibleStepIsNotFollowedWhereItsComponentHasAChoice) {
+    make({{{{b, 1}, {x, 2}}, {{o, 1}}, {}}}, {{b, {0}, {}}, {o, {0}, {}}, {x, {0}, {}}});
+    EXPECT_TRUE(can_deadlock());
+}
+
+// 4. After o, d is possible and prevents b, and after d, c is always possible. If b comes first, x takes the third
+// component away, without which d is impossible.
+TEST_F(Conditions, AVisibleStepThatLetsAnEventPreventOthersIsNotFollowed) {
+    make({{{{o, 1}, {x, 0}}, {{d, 2}, {x, 1}}, {{c, 2}}}, {{{b, 1}}, {{x, 2}}, {}}, {{{d, 0}, {x, 1}}, {}}},
+         {{o, {0}, {}}, {x, {0, 1, 2}, {}}, {d, {0, 2}, {}}, {c, {0}, {}}, {b, {1}, {}}},
+         {no_level, no_level, no_level, 1, no_level, 0});
+    EXPECT_TRUE(can_deadlock());
+}
+
+// The reduced system shows its steps without events.
+TEST_F(Conditions, TheRunToADeadlockHasTheEventsOfItsSteps) {
+    make({{{{b, 1}}, {{c, 2}}, {}}, {{{d, 1}}, {}}}, {{b, {0}, {}}, {c, {0}, {}}, {d, {1}, {}}});
+    refine::Limits limits;
+    limits.reduction = true;
+    const refine::Verdict verdict = refine::deadlock_free(*whole, refine::Model::failures, limits);
+    ASSERT_TRUE(verdict.counterexample);
+    std::multiset<Event> events;
+    for (const refine::Step& step : verdict.counterexample->steps) events.insert(step.event);
+    EXPECT_EQ(events, (std::multiset<Event>{b, c, d}));
 }
 
 }  // namespace

@@ -69,14 +69,14 @@ TEST_F(Proofs, DoNotDependOnWhatWasAskedBefore) {
     for (int round = 0; round < rounds; ++round) {
         next();
         const std::vector<std::vector<Local>> all = states();
-        Confluence forwards(combined, rules, {}), backwards(combined, rules, {});
+        Confluence forwards(combined, rules, lts::Followed::taus, {}), backwards(combined, rules, lts::Followed::taus, {});
         std::vector<std::vector<Local>> ahead = all, back = all;
-        for (auto& state : ahead) forwards.follow_tau(state);
-        for (auto state = back.rbegin(); state != back.rend(); ++state) backwards.follow_tau(*state);
+        for (auto& state : ahead) forwards.follow_step(state);
+        for (auto state = back.rbegin(); state != back.rend(); ++state) backwards.follow_step(*state);
         ASSERT_EQ(ahead, back) << "round " << round;
         for (std::size_t i = 0; i < all.size(); ++i) {
             std::vector<Local> alone = all[i];
-            if (Confluence(combined, rules, {}).follow_tau(alone)) ++followed;
+            if (Confluence(combined, rules, lts::Followed::taus, {}).follow_step(alone)) ++followed;
             ASSERT_EQ(ahead[i], alone) << "round " << round << ", state " << i;
         }
     }
@@ -88,7 +88,7 @@ TEST_F(Proofs, AreRightWhateverThePlan) {
     const int rounds = refine::wanted_checks(1'000) / 5;
     for (int round = 0; round < rounds; ++round) {
         next();
-        ReducedSystem reduced(whole->clone_for_thread(), combined, rules, some_plan());
+        ReducedSystem reduced(whole->clone_for_thread(), combined, rules, lts::Followed::taus, some_plan());
         const lts::Graph all = lts::graph_of(*whole, 100'000);
         const lts::Graph reduced_graph = lts::graph_of(reduced, 100'000);
         ASSERT_TRUE(lts::are_bisimilar(all, reduced_graph, Equivalence::branching_with_divergence))
@@ -107,8 +107,8 @@ TEST_F(Proofs, AreNotTriedWhereThePlanHasNothingInPlaceOfThem) {
             for (const Part& part : rules->rules[rule].parts) slots.push_back(part.slot);
             nothing[{slots, slots}] = {};
         }
-        Confluence proofs(combined, rules, nothing);
-        for (std::vector<Local> state : states()) ASSERT_FALSE(proofs.follow_tau(state)) << "round " << round;
+        Confluence proofs(combined, rules, lts::Followed::taus, nothing);
+        for (std::vector<Local> state : states()) ASSERT_FALSE(proofs.follow_step(state)) << "round " << round;
     }
 }
 

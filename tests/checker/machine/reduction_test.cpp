@@ -40,7 +40,7 @@ bool loops_by_tau(const Graph& quotient) {
 
 /// Checks that the reduced system is equivalent to the whole. There is no reduced system if no rule can be followed.
 bool keeps_everything(lts::TransitionSystem& whole, Seen& seen) {
-    const auto reduced = whole.make_reduced_system(diagnostics::unlimited);
+    const auto reduced = whole.make_reduced_system(lts::Followed::taus, diagnostics::unlimited);
     if (!reduced) return true;
     const Graph all = lts::graph_of(whole, most_states);
     const Graph reduced_graph = lts::graph_of(*reduced, most_states);
@@ -71,6 +71,38 @@ TEST(Reduction, KeepsRandomRules) {
               << " of them divergent; states " << seen.states << ", kept " << seen.reduced_states << "\n";
     EXPECT_GT(seen.smaller * 10, rounds);
     EXPECT_GT(seen.diverging * 20, rounds);
+}
+
+bool has_deadlock(const Graph& graph) {
+    for (lts::StateIndex state = 0; state < graph.size(); ++state)
+        if (graph.edges(state).empty()) return true;
+    return false;
+}
+
+/// If all steps are followed, the reduced system has a state without transitions iff the whole system has one.
+TEST(Reduction, ForDeadlocksKeepsDeadlocksOfRandomRules) {
+    const int rounds = refine::wanted_checks(static_cast<int>(tests::rounds(1'000)));
+    Scripted s;
+    for (Event i = 0; i < RandomRules::visible; ++i) s.event("e" + std::to_string(i));
+    RandomRules rules(2025);
+    int smaller = 0, smaller_with_deadlock = 0;
+    for (int round = 0; round < rounds; ++round) {
+        SupercombinatorSystem whole(rules.next(s.stop()), s.store);
+        const auto reduced = whole.make_reduced_system(lts::Followed::steps, diagnostics::unlimited);
+        if (!reduced) continue;
+        const Graph all = lts::graph_of(whole, most_states);
+        const Graph reduced_graph = lts::graph_of(*reduced, most_states);
+        ASSERT_LE(reduced_graph.size(), all.size()) << "round " << round;
+        ASSERT_EQ(has_deadlock(all), has_deadlock(reduced_graph)) << "round " << round;
+        if (reduced_graph.size() == all.size()) continue;
+        ++smaller;
+        if (has_deadlock(all)) ++smaller_with_deadlock;
+    }
+    std::cout << smaller << " of " << rounds << " with fewer states, " << smaller_with_deadlock
+              << " of them with a deadlock\n";
+    EXPECT_GT(smaller * 5, rounds);
+    EXPECT_GT(smaller_with_deadlock * 10, rounds);
+    EXPECT_LT(smaller_with_deadlock * 10, 9 * smaller);
 }
 
 /// A verdict as text, with the trace of a violation, and with the size of the search if it must agree.

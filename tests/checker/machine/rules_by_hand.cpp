@@ -44,7 +44,7 @@ Region region_of(std::vector<Participant> participants, std::vector<EventSet> al
     return made;
 }
 
-ComponentPtr component_of(const std::vector<std::vector<std::pair<Event, Local>>>& rows, TermId meaning) {
+ComponentPtr component_of(const Rows& rows, TermId meaning) {
     std::vector<std::vector<Component::RawEdge>> edges(rows.size());
     for (std::size_t state = 0; state < rows.size(); ++state) {
         for (const auto& [event, target] : rows[state]) edges[state].push_back({event, event, target});

@@ -16,12 +16,22 @@ struct DraftRule {
     std::vector<Assignment> assignments;
 };
 
+/// The components in these slots perform this event together; the assignments set the states of components.
+struct Joint {
+    Event event;
+    std::vector<std::uint32_t> slots;
+    std::vector<Assignment> assignments;
+};
+
+/// The transitions of a component: events and targets for each state.
+using Rows = std::vector<std::vector<std::pair<Event, Local>>>;
+
 /// Returns a region with these rules. `alphabets`: one for each participant. `levels`: the priority level of each
 /// event, or `no_level`; events beyond the end have no level.
 [[nodiscard]] Region region_of(std::vector<Participant> participants, std::vector<EventSet> alphabets,
                                std::vector<DraftRule> drafts, const std::vector<std::uint32_t>& levels);
 
-/// Returns a component with these transitions: events and targets for each state.
-[[nodiscard]] ComponentPtr component_of(const std::vector<std::vector<std::pair<Event, Local>>>& rows, TermId meaning);
+/// Returns a component with these transitions.
+[[nodiscard]] ComponentPtr component_of(const Rows& rows, TermId meaning);
 
 }  // namespace robochart::machine

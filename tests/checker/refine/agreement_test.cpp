@@ -100,8 +100,18 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return inner_->events(); }
     void set_budget(diagnostics::Pollable& budget) override { inner_->set_budget(budget); }
     [[nodiscard]] std::unique_ptr<lts::ReducedSystem> make_reduced_system(
+        lts::Followed followed, diagnostics::Pollable& budget) const override {
+        return taus_ ? inner_->make_reduced_system(followed, budget) : nullptr;
+    }
+    [[nodiscard]] bool excludes_tau_cycles(diagnostics::Pollable& budget) const override {
+        return inner_->excludes_tau_cycles(budget);
+    }
+    [[nodiscard]] bool excludes_choices(diagnostics::Pollable& budget) const override {
+        return inner_->excludes_choices(budget);
+    }
+    [[nodiscard]] std::unique_ptr<lts::TransitionSystem> make_cycle_system(
         diagnostics::Pollable& budget) const override {
-        return taus_ ? inner_->make_reduced_system(budget) : nullptr;
+        return inner_->make_cycle_system(budget);
     }
     [[nodiscard]] std::vector<lts::ReplicaSet> replicas(diagnostics::Pollable& budget) const override {
         return symmetry_ ? inner_->replicas(budget) : std::vector<lts::ReplicaSet>();

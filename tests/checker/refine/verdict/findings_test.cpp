@@ -17,6 +17,7 @@ Findings divergence() {
     findings.statistics.depth = 3;
     findings.statistics.spec_nodes = 5;
     findings.statistics.chased = 6;
+    findings.statistics.decided_by = DecidedBy::choice_free;
     findings.violation = Violation{ViolationKind::divergence,
                                    {{1, 2}, {{7, 7, {3, 4}}, {0, 9, {5, 0xFFFFFFFFU}}}},
                                    {{5, 0xFFFFFFFFU}, {{0, 0, {5, 0xFFFFFFFFU}}}},
@@ -31,6 +32,7 @@ TEST(FindingsTest, ComeBackAsTheyWere) {
     EXPECT_EQ(read->statistics.states, 12U);
     EXPECT_EQ(read->statistics.spec_nodes, 5U);
     EXPECT_EQ(read->statistics.chased, 6U);
+    EXPECT_EQ(read->statistics.decided_by, DecidedBy::choice_free);
     EXPECT_EQ(read->violation->kind, ViolationKind::divergence);
     EXPECT_EQ(read->violation->event, process::Event{9});
     ASSERT_EQ(read->violation->run.steps.size(), 2U);
@@ -63,11 +65,14 @@ TEST(FindingsTest, OtherBytesAreNone) {
     EXPECT_FALSE(decode(bytes + std::string(8, '\0'), named, width));
     EXPECT_FALSE(decode(bytes, named, width + 1));
     EXPECT_FALSE(decode(bytes, {0, 1, 7}, width)) << "an event without a name";
+    std::string no_way = bytes;
+    no_way[0] = 3;
+    EXPECT_FALSE(decode(no_way, named, width)) << "a way to decide that does not exist";
     std::string wrong_kind = bytes;
-    wrong_kind[7 * 8] = 99;  // after seven figures: whether there is a violation
+    wrong_kind[8 * 8] = 99;  // after eight figures: whether there is a violation
     EXPECT_FALSE(decode(wrong_kind, named, width));
     std::string endless = bytes;
-    for (std::size_t i = 11 * 8; i < 12 * 8; ++i) endless[i] = '\xff';
+    for (std::size_t i = 12 * 8; i < 13 * 8; ++i) endless[i] = '\xff';
     EXPECT_FALSE(decode(endless, named, width)) << "a run of so many steps";
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Facts about all states of a compiled process that follow from its rules and components, without a search
+// (docs/search.md, "Static proofs", contains the statements and the proofs).
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostics/pollable.hpp"
+#include "checker/machine/whole_rules.hpp"
+
+namespace robochart::machine {
+
+/// Returns for each rule whether a transition by this rule may lie on a cycle of taus. If not, no transition of a
+/// reachable state by this rule lies on one. Polls the budget.
+[[nodiscard]] std::vector<bool> rules_on_tau_cycles(const Supercombinator& combined, const WholeRules& rules,
+                                                    diagnostics::Pollable& budget);
+
+/// Whether the rules show that no state has a tau, two transitions with the same event, or tick beside another event.
+[[nodiscard]] bool exclude_choices(const Supercombinator& combined, const WholeRules& rules);
+
+}  // namespace robochart::machine
