@@ -171,7 +171,7 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
     bool clock = false;
     TypeId type;
     visit_operands(*root, [&](const Expr& expr) {
-        clock = clock || expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
+        clock = clock || is_clock(expr.kind);
         if (expr.kind != ExprKind::variable && expr.kind != ExprKind::trigger_value) return;
         places.emplace(expr.kind, expr.variable);
         type = expr.kind == ExprKind::variable ? machine_.variables.at(expr.variable.index).type : expr.type;
@@ -184,8 +184,7 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
 bool MachineConditions::can_be_freed(const Expr& root) const {
     bool result = true;
     visit_operands(root, [&](const Expr& expr) {
-        if (expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry || expr.kind == ExprKind::trigger_value)
-            result = false;
+        if (is_clock(expr.kind) || expr.kind == ExprKind::trigger_value) result = false;
         if (expr.kind != ExprKind::variable) return;
         const Variable& variable = machine_.variables.at(expr.variable.index);
         if (variable.scope == VariableScope::required || written_by_operations_.contains(variable.name)) result = false;

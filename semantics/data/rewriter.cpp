@@ -236,8 +236,7 @@ const Expr* only_variable(const Expr& root) {
     const Expr* result = nullptr;
     bool others = false;
     visit_operands(root, [&](const Expr& expr) {
-        others = others || expr.kind == ExprKind::trigger_value || expr.kind == ExprKind::since ||
-                 expr.kind == ExprKind::since_entry;
+        others = others || expr.kind == ExprKind::trigger_value || is_clock(expr.kind);
         if (expr.kind != ExprKind::variable) return;
         others = others || (result != nullptr && result->variable != expr.variable);
         result = &expr;

@@ -10,14 +10,6 @@
 namespace robochart::ir {
 namespace {
 
-bool reads_clock_somewhere(const Expr& root) {
-    bool result = false;
-    visit_operands(root, [&](const Expr& expr) {
-        result = result || expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
-    });
-    return result;
-}
-
 class Collector {
 public:
     Collector(const System& system, const Sampling& sampling, Places& places, Computed computed)
@@ -93,7 +85,7 @@ void Collector::read_guard(const ExprPtr& expr, const std::string& element) {
     if (!expr) return;
     const std::set<PlaceId> read = places_read(*expr);
     if (read.empty()) return;
-    if (read.size() == 1 && !reads_clock_somewhere(*expr)) {
+    if (read.size() == 1 && !mentions_clock(*expr)) {
         // `condition else` shares the conditions of the other transitions.
         std::vector<Condition>& conditions = uses_[*read.begin()].conditions;
         if (std::ranges::find(conditions, expr.get(), &Condition::expr) == conditions.end())
@@ -114,7 +106,7 @@ void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& el
     Written written{expr.get(), machine_, sampling_.closed_value(machine_, *expr).has_value(), initial, {}};
     if (!written.closed) written.reads = places_read(*expr);
     const bool exact = computed_ == Computed::exactly && !written.closed;
-    if (exact && (may_be_undefined(expr) || reads_clock_somewhere(*expr))) needs_values(target, element);
+    if (exact && (may_be_undefined(expr) || mentions_clock(*expr))) needs_values(target, element);
     uses_[target].writes.push_back(std::move(written));
 }
 
@@ -167,7 +159,7 @@ void Collector::collect_transition(const Transition& transition) {
     if (transition.trigger) {
         if (transition.trigger->variable.is_valid() && trigger_ != no_id) {
             const bool alone = transition.guard && places_read(*transition.guard) == std::set<PlaceId>{trigger_} &&
-                               !reads_clock_somewhere(*transition.guard);
+                               !mentions_clock(*transition.guard);
             uses_[trigger_].entries.push_back(alone ? transition.guard.get() : nullptr);
         }
     }
