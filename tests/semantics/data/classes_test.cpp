@@ -116,6 +116,22 @@ TEST(Classes, OfPairsOfRealsAreTheCombinationsThatExist) {
     }
 }
 
+/// Findings about a guard of the class model have the place of the condition in the model.
+TEST(Classes, ARewrittenGuardKeepsThePlaceOfItsCondition) {
+    const auto lowered = samples::lower_text(reading("real", {"x < 19.5", "x >= 19.5 /\\ x < 21.25"}));
+    diagnostics::Diagnostics found;
+    const auto model = class_model(lowered->system, instantiate_system(lowered->system, {}, found));
+    ASSERT_TRUE(model);
+    std::vector<std::string> texts;
+    for (const Transition& transition : model->system.machines.front().transitions) {
+        if (!transition.guard) continue;
+        EXPECT_EQ(transition.guard->kind, ExprKind::is_in);
+        const diagnostics::Span span = transition.guard->span;
+        texts.emplace_back(lowered->sources.source_text(span.source).substr(span.begin, span.end - span.begin));
+    }
+    EXPECT_THAT(texts, ElementsAre("x < 19.5", "x >= 19.5 /\\ x < 21.25"));
+}
+
 TEST(Classes, OfOneNumberAreTheIntervalsBetweenThresholds) {
     EXPECT_EQ(only_data(reading("real", {"x < 19.5", "x > 21.25"})).classes, 3U);
     EXPECT_EQ(only_data(reading("real", {"x < 19.5", "x <= 19.5"})).classes, 3U);
