@@ -21,6 +21,10 @@ struct ClassProject {
 /// True if the settings choose carriers of numbers.
 [[nodiscard]] bool chooses_ranges(const Project& project);
 
+/// True if all claims are decided in the finite instantiation: because the settings ask for it or choose ranges, because
+/// a CSP block replaces the instantiation, or because a swarm is decided.
+[[nodiscard]] bool keeps_carriers(const Project& project, const Settings& settings);
+
 /// The project with classes of values, without the claims that observe values. Null if no data can be replaced, if a
 /// CSP block replaces the instantiation, if a swarm is decided, or if the settings ask for the finite instantiation or
 /// choose ranges. Also null if there are claims that observe values, and the values are few or all occur in the model,

@@ -17,16 +17,23 @@
 namespace robochart::ir {
 namespace {
 
-bool have_small_carriers(const System& system, const Instantiation& instantiation, const Places& places,
-                         const std::map<PlaceId, ValueClasses>& classes) {
+bool have_small_carriers(const System& system, const Instantiation& instantiation, const std::set<TypeId>& types) {
     constexpr std::size_t most_values = 64;
     try {
-        for (const auto& [flow, divided] : classes)
-            (void)carrier_values(system, instantiation, places[flow].type, most_values);
+        for (const TypeId type : types) (void)carrier_values(system, instantiation, type, most_values);
     } catch (const std::length_error&) {
         return false;
     }
     return true;
+}
+
+/// The types of data that could be replaced.
+std::set<TypeId> replaceable_types(const System& system) {
+    std::set<TypeId> result;
+    const Places places(system);
+    for (PlaceId place = 0; place < places.size(); ++place)
+        if (is_replaceable(system, places[place].type)) result.insert(places[place].type);
+    return result;
 }
 
 std::string name_of(const Machine& machine) {
@@ -131,10 +138,12 @@ RelatedVariables Attempt::described(const Relation& relation) const {
 std::optional<ClassModel> Attempt::result() const {
     if (classes_.empty()) return std::nullopt;
     const System& system = related_.system;
+    std::set<TypeId> types;
+    for (const auto& [flow, divided] : classes_) types.insert(places_[flow].type);
     ClassModel result{with_classes(system, sampling_, places_, uses_, classes_, terms_),
                       instantiation_,
                       {},
-                      have_small_carriers(system, instantiation_, places_, classes_),
+                      have_small_carriers(system, instantiation_, types),
                       outputs_replaced(system, places_, classes_),
                       0,
                       {}};
@@ -158,6 +167,14 @@ RelatedSystem related_system(const System& system, const Instantiation& instanti
 }
 
 }  // namespace
+
+bool has_data(const System& system) {
+    return !replaceable_types(system).empty();
+}
+
+bool has_large_carriers(const System& system, const Instantiation& instantiation) {
+    return !have_small_carriers(system, instantiation, replaceable_types(system));
+}
 
 std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation) {
     std::set<GroupId> refused;

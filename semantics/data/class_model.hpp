@@ -62,6 +62,11 @@ struct ClassModel {
     std::vector<RelatedVariables> related;
 };
 
+/// Whether there are data that could be replaced, if the model uses them in a way that allows it.
+[[nodiscard]] bool has_data(const System& system);
+/// Whether such data have more than 64 values in the finite instantiation.
+[[nodiscard]] bool has_large_carriers(const System& system, const Instantiation& instantiation);
+
 /// Replaces all data that can be replaced. No value if there are none. Properties of the system must not observe values
 /// of events: the class model has the same names of events, and other values.
 [[nodiscard]] std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation);
