@@ -103,6 +103,12 @@ Json data_json(const ir::ReplacedData& data) {
     return json;
 }
 
+Json kept_json(const driver::KeptDataReport& data) {
+    Json json{{"places", data.places}, {"carrier", data.reason}};
+    if (!data.place.empty()) json["place"] = data.place;
+    return json;
+}
+
 Json special_json(const conformance::RobotNumbers::Special& special) {
     return {{"value", special.value}, {"limit", special.limit}, {"unlike", special.unlike}};
 }
@@ -192,7 +198,8 @@ std::string render_json(const Report& report) {
     if (const std::string advice = report.limit_advice(); !advice.empty()) json["advice"] = advice;
     json["assertions"] = json_array(report.assertions, assertion_json);
     json["bounds"] = json_array(report.bounds, bound_json);
-    if (!report.data.empty()) json["data"] = json_array(report.data, data_json);
+    for (const ir::ReplacedData& data : report.data) json["data"].push_back(data_json(data));
+    for (const driver::KeptDataReport& data : report.kept_data) json["data"].push_back(kept_json(data));
     if (!report.sizes.empty()) json["sizes"] = json_array(report.sizes, sizes_json);
     json["conformance"] = json_array(report.conformance, conformance_json);
     json["cspFiles"] = json_array(report.csp_files, file_json);

@@ -12,6 +12,7 @@
 #include "base/diagnostics/escape.hpp"
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/free_claims.hpp"
+#include "driver/claims/kept_text.hpp"
 #include "driver/claims/probability_claims.hpp"
 #include "driver/claims/time_claims.hpp"
 #include "driver/model/preferences.hpp"
@@ -81,6 +82,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     const ClassProject classes = class_project(project, search.settings);
     Project& decided = classes.project ? *classes.project : project;
     results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
+    for (const ir::KeptData& data : classes.kept) results.kept_data.push_back(described(project.sources, data));
     FreeData free_data(project, search.settings, classes);
     std::vector<std::unique_ptr<TimeClaims>> times;
     std::vector<std::unique_ptr<FreeClaims>> free;

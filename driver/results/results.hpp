@@ -98,6 +98,13 @@ struct SizeReport {
     Size compressed;        ///< O__
 };
 
+/// Data that keep the carriers of the finite instantiation.
+struct KeptDataReport {
+    std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
+    std::string reason;               ///< why, without a place
+    std::string place;                ///< of the reason, "model.rct:12"; "" if it has none
+};
+
 /// The answers to the claims, and further data found by the check.
 struct ClaimResults {
     std::vector<AssertionReport> assertions;
@@ -105,6 +112,7 @@ struct ClaimResults {
     std::vector<SizeReport> sizes;
     std::vector<std::string> remarks;
     std::vector<ir::ReplacedData> data;  ///< data that classes replace in the claims
+    std::vector<KeptDataReport> kept_data;
 };
 
 }  // namespace robochart::driver

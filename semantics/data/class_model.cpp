@@ -13,6 +13,7 @@
 #include "semantics/data/relations.hpp"
 #include "semantics/data/rewriter.hpp"
 #include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::ir {
 namespace {
@@ -74,7 +75,9 @@ public:
                 places_.unite(holder_of(relation),
                               places_.variable(relation.group.first, VariableId{static_cast<std::uint32_t>(variable)}));
         uses_ = collect_uses(related_.system, sampling_, places_, computed);
-        classes_ = divide_values(related_.system, sampling_, places_, uses_, computed);
+        DividedData divided = divide_values(related_.system, sampling_, places_, uses_, computed);
+        classes_ = std::move(divided.classes);
+        kept_ = std::move(divided.kept);
         for (const Relation& relation : related_.relations)
             terms_[places_.class_of(holder_of(relation))] = relation.text;
     }
@@ -89,7 +92,7 @@ public:
     [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
         std::set<const Expr*> result;
         for (const auto& [flow, uses] : uses_) {
-            if (classes_.contains(flow) || !uses.needs_values.empty()) continue;
+            if (classes_.contains(flow) || uses.needs_values) continue;
             if (!is_replaceable(related_.system, places_[flow].type)) continue;
             for (const Condition& condition : uses.conditions) result.insert(condition.expr);
         }
@@ -97,6 +100,12 @@ public:
     }
     /// No value if no data are replaced.
     [[nodiscard]] std::optional<ClassModel> result() const;
+    [[nodiscard]] std::vector<KeptData> kept_data() const {
+        std::vector<KeptData> result;
+        for (const auto& [flow, keep] : kept_)
+            if (has_numbers(related_.system, places_[flow].type)) result.push_back({names_in(places_, flow), keep});
+        return result;
+    }
 
 private:
     [[nodiscard]] RelatedVariables described(const Relation& relation) const;
@@ -110,6 +119,7 @@ private:
     Places places_;
     std::map<PlaceId, Uses> uses_;
     std::map<PlaceId, ValueClasses> classes_;
+    std::map<PlaceId, Keep> kept_;
     std::map<PlaceId, std::string> terms_;  ///< of flow classes of holders
 };
 
@@ -176,12 +186,12 @@ bool has_large_carriers(const System& system, const Instantiation& instantiation
     return !have_small_carriers(system, instantiation, replaceable_types(system));
 }
 
-std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation) {
+Classification classify_data(const System& system, const Instantiation& instantiation) {
     std::set<GroupId> refused;
     for (;;) {
         const Attempt attempt(related_system(system, instantiation, refused), instantiation, Computed::exactly);
         const auto kept = attempt.relation_without_classes();
-        if (!kept) return attempt.result();
+        if (!kept) return {attempt.result(), attempt.kept_data()};
         refused.insert(*kept);
     }
 }

@@ -59,7 +59,7 @@ public:
           cuts_(cuts),
           places_(system),
           uses_(collect_uses(system, sampling_, places_)),
-          classes_(divide_values(system, sampling_, places_, uses_)) {}
+          classes_(divide_values(system, sampling_, places_, uses_).classes) {}
 
     std::optional<ValueModel> explore() {
         ValueModel result;

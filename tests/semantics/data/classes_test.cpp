@@ -28,7 +28,7 @@ std::optional<ClassModel> classes_of(const std::string& text) {
     const auto lowered = samples::lower_text(text);
     diagnostics::Diagnostics found;
     const Instantiation instantiation = instantiate_system(lowered->system, {}, found);
-    return class_model(lowered->system, instantiation);
+    return classify_data(lowered->system, instantiation).model;
 }
 
 /// A machine that reads a value of this type into `x` and goes on by the guards.
@@ -120,7 +120,7 @@ TEST(Classes, OfPairsOfRealsAreTheCombinationsThatExist) {
 TEST(Classes, ARewrittenGuardKeepsThePlaceOfItsCondition) {
     const auto lowered = samples::lower_text(reading("real", {"x < 19.5", "x >= 19.5 /\\ x < 21.25"}));
     diagnostics::Diagnostics found;
-    const auto model = class_model(lowered->system, instantiate_system(lowered->system, {}, found));
+    const auto model = classify_data(lowered->system, instantiate_system(lowered->system, {}, found)).model;
     ASSERT_TRUE(model);
     std::vector<std::string> texts;
     for (const Transition& transition : model->system.machines.front().transitions) {
