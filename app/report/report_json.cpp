@@ -44,6 +44,7 @@ Json assertion_json(const driver::AssertionReport& a) {
               {"place", a.place},
               {"answer", name_of(a.answer)},
               {"statistics", statistics_json(a.statistics)}};
+    if (!a.name.empty()) json["name"] = a.name;
     const bool decided = a.answer == driver::Answer::holds || a.answer == driver::Answer::fails;
     if (decided && !a.searched) json["known"] = true;
     if (a.core)

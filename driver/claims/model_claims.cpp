@@ -28,6 +28,7 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
         if (!is_selected(search.settings.claims, name)) return;
         AssertionReport one;
         one.title = project.label + name;
+        one.name = name;
         set_place(project.sources, span, one);
         one.answer = Answer::unchecked;
         one.reason = fmt::format("{}: not checked: {}", diagnostics::escape_for_display(one.place), why);

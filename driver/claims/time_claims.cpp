@@ -249,14 +249,19 @@ AssertionReport decide_premise(const ClaimContext& context, const csp_emit::Obli
     return report;
 }
 
+/// The name of the claim for --assertion; "" if it has none.
+std::string name_of(const ir::System& system, const csp_emit::Obligation& obligation) {
+    if (!obligation.component.empty()) return core_name(obligation);
+    return obligation.property == ir::no_id ? obligation.name : system.properties[obligation.property].name;
+}
+
 bool is_wanted(const ClaimContext& context, const csp_emit::Obligation& obligation) {
     if (!context.takes(obligation)) return false;
-    if (!obligation.name.empty()) return is_selected(context.search.settings.claims, obligation.name);
-    const bool core = obligation.property == ir::no_id;
-    const bool core_requested = context.search.settings.claims.core && !obligation.component.empty();
-    return core ? context.search.settings.claims.names.empty() || core_requested
-                : is_selected(context.search.settings.claims,
-                              context.project.system.properties[obligation.property].name);
+    const ClaimSettings& settings = context.search.settings.claims;
+    const std::string name = name_of(context.project.system, obligation);
+    if (obligation.component.empty()) return is_selected(settings, name);
+    if (settings.core_names.empty()) return settings.names.empty() || settings.core;
+    return std::ranges::find(settings.core_names, name) != settings.core_names.end();
 }
 
 /// The transitions or states for which the obligation asks whether runs exercise them.
@@ -292,6 +297,7 @@ void announce_claims(const ClaimContext& context, ClaimResults& results) {
         if (!is_wanted(context, obligation)) continue;
         AssertionReport one;
         one.title = context.project.label + obligation.title;
+        one.name = name_of(context.project.system, obligation);
         if (obligation.property != ir::no_id)
             set_place(context.project.sources, context.project.system.properties[obligation.property].origin.span, one);
         if (!obligation.component.empty()) {

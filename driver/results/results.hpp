@@ -59,6 +59,7 @@ struct ProbabilityReport {
 /// One assertion with its answer.
 struct AssertionReport {
     std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string name;   ///< for --assertion: "A1", "P::S: deadlock-free"; "" if it has none
     std::string place;  ///< "aggregation.assertions:12"
     /// The place with its end. For a core property without a place, the declaration of the component.
     std::optional<runs::Place> region;
