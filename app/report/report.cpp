@@ -561,10 +561,25 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// The data that classes replace in the claims above.
-std::string replaced_text(const Report& report) {
+/// Whether some verdict rests on carriers.
+bool rests_on_carriers(const Report& report) {
+    const auto limits = [](const driver::Ground& ground) {
+        return ground.kind == driver::GroundKind::bound || ground.kind == driver::GroundKind::carriers;
+    };
+    return std::ranges::any_of(report.assertions, [&](const driver::AssertionReport& assertion) {
+        return std::ranges::any_of(assertion.basis, limits);
+    });
+}
+
+/// The data that classes replace in the claims above. If a verdict rests on carriers, also the data that keep them.
+std::string data_lines(const Report& report) {
     std::string out;
     for (const ir::ReplacedData& data : report.data) out += fmt::format("  values       {}\n", data_text(data));
+    if (!rests_on_carriers(report)) return out;
+    for (const driver::KeptDataReport& data : report.kept_data) {
+        out += fmt::format("  carrier      {}: {}", fmt::join(data.places, ", "), data.reason);
+        out += data.place.empty() ? "\n" : fmt::format(" ({})\n", diagnostics::escape_for_display(data.place));
+    }
     return out;
 }
 
@@ -597,7 +612,7 @@ std::string render_text(const Report& report, const Options& options) {
     const bool color = color_wanted(options.output.color, STDOUT_FILENO);
     std::string out = options.output.quiet ? "" : shown_lines(heading_text(report));
     out += assertions_text(report, options, color) + core_text(report, options, color) + legend_text(report, options);
-    if (!options.output.quiet) out += shown_lines(replaced_text(report));
+    if (!options.output.quiet) out += shown_lines(data_lines(report));
     std::string found;
     write_sizes(found, report.sizes);
     out += shown_lines(found);

@@ -44,6 +44,7 @@ Json assertion_json(const driver::AssertionReport& a) {
               {"place", a.place},
               {"answer", name_of(a.answer)},
               {"statistics", statistics_json(a.statistics)}};
+    if (!a.name.empty()) json["name"] = a.name;
     const bool decided = a.answer == driver::Answer::holds || a.answer == driver::Answer::fails;
     if (decided && !a.searched) json["known"] = true;
     if (a.core)
@@ -100,6 +101,12 @@ Json data_json(const ir::ReplacedData& data) {
               {"allValues", data.all_values},
               {"tested", !data.nothing_tested}};
     if (!data.term.empty()) json["term"] = data.term;
+    return json;
+}
+
+Json kept_json(const driver::KeptDataReport& data) {
+    Json json{{"places", data.places}, {"carrier", data.reason}};
+    if (!data.place.empty()) json["place"] = data.place;
     return json;
 }
 
@@ -192,7 +199,8 @@ std::string render_json(const Report& report) {
     if (const std::string advice = report.limit_advice(); !advice.empty()) json["advice"] = advice;
     json["assertions"] = json_array(report.assertions, assertion_json);
     json["bounds"] = json_array(report.bounds, bound_json);
-    if (!report.data.empty()) json["data"] = json_array(report.data, data_json);
+    for (const ir::ReplacedData& data : report.data) json["data"].push_back(data_json(data));
+    for (const driver::KeptDataReport& data : report.kept_data) json["data"].push_back(kept_json(data));
     if (!report.sizes.empty()) json["sizes"] = json_array(report.sizes, sizes_json);
     json["conformance"] = json_array(report.conformance, conformance_json);
     json["cspFiles"] = json_array(report.csp_files, file_json);

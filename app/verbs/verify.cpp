@@ -532,7 +532,7 @@ void report_broken_claims(const driver::Project& project, const Options& options
         for (const frontend::Assertion& claim : file->assertions) {
             if (!is_selected(options.claims, claim.name)) continue;
             driver::AssertionReport one;
-            one.title = claim.name;
+            one.title = one.name = claim.name;
             one.place = project.sources.path_and_line(claim.span);
             one.answer = driver::Answer::error;
             one.reason = fmt::format("{}: not decided: {} has errors", diagnostics::escape_for_display(one.place),

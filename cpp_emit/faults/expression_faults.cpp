@@ -176,14 +176,6 @@ ir::ExprPtr number_literal(const ir::System& system, ir::TypeId type, std::int64
     return std::make_shared<Expr>(literal_of(type, real ? ExprKind::real : ExprKind::integer, value));
 }
 
-/// The model's boolean type, which exists if a machine has a condition.
-ir::TypeId boolean_type(const ir::System& system) {
-    const auto found =
-        std::ranges::find_if(system.types, [](const ir::Type& type) { return type.kind == ir::TypeKind::boolean; });
-    if (found == system.types.end()) return {};
-    return {static_cast<std::uint32_t>(found - system.types.begin())};
-}
-
 /// Whether the operands are the parts of a value, with types given by `Type::args` or by one type for all parts.
 bool builds_value(ExprKind kind) {
     return kind == ExprKind::tuple || kind == ExprKind::record || kind == ExprKind::sequence || kind == ExprKind::set ||
@@ -258,7 +250,7 @@ ir::ExprPtr one_less(const ir::System& system, const ir::ExprPtr& expr) {
     if (expr->kind == ExprKind::integer)
         return expr->number > 0 ? number_literal(system, expr->type, expr->number - 1) : nullptr;
     const auto more = std::make_shared<Expr>(
-        make_operation(ExprKind::greater, boolean_type(system), {expr, one_literal(system, expr->type)}));
+        make_operation(ExprKind::greater, ir::boolean_type, {expr, one_literal(system, expr->type)}));
     const auto less =
         std::make_shared<Expr>(make_operation(ExprKind::minus, expr->type, {expr, one_literal(system, expr->type)}));
     return std::make_shared<Expr>(make_operation(ExprKind::if_then_else, expr->type, {more, less, none}));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "cpp_emit/plan/types.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -127,7 +128,7 @@ std::string set_capacity(const ir::System& system, const ir::Type& type, const S
         return fmt::format("robochart::set_places<{}>({}, {})", spelling.types, text, capacity);
     };
     if (given != 0) return deployed(fmt::format("{}", given));
-    if (type.kind != TypeKind::set || !is_unbounded(system, type.args.at(0)))
+    if (type.kind != TypeKind::set || !ir::has_numbers(system, type.args.at(0)))
         return fmt::format("robochart::places({})", text);
     if (!has_lists(system, type.args[0])) return deployed(spelling.types + "::longest");
     return deployed(fmt::format("robochart::outer_capacity<{}>()", spelling.types));
@@ -139,8 +140,8 @@ std::size_t set_capacity(const ir::System& system, const ir::Instantiation& inst
 
 std::size_t deployed_capacity(const ir::System& system, const ir::Type& type) {
     if (const std::size_t given = given_capacity(type); given != 0) return given;
-    const auto unbounded = [&](ir::TypeId part) { return is_unbounded(system, part); };
-    if (has_pairs(type) || std::ranges::none_of(type.args, unbounded))
+    const auto has_numbers = [&](ir::TypeId part) { return ir::has_numbers(system, part); };
+    if (has_pairs(type) || std::ranges::none_of(type.args, has_numbers))
         return std::min(members_of<std::size_t>(system, type, Numbers{usual_capacity}), largest_set);
     return has_lists(system, type.args.at(0)) ? usual_outer_capacity : usual_capacity;
 }

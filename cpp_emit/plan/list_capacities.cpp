@@ -12,6 +12,7 @@
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -23,7 +24,7 @@ namespace {
 /// Visits the outermost types of lists that may be longer than their capacity in a type that has_lists.
 void visit_list_types(const ir::System& system, ir::TypeId id, const std::function<void(ir::TypeId)>& visitor) {
     const ir::Type& type = system.type(id);
-    if (is_list(type) && is_unbounded(system, id)) return visitor(id);
+    if (is_list(type) && ir::has_numbers(system, id)) return visitor(id);
     for (const ir::TypeId part : type.args) visit_list_types(system, part, visitor);
     for (const auto& arguments : type.literal_args)
         for (const ir::TypeId part : arguments) visit_list_types(system, part, visitor);

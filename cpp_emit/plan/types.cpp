@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cpp_emit/plan/names.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -122,40 +123,11 @@ std::vector<TypeMember> type_members(const ir::Type& type) {
     return result;
 }
 
-bool is_unbounded(const ir::System& system, ir::TypeId id) {
-    const ir::Type& type = system.type(id);
-    const auto part = [&](ir::TypeId inner) { return is_unbounded(system, inner); };
-    switch (type.kind) {
-        case TypeKind::nat:
-        case TypeKind::integer:
-        case TypeKind::real:
-        case TypeKind::string:
-        case TypeKind::given:
-        case TypeKind::sequence:
-            return true;
-        case TypeKind::boolean:
-        case TypeKind::unit:
-            return false;
-        case TypeKind::enumeration:
-            return std::ranges::any_of(type.literal_args,
-                                       [&](const auto& arguments) { return std::ranges::any_of(arguments, part); });
-        case TypeKind::record:
-        case TypeKind::product:
-        case TypeKind::vector:
-        case TypeKind::matrix:
-        case TypeKind::set:
-        case TypeKind::relation:
-        case TypeKind::function:
-            return std::ranges::any_of(type.args, part);
-    }
-    return true;
-}
-
 namespace {
 
 bool contains_lists(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
-    if (is_list(type) && is_unbounded(system, id)) return true;
+    if (is_list(type) && ir::has_numbers(system, id)) return true;
     const auto part = [&](ir::TypeId inner) { return contains_lists(system, inner); };
     return std::ranges::any_of(type.args, part) || std::ranges::any_of(type.literal_args, [&](const auto& arguments) {
                return std::ranges::any_of(arguments, part);

@@ -48,11 +48,8 @@ struct Extent {
 [[nodiscard]] std::vector<TypeMember> type_members(const ir::Type&);
 /// Whether the values of the type are stored in places of fixed size: sequences, sets, relations and functions.
 [[nodiscard]] bool is_list(const ir::Type&);
-/// Whether the robot has more values of the type than the instantiation's carriers: numbers, strings, elements of given
-/// types, sequences, and values that contain them.
-[[nodiscard]] bool is_unbounded(const ir::System&, ir::TypeId);
 /// Whether values of the type contain lists that may be longer than their capacity on the robot: sequences, and sets,
-/// relations and functions of an unbounded type. False for types that are not supported.
+/// relations and functions with numbers (ir::has_numbers). False for types that are not supported.
 [[nodiscard]] bool has_lists(const ir::System&, ir::TypeId);
 /// The usual capacity of lists in deployed code, in items; `usual_outer_capacity` is that of lists of lists.
 inline constexpr std::size_t usual_capacity = 64, usual_outer_capacity = 16;

@@ -18,6 +18,7 @@
 #include "driver/settings/search_context.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/ir/element_at.hpp"
+#include "semantics/ir/number_parts.hpp"
 #include "semantics/ir/visit.hpp"
 
 namespace robochart::driver {
@@ -191,16 +192,6 @@ bool ReachedBounds::is_part(const std::string& element, const cspm::ExprPtr& pro
 
 namespace {
 
-/// Whether the type has numbers, given values, texts or sequences, so that its carrier leaves values out.
-bool is_cut(const ir::System& system, ir::TypeId id) {
-    const ir::Type& type = system.type(id);
-    using enum ir::TypeKind;
-    if (type.kind == nat || type.kind == integer || type.kind == real || type.kind == string || type.kind == given ||
-        type.kind == sequence)
-        return true;
-    return std::ranges::any_of(type.args, [&](ir::TypeId part) { return is_cut(system, part); });
-}
-
 bool is_computation(const ir::Expr& expr) {
     using enum ir::ExprKind;
     return expr.kind == plus || expr.kind == minus || expr.kind == times || expr.kind == divide ||
@@ -221,7 +212,7 @@ bool is_uncovered(const ir::System& system, const ir::Machine& machine, const ir
         computed = computed || is_computation(expr) || (expr.kind == ir::ExprKind::toolkit && !reads_size(expr));
         const bool variable = expr.kind == ir::ExprKind::variable;
         if (!variable && expr.kind != ir::ExprKind::trigger_value) return;
-        cut = cut || is_cut(system, variable ? machine.variables.at(expr.variable.index).type : expr.type);
+        cut = cut || ir::has_numbers(system, variable ? machine.variables.at(expr.variable.index).type : expr.type);
         places.emplace(expr.kind, expr.variable);
     });
     return cut && (computed || places.size() > 1);

@@ -47,15 +47,23 @@ bool keeps_carriers(const Project& project, const Settings& settings) {
 
 ClassProject class_project(const Project& project, const Settings& settings) {
     if (keeps_carriers(project, settings)) return {};
-    auto replaced = ir::class_model(without_observers(project.system), project.instantiation);
-    if (!replaced) return {};
+    ir::Classification found = ir::classify_data(without_observers(project.system), project.instantiation);
+    ClassProject result;
+    result.kept = std::move(found.kept);
+    if (!found.model) return result;
+    ir::ClassModel& replaced = *found.model;
     const bool unlimited =
-        !replaced->small_carriers && std::ranges::any_of(replaced->data, &ir::ReplacedData::all_values);
-    if (!unlimited && has_observers(project.system)) return {};
-    ClassProject result{with_data(project, std::move(replaced->system), std::move(replaced->instantiation)),
-                        std::move(replaced->data), replaced->small_carriers};
-    result.project->outputs_replaced = std::move(replaced->outputs_replaced);
-    result.project->related = std::move(replaced->related);
+        !replaced.small_carriers && std::ranges::any_of(replaced.data, &ir::ReplacedData::all_values);
+    if (!unlimited && has_observers(project.system)) {
+        for (ir::ReplacedData& data : replaced.data)
+            result.kept.push_back({std::move(data.places), {ir::KeepReason::observed, {}}});
+        return result;
+    }
+    result.project = with_data(project, std::move(replaced.system), std::move(replaced.instantiation));
+    result.data = std::move(replaced.data);
+    result.small_carriers = replaced.small_carriers;
+    result.project->outputs_replaced = std::move(replaced.outputs_replaced);
+    result.project->related = std::move(replaced.related);
     return result;
 }
 

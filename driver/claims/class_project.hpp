@@ -15,21 +15,25 @@ namespace robochart::driver {
 struct ClassProject {
     std::unique_ptr<Project> project;
     std::vector<ir::ReplacedData> data;
+    std::vector<ir::KeptData> kept;  ///< empty if the settings or a CSP block choose the carriers
     bool small_carriers = false;  ///< the replaced data have few values in the finite instantiation
 };
 
 /// True if the settings choose carriers of numbers.
 [[nodiscard]] bool chooses_ranges(const Project& project);
 
-/// The project with classes of values, without the claims that observe values. Null if no data can be replaced, if a
-/// CSP block replaces the instantiation, if a swarm is decided, or if the settings ask for the finite instantiation or
-/// choose ranges. Also null if there are claims that observe values, and the values are few or all occur in the model,
-/// because both sorts of claims then share the work on the components.
+/// True if all claims are decided in the finite instantiation: because the settings ask for it or choose ranges, because
+/// a CSP block replaces the instantiation, or because a swarm is decided.
+[[nodiscard]] bool keeps_carriers(const Project& project, const Settings& settings);
+
+/// The project with classes of values, without the claims that observe values. Null if carriers are kept, or if no data
+/// can be replaced. Also null if there are claims that observe values, and the values are few or all occur in the
+/// model, because both sorts of claims then share the work on the components.
 [[nodiscard]] ClassProject class_project(const Project& project, const Settings& settings);
 
 /// The project in which computed data are free (ir::free_model), without the claims that observe values.
 struct FreeProject {
-    std::unique_ptr<Project> project;  ///< null in the same cases as class_project(), or if no data can be replaced
+    std::unique_ptr<Project> project;  ///< null if carriers are kept, or if no data can be replaced
     std::size_t conditions = 0;        ///< conditions that may have either answer
     bool has_large_carriers = false;   ///< it replaces data with large carriers that `classes` does not replace
 };

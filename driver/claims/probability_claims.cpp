@@ -272,6 +272,7 @@ ProbabilityClaims::ProbabilityClaims(Project& project, const SearchContext& sear
         AssertionReport one;
         one.title = fmt::format("{}{} {}", project.label, claim.assertion->name,
                                 diagnostics::escape_for_display(frontend::claim_text(*claim.assertion)));
+        one.name = claim.assertion->name;
         set_place(project.sources, claim.assertion->span, one);
         one.reason = undecided_at_limit;
         const bool chain = uses_robotool(search, *claim.assertion);

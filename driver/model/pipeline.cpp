@@ -387,22 +387,69 @@ std::vector<std::string> claim_names(const Project& whole, const SwarmSettings& 
     return names;
 }
 
-/// Replaces the words of --assertion by the names of the claims that they select. Words that select no claim are
-/// reported in the project.
-void name_claims(Project& whole, Settings& settings) {
+void report_lost(Project& project, const std::string& word, const std::vector<std::string>& names) {
+    project.diagnostics.report(rules::bad_option, {},
+                               {fmt::format("--assertion {}: {}", word, why_lost(word, names, "the model"))});
+}
+
+/// Words of --assertion that select no claim of the model, but may select a core property.
+struct OtherWords {
+    std::vector<std::string> words;
+    std::vector<std::string> claims;  ///< the names of the model's claims
+};
+
+/// Replaces the words of --assertion by the names of the claims that they select. Words that select no claim and no
+/// core property are reported in the project.
+OtherWords name_claims(Project& whole, Settings& settings) {
+    OtherWords other;
     std::vector<std::string>& claims = settings.claims.names;
-    if (claims.empty()) return;
-    const std::vector<std::string> names = claim_names(whole, settings.swarm);
-    const ClaimSelection selection = select_claims(claims, names);
+    if (claims.empty()) return other;
+    other.claims = claim_names(whole, settings.swarm);
+    const ClaimSelection selection = select_claims(claims, other.claims);
     claims.clear();
-    for (const std::size_t place : selection.chosen) claims.push_back(names[place]);
+    for (const std::size_t place : selection.chosen) claims.push_back(other.claims[place]);
     const bool errors = !whole.diagnostics.ok();  // with errors, the list of claims may be incomplete
+    const bool core = settings.load.claims == ClaimUse::decide && settings.swarm.file.empty();
     for (const std::string& word : selection.lost)
         if (errors)
             claims.push_back(word);
+        else if (core && !word.empty() && !selects_by_number(word))
+            other.words.push_back(word);
         else
-            whole.diagnostics.report(rules::bad_option, {},
-                                     {fmt::format("--assertion {}: {}", word, why_lost(word, names, "the model"))});
+            report_lost(whole, word, other.claims);
+    if (!other.words.empty()) settings.claims.core = true;
+    return other;
+}
+
+/// The names of all core properties, in order, without duplicates.
+std::vector<std::string> core_names(const std::vector<Part>& parts, const Settings& settings) {
+    std::vector<std::string> names;
+    for (const Part& part : parts) {
+        if (!core_wanted(part, settings)) continue;
+        for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
+            if (!includes_time(settings.claims.times, time) || !part.project->diagnostics.ok()) continue;
+            for (const csp_emit::Obligation& claim :
+                 emit_csp(*part.project, settings.claims, settings.swarm, time).obligations)
+                if (!claim.component.empty() && std::ranges::find(names, core_name(claim)) == names.end())
+                    names.push_back(core_name(claim));
+        }
+    }
+    return names;
+}
+
+/// Finds the core properties that the other words select. Words that select none are reported in the first part.
+void name_core_claims(std::vector<Part>& parts, const OtherWords& other, Settings& settings) {
+    const auto is_sound = [](const Part& part) { return part.project->diagnostics.ok(); };
+    if (other.words.empty() || !std::ranges::any_of(parts, is_sound)) return;
+    const std::vector<std::string> names = core_names(parts, settings);
+    const ClaimSelection selection = select_claims(other.words, names);
+    for (const std::size_t place : selection.chosen) settings.claims.core_names.push_back(names[place]);
+    std::vector<std::string> all = other.claims;
+    all.insert(all.end(), names.begin(), names.end());
+    for (const std::string& word : selection.lost) {
+        const bool near = !diagnostics::nearest_spelling(word, names).empty();
+        report_lost(*parts.front().project, word, near ? all : other.claims);
+    }
 }
 
 /// Errors in CSP blocks are found when the script is made. The script is stored and reused by the check, so it is made
@@ -471,10 +518,11 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
 std::vector<Part> load_parts(Settings& settings, diagnostics::Budget& budget) {
     const auto start = std::chrono::steady_clock::now();
     std::unique_ptr<Project> whole = read(settings.load, budget);
-    name_claims(*whole, settings);
+    const OtherWords other = name_claims(*whole, settings);
     std::vector<Part> parts = split_project(std::move(whole), settings.load, frontend::split_into_units);
     instantiate_parts(parts, settings);
     separate_broken_claims(parts, settings);
+    name_core_claims(parts, other, settings);
     label_parts(parts);
     parts.front().project->seconds = seconds_since(start);
     return parts;
@@ -489,7 +537,13 @@ std::vector<Part> read_parts(const LoadSettings& settings, diagnostics::Budget& 
 }
 
 bool is_selected(const ClaimSettings& settings, const std::string& claim) {
-    return settings.names.empty() || std::ranges::find(settings.names, claim) != settings.names.end();
+    const bool all = settings.names.empty() && settings.core_names.empty();
+    return all || std::ranges::find(settings.names, claim) != settings.names.end();
+}
+
+std::string core_name(const csp_emit::Obligation& obligation) {
+    const std::string& component = obligation.component;  // "state machine P::S"
+    return fmt::format("{}: {}", component.substr(component.rfind(' ') + 1), obligation.property_text);
 }
 
 bool core_wanted(const Part& part, const Settings& settings) {

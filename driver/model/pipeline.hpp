@@ -77,7 +77,10 @@ struct ClaimName {
 /// The claims of a model in the order of its files.
 [[nodiscard]] std::vector<ClaimName> claims_of(const frontend::Model&);
 
-/// True if the settings select the claim with this name. Without names, all claims are selected.
+/// The name of a core property for --assertion: "P::S: deadlock-free".
+[[nodiscard]] std::string core_name(const csp_emit::Obligation&);
+
+/// True if the settings select the claim of the model with this name. If they select nothing, all claims are selected.
 [[nodiscard]] bool is_selected(const ClaimSettings&, const std::string& claim);
 
 /// True if the core properties of a part are checked: they were requested, or assertions are checked and the model has

@@ -59,6 +59,7 @@ struct ProbabilityReport {
 /// One assertion with its answer.
 struct AssertionReport {
     std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
+    std::string name;   ///< for --assertion: "A1", "P::S: deadlock-free"; "" if it has none
     std::string place;  ///< "aggregation.assertions:12"
     /// The place with its end. For a core property without a place, the declaration of the component.
     std::optional<runs::Place> region;
@@ -98,6 +99,13 @@ struct SizeReport {
     Size compressed;        ///< O__
 };
 
+/// Data that keep the carriers of the finite instantiation.
+struct KeptDataReport {
+    std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
+    std::string reason;               ///< why, without a place
+    std::string place;                ///< of the reason, "model.rct:12"; "" if it has none
+};
+
 /// The answers to the claims, and further data found by the check.
 struct ClaimResults {
     std::vector<AssertionReport> assertions;
@@ -105,6 +113,7 @@ struct ClaimResults {
     std::vector<SizeReport> sizes;
     std::vector<std::string> remarks;
     std::vector<ir::ReplacedData> data;  ///< data that classes replace in the claims
+    std::vector<KeptDataReport> kept_data;
 };
 
 }  // namespace robochart::driver

@@ -86,6 +86,10 @@ ClaimSelection select_claims(const std::vector<std::string>& words, const std::v
     return selection;
 }
 
+bool selects_by_number(std::string_view word) {
+    return numbers_in(word).has_value();
+}
+
 std::string why_lost(std::string_view word, const std::vector<std::string>& names, std::string_view subject) {
     if (names.empty()) return fmt::format("{} has no assertions", subject);
     if (numbers_in(word))

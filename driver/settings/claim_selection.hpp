@@ -21,6 +21,9 @@ struct ClaimSelection {
 [[nodiscard]] ClaimSelection select_claims(const std::vector<std::string>& words,
                                            const std::vector<std::string>& names);
 
+/// Whether the word is a number or a range of numbers.
+[[nodiscard]] bool selects_by_number(std::string_view word);
+
 /// Explains why a word selects no claim of the subject: "the model has 3 assertions", "s.csp has no assertion of this
 /// name; did you mean 'Safe'?".
 [[nodiscard]] std::string why_lost(std::string_view word, const std::vector<std::string>& names,

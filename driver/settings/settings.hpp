@@ -54,7 +54,9 @@ enum class Times { both, timed, untimed };
 
 /// Settings for the selection of claims.
 struct ClaimSettings {
-    std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); empty: all
+    std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); empty: all, or only `core_names`
+    /// Selected core properties (core_name()); empty: all, if `core` asks for them.
+    std::vector<std::string> core_names;
     Times times = Times::both;
     bool core = false;      ///< also the core properties of every component
     bool sizes = false;     ///< also the sizes of the components' processes

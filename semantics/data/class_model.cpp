@@ -13,20 +13,28 @@
 #include "semantics/data/relations.hpp"
 #include "semantics/data/rewriter.hpp"
 #include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::ir {
 namespace {
 
-bool have_small_carriers(const System& system, const Instantiation& instantiation, const Places& places,
-                         const std::map<PlaceId, ValueClasses>& classes) {
+bool have_small_carriers(const System& system, const Instantiation& instantiation, const std::set<TypeId>& types) {
     constexpr std::size_t most_values = 64;
     try {
-        for (const auto& [flow, divided] : classes)
-            (void)carrier_values(system, instantiation, places[flow].type, most_values);
+        for (const TypeId type : types) (void)carrier_values(system, instantiation, type, most_values);
     } catch (const std::length_error&) {
         return false;
     }
     return true;
+}
+
+/// The types of data that could be replaced.
+std::set<TypeId> replaceable_types(const System& system) {
+    std::set<TypeId> result;
+    const Places places(system);
+    for (PlaceId place = 0; place < places.size(); ++place)
+        if (is_replaceable(system, places[place].type)) result.insert(places[place].type);
+    return result;
 }
 
 std::string name_of(const Machine& machine) {
@@ -67,7 +75,9 @@ public:
                 places_.unite(holder_of(relation),
                               places_.variable(relation.group.first, VariableId{static_cast<std::uint32_t>(variable)}));
         uses_ = collect_uses(related_.system, sampling_, places_, computed);
-        classes_ = divide_values(related_.system, sampling_, places_, uses_, computed);
+        DividedData divided = divide_values(related_.system, sampling_, places_, uses_, computed);
+        classes_ = std::move(divided.classes);
+        kept_ = std::move(divided.kept);
         for (const Relation& relation : related_.relations)
             terms_[places_.class_of(holder_of(relation))] = relation.text;
     }
@@ -82,7 +92,7 @@ public:
     [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
         std::set<const Expr*> result;
         for (const auto& [flow, uses] : uses_) {
-            if (classes_.contains(flow) || !uses.needs_values.empty()) continue;
+            if (classes_.contains(flow) || uses.needs_values) continue;
             if (!is_replaceable(related_.system, places_[flow].type)) continue;
             for (const Condition& condition : uses.conditions) result.insert(condition.expr);
         }
@@ -90,6 +100,12 @@ public:
     }
     /// No value if no data are replaced.
     [[nodiscard]] std::optional<ClassModel> result() const;
+    [[nodiscard]] std::vector<KeptData> kept_data() const {
+        std::vector<KeptData> result;
+        for (const auto& [flow, keep] : kept_)
+            if (has_numbers(related_.system, places_[flow].type)) result.push_back({names_in(places_, flow), keep});
+        return result;
+    }
 
 private:
     [[nodiscard]] RelatedVariables described(const Relation& relation) const;
@@ -103,6 +119,7 @@ private:
     Places places_;
     std::map<PlaceId, Uses> uses_;
     std::map<PlaceId, ValueClasses> classes_;
+    std::map<PlaceId, Keep> kept_;
     std::map<PlaceId, std::string> terms_;  ///< of flow classes of holders
 };
 
@@ -131,10 +148,12 @@ RelatedVariables Attempt::described(const Relation& relation) const {
 std::optional<ClassModel> Attempt::result() const {
     if (classes_.empty()) return std::nullopt;
     const System& system = related_.system;
+    std::set<TypeId> types;
+    for (const auto& [flow, divided] : classes_) types.insert(places_[flow].type);
     ClassModel result{with_classes(system, sampling_, places_, uses_, classes_, terms_),
                       instantiation_,
                       {},
-                      have_small_carriers(system, instantiation_, places_, classes_),
+                      have_small_carriers(system, instantiation_, types),
                       outputs_replaced(system, places_, classes_),
                       0,
                       {}};
@@ -159,12 +178,20 @@ RelatedSystem related_system(const System& system, const Instantiation& instanti
 
 }  // namespace
 
-std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation) {
+bool has_data(const System& system) {
+    return !replaceable_types(system).empty();
+}
+
+bool has_large_carriers(const System& system, const Instantiation& instantiation) {
+    return !have_small_carriers(system, instantiation, replaceable_types(system));
+}
+
+Classification classify_data(const System& system, const Instantiation& instantiation) {
     std::set<GroupId> refused;
     for (;;) {
         const Attempt attempt(related_system(system, instantiation, refused), instantiation, Computed::exactly);
         const auto kept = attempt.relation_without_classes();
-        if (!kept) return attempt.result();
+        if (!kept) return {attempt.result(), attempt.kept_data()};
         refused.insert(*kept);
     }
 }

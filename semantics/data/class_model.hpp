@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "semantics/data/kept_data.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -62,9 +63,20 @@ struct ClassModel {
     std::vector<RelatedVariables> related;
 };
 
-/// Replaces all data that can be replaced. No value if there are none. Properties of the system must not observe values
-/// of events: the class model has the same names of events, and other values.
-[[nodiscard]] std::optional<ClassModel> class_model(const System& system, const Instantiation& instantiation);
+/// Whether there are data that could be replaced, if the model uses them in a way that allows it.
+[[nodiscard]] bool has_data(const System& system);
+/// Whether such data have more than 64 values in the finite instantiation.
+[[nodiscard]] bool has_large_carriers(const System& system, const Instantiation& instantiation);
+
+/// The class model of a system, and the data that it does not replace.
+struct Classification {
+    std::optional<ClassModel> model;  ///< no value if no data are replaced
+    std::vector<KeptData> kept;       ///< those with numbers (has_numbers), in the order of their first places
+};
+
+/// Replaces all data that can be replaced. Properties of the system must not observe values of events: the class model
+/// has the same names of events, and other values.
+[[nodiscard]] Classification classify_data(const System& system, const Instantiation& instantiation);
 
 /// A class model in which the classes of computed values, and the answers of conditions that no classes give, are
 /// chosen internally. The ideal model refines it in traces, failures and divergences, if values of events are not

@@ -168,12 +168,11 @@ public:
            Computed computed)
         : system_(system), sampling_(sampling), places_(places), uses_(uses), computed_(computed) {}
 
-    std::map<PlaceId, ValueClasses> choose() {
-        for (const auto& [flow, uses] : uses_)
-            if (auto classes = classes_of(flow, uses)) chosen_.emplace(flow, std::move(*classes));
+    DividedData choose() {
+        for (const auto& [flow, uses] : uses_) choose_classes(flow, uses);
         while (give_up_one()) {
         }
-        return std::move(chosen_);
+        return {std::move(chosen_), std::move(kept_)};
     }
 
 private:
@@ -190,13 +189,39 @@ private:
 
     [[nodiscard]] bool from_outside(PlaceId flow) const { return places_[flow].input || places_[flow].shared; }
 
-    [[nodiscard]] std::optional<ValueClasses> classes_of(PlaceId flow, const Uses& uses) const {
+    /// A reason to keep the values that does not depend on other flow classes or on the form of conditions.
+    [[nodiscard]] std::optional<Keep> reason_to_keep(PlaceId flow, const Uses& uses) const {
         const Place& place = places_[flow];
-        if (place.opaque || !uses.needs_values.empty() || !is_replaceable(system_, place.type)) return std::nullopt;
+        if (!is_replaceable(system_, place.type)) return Keep{KeepReason::type, {}};
+        if (uses.needs_values) return uses.needs_values;
+        if (place.opaque) return Keep{KeepReason::other_place, {}};
+        const auto computed =
+            std::ranges::find_if(uses.writes, [](const Written& written) { return !written.closed; });
+        if (computed == uses.writes.end() || uses.conditions.empty() || may_be_chosen(uses)) return std::nullopt;
+        return Keep{KeepReason::computed, computed->expr->span};
+    }
+
+    void choose_classes(PlaceId flow, const Uses& uses) {
+        if (const auto keep = reason_to_keep(flow, uses)) {
+            kept_.emplace(flow, *keep);
+            return;
+        }
+        const Place& place = places_[flow];
         const bool computed = is_computed(uses);
-        if (computed && !uses.conditions.empty() && !may_be_chosen(uses)) return std::nullopt;
-        return Division(system_, sampling_, place.type, uses)
-            .divide(from_outside(flow) || computed, !place.shared && !computed, !computed);
+        auto classes = Division(system_, sampling_, place.type, uses)
+                           .divide(from_outside(flow) || computed, !place.shared && !computed, !computed);
+        if (classes)
+            chosen_.emplace(flow, std::move(*classes));
+        else
+            kept_.emplace(flow, reason_without_classes(place.type, uses));
+    }
+
+    /// The reason why the conditions give no classes.
+    [[nodiscard]] Keep reason_without_classes(TypeId type, const Uses& uses) const {
+        for (const Condition& condition : uses.conditions)
+            if (!can_divide(system_, sampling_, condition.machine, type, *condition.body))
+                return {KeepReason::form, condition.expr->span};
+        return {KeepReason::many, {}};
     }
 
     /// The chosen flow classes whose values cannot be computed: they come from outside, or are computed from such
@@ -230,14 +255,23 @@ private:
     bool give_up_one() {
         const std::set<PlaceId> unknown = unknown_values();
         for (const auto& [flow, uses] : uses_) {
-            if (chosen_.contains(flow)) {
-                if (is_known(uses, flow, unknown) && chosen_.erase(flow) > 0) return true;
-                continue;
+            const bool chosen = chosen_.contains(flow);
+            if (chosen && !is_known(uses, flow, unknown)) continue;
+            for (const Written& written : uses.writes) {
+                if (written.closed) continue;
+                if (chosen) return keep_values(flow, {KeepReason::from_carriers, written.expr->span});
+                for (const PlaceId read : written.reads)
+                    if (keep_values(places_.class_of(read), {KeepReason::computed_from, written.expr->span}))
+                        return true;
             }
-            for (const PlaceId read : flows_read(uses))
-                if (chosen_.erase(read) > 0) return true;
         }
         return false;
+    }
+    /// Returns false if the flow class keeps its values already.
+    bool keep_values(PlaceId flow, const Keep& keep) {
+        if (chosen_.erase(flow) == 0) return false;
+        kept_.emplace(flow, keep);
+        return true;
     }
 
     const System& system_;
@@ -246,6 +280,7 @@ private:
     const std::map<PlaceId, Uses>& uses_;
     Computed computed_;
     std::map<PlaceId, ValueClasses> chosen_;
+    std::map<PlaceId, Keep> kept_;
 };
 
 }  // namespace
@@ -279,8 +314,8 @@ bool can_divide(const System& system, const Sampling& sampling, MachineId machin
     return LinearConditions(system, sampling.instantiation()).add(condition, closed);
 }
 
-std::map<PlaceId, ValueClasses> divide_values(const System& system, const Sampling& sampling, const Places& places,
-                                              const std::map<PlaceId, Uses>& uses, Computed computed) {
+DividedData divide_values(const System& system, const Sampling& sampling, const Places& places,
+                          const std::map<PlaceId, Uses>& uses, Computed computed) {
     return Choice(system, sampling, places, uses, computed).choose();
 }
 

@@ -36,12 +36,17 @@ struct ValueClasses {
 [[nodiscard]] bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type,
                               const Expr& condition);
 
-/// The classes of every flow class whose values can be replaced by classes, by its least place (docs/data.md). The
+/// The flow classes by their least places.
+struct DividedData {
+    std::map<PlaceId, ValueClasses> classes;  ///< of the values that classes can replace
+    std::map<PlaceId, Keep> kept;             ///< of the others
+};
+
+/// The classes of every flow class whose values can be replaced by classes (docs/data.md). The
 /// class model is equal to the ideal model up to the names of values: every condition has one answer for all values of
 /// a class, and an input of any value of a class has the same effect (a functional bisimulation). If computed values
 /// are free, this is only true if each of them belongs to the class that the class model chooses.
-[[nodiscard]] std::map<PlaceId, ValueClasses> divide_values(const System& system, const Sampling& sampling,
-                                                            const Places& places, const std::map<PlaceId, Uses>& uses,
-                                                            Computed computed = Computed::exactly);
+[[nodiscard]] DividedData divide_values(const System& system, const Sampling& sampling, const Places& places,
+                                        const std::map<PlaceId, Uses>& uses, Computed computed = Computed::exactly);
 
 }  // namespace robochart::ir

@@ -12,6 +12,7 @@
 
 #include "semantics/data/classes.hpp"
 #include "semantics/data/inlining.hpp"
+#include "semantics/data/statements.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/evaluate/toolkit.hpp"
 #include "semantics/ir/visit.hpp"
@@ -88,8 +89,6 @@ public:
           unanswered_(unanswered),
           written_by_operations_(written_by_operations),
           machine_(system.machine(id)) {
-        const auto boolean = std::ranges::find(system.types, TypeKind::boolean, &Type::kind);
-        if (boolean != system.types.end()) boolean_.index = static_cast<std::uint32_t>(boolean - system.types.begin());
         for (const Transition& transition : machine_.transitions)
             if (transition.trigger && transition.trigger->variable.is_valid())
                 received_.insert(transition.trigger->variable);
@@ -118,15 +117,8 @@ private:
     [[nodiscard]] ExprPtr comparison(ExprKind kind, const ExprPtr& left, Expr right) const;
     [[nodiscard]] ExprPtr value(const ExprPtr& expr);
 
-    [[nodiscard]] StmtPtr make(Stmt stmt) {
-        stmt.point = machine_.points++;
-        return std::make_shared<const Stmt>(std::move(stmt));
-    }
-    [[nodiscard]] StmtPtr sequence_of(std::vector<StmtPtr> parts, const Origin& origin);
-    [[nodiscard]] StmtPtr assigned(VariableId variable, const ExprPtr& value, const Origin& origin);
     [[nodiscard]] StmtPtr possible_end(const Origin& origin);
     [[nodiscard]] StmtPtr guarded(const Stmt& stmt, StmtPtr done);
-    [[nodiscard]] StmtPtr chosen(VariableId variable, std::vector<ExprPtr> values, const Origin& origin);
     [[nodiscard]] std::vector<ExprPtr> literals(TypeId type, const Expr& origin) const;
 
     [[nodiscard]] StmtPtr with_conditions(const StmtPtr& stmt);
@@ -145,7 +137,7 @@ private:
     const std::set<const Expr*>& unanswered_;
     const std::set<std::string>& written_by_operations_;
     Machine machine_;
-    TypeId boolean_;                 ///< invalid: the model has no conditions
+    StatementMaker maker_{machine_};
     std::set<VariableId> received_;  ///< stored by triggers
     bool may_follow_event_ = false;  ///< in an exit or during action: it may run before the transition's own action
     std::vector<FreeAnswer> answers_;
@@ -171,7 +163,7 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
     bool clock = false;
     TypeId type;
     visit_operands(*root, [&](const Expr& expr) {
-        clock = clock || expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
+        clock = clock || is_clock(expr.kind);
         if (expr.kind != ExprKind::variable && expr.kind != ExprKind::trigger_value) return;
         places.emplace(expr.kind, expr.variable);
         type = expr.kind == ExprKind::variable ? machine_.variables.at(expr.variable.index).type : expr.type;
@@ -184,8 +176,7 @@ bool MachineConditions::is_answered(const ExprPtr& root) const {
 bool MachineConditions::can_be_freed(const Expr& root) const {
     bool result = true;
     visit_operands(root, [&](const Expr& expr) {
-        if (expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry || expr.kind == ExprKind::trigger_value)
-            result = false;
+        if (is_clock(expr.kind) || expr.kind == ExprKind::trigger_value) result = false;
         if (expr.kind != ExprKind::variable) return;
         const Variable& variable = machine_.variables.at(expr.variable.index);
         if (variable.scope == VariableScope::required || written_by_operations_.contains(variable.name)) result = false;
@@ -197,7 +188,7 @@ bool MachineConditions::can_be_freed(const Expr& root) const {
 ExprPtr MachineConditions::comparison(ExprKind kind, const ExprPtr& left, Expr right) const {
     Expr result;
     result.kind = kind;
-    result.type = boolean_;
+    result.type = boolean_type;
     result.span = right.span = left->span;
     right.type = left->type;
     result.args = {left, std::make_shared<const Expr>(std::move(right))};
@@ -252,7 +243,7 @@ ExprPtr MachineConditions::all_of(const std::vector<ExprPtr>& conditions) {
     for (std::size_t i = 1; i < conditions.size(); ++i) {
         Expr both;
         both.kind = ExprKind::conjunction;
-        both.type = boolean_;
+        both.type = boolean_type;
         both.span = result->span;
         both.args = {result, conditions[i]};
         result = std::make_shared<const Expr>(std::move(both));
@@ -297,27 +288,14 @@ ExprPtr MachineConditions::condition(const ExprPtr& expr, bool unanswered) {
 ExprPtr MachineConditions::answer_of(const ExprPtr& expr) {
     const auto [found, added] = known_.emplace(keys_.key_of(*expr), answers_.size());
     if (added) {
-        FreeAnswer answer{VariableId{static_cast<std::uint32_t>(machine_.variables.size())}, expr, {}};
+        const std::string name = fmt::format("answer{}", answers_.size() + 1);
+        FreeAnswer answer{maker_.add_variable(name, expr->type, {"", expr->span}), expr, {}};
         visit_operands(*expr, [&](const Expr& part) {
             if (part.kind == ExprKind::variable) answer.reads.insert(part.variable);
         });
-        Variable variable;
-        variable.name = fmt::format("answer{}", answers_.size() + 1);
-        const auto used = [&] {
-            return std::ranges::find(machine_.variables, variable.name, &Variable::name) != machine_.variables.end();
-        };
-        while (used()) variable.name += "_";
-        variable.type = expr->type;
-        variable.origin.span = expr->span;
-        machine_.variables.push_back(std::move(variable));
         answers_.push_back(std::move(answer));
     }
-    Expr result;
-    result.kind = ExprKind::variable;
-    result.type = expr->type;
-    result.span = expr->span;
-    result.variable = answers_[found->second].variable;
-    return std::make_shared<const Expr>(std::move(result));
+    return maker_.read(answers_[found->second].variable, expr->span);
 }
 
 /// A value that is stored or sent, with the conditions inside it. Names that an expression binds are unknown outside.
@@ -330,39 +308,9 @@ ExprPtr MachineConditions::value(const ExprPtr& expr) {
     return result.args == expr->args ? expr : std::make_shared<const Expr>(std::move(result));
 }
 
-StmtPtr MachineConditions::sequence_of(std::vector<StmtPtr> parts, const Origin& origin) {
-    if (parts.size() == 1) return parts.front();
-    Stmt result;
-    result.kind = StmtKind::sequence;
-    result.body = std::move(parts);
-    result.origin = origin;
-    return make(std::move(result));
-}
-
-StmtPtr MachineConditions::assigned(VariableId variable, const ExprPtr& value, const Origin& origin) {
-    Stmt result;
-    result.kind = StmtKind::assign;
-    result.variable = variable;
-    result.value = value;
-    result.origin = origin;
-    return make(std::move(result));
-}
-
 /// The thread may go on, or block because an expression is undefined.
 StmtPtr MachineConditions::possible_end(const Origin& origin) {
-    Stmt skip, end, result;
-    skip.origin = end.origin = result.origin = origin;
-    end.kind = result.kind = StmtKind::choose;
-    result.body = {make(std::move(skip)), make(std::move(end))};
-    return make(std::move(result));
-}
-
-StmtPtr MachineConditions::chosen(VariableId variable, std::vector<ExprPtr> values, const Origin& origin) {
-    Stmt result;
-    result.kind = StmtKind::choose;
-    result.origin = origin;
-    for (const ExprPtr& value : values) result.body.push_back(assigned(variable, value, origin));
-    return make(std::move(result));
+    return maker_.choice_of({maker_.skip(origin), maker_.choice_of({}, origin)}, origin);
 }
 
 /// The literals of a Boolean or of an enumeration without arguments; empty for other types.
@@ -406,9 +354,9 @@ StmtPtr MachineConditions::with_literals(const Stmt& stmt) {
     if (stmt.kind != StmtKind::assign || !stmt.path.empty() || !reads_data(*stmt.value)) return nullptr;
     const TypeId type = machine_.variables.at(stmt.variable.index).type;
     if (is_replaceable(system_, type)) return nullptr;
-    std::vector<ExprPtr> values = literals(type, *stmt.value);
+    const std::vector<ExprPtr> values = literals(type, *stmt.value);
     if (values.empty() || system_.type(type).kind == TypeKind::boolean) return nullptr;
-    return chosen(stmt.variable, std::move(values), stmt.origin);
+    return maker_.choice_of_value(stmt.variable, values, stmt.origin);
 }
 
 StmtPtr MachineConditions::with_conditions(const StmtPtr& stmt) {
@@ -427,33 +375,27 @@ StmtPtr MachineConditions::with_conditions(const StmtPtr& stmt) {
 /// The statement, before which the thread blocks if an expression of the original statement is undefined.
 StmtPtr MachineConditions::guarded(const Stmt& stmt, StmtPtr done) {
     std::vector<ExprPtr> conditions;
-    bool known = boolean_.is_valid() && !selects_element(stmt);
+    bool known = !selects_element(stmt);
     for (const ExprPtr& expr : {stmt.condition, stmt.value, stmt.communication.value})
         known = known && add_preconditions(expr, conditions);
     for (const ExprPtr& argument : stmt.args) known = known && add_preconditions(argument, conditions);
-    if (!known || conditions.empty()) return sequence_of({possible_end(stmt.origin), done}, stmt.origin);
+    if (!known || conditions.empty()) return maker_.sequence_of({possible_end(stmt.origin), done}, stmt.origin);
     for (ExprPtr& part : conditions) part = condition(part);
-    Stmt end, result;
-    end.kind = StmtKind::choose;
-    result.kind = StmtKind::if_then_else;
-    result.condition = all_of(conditions);
-    end.origin = result.origin = stmt.origin;
-    result.body = {std::move(done), make(std::move(end))};
-    return make(std::move(result));
+    return maker_.if_then_else(all_of(conditions), std::move(done), maker_.choice_of({}, stmt.origin), stmt.origin);
 }
 
 /// The statement after which the variable holds the answer: `variable` has just got the value, which is null if it is
 /// unknown.
 StmtPtr MachineConditions::answer_after(const FreeAnswer& answer, VariableId variable, const ExprPtr& value,
                                         const Origin& origin) {
-    std::vector<ExprPtr> truth = literals(answer.condition->type, *answer.condition);
+    const std::vector<ExprPtr> truth = literals(answer.condition->type, *answer.condition);
     if (value && answer.reads == std::set{variable}) {
         const auto known = sampling_.closed_value(id_, *value);
         const auto result =
             known ? sampling_.truth(id_, *inline_calls(system_, answer.condition), *known) : std::optional<int>{};
-        if (result) return assigned(answer.variable, truth.at(*result == 1 ? 1 : 0), origin);
+        if (result) return maker_.assignment(answer.variable, truth.at(*result == 1 ? 1 : 0), origin);
     }
-    return chosen(answer.variable, std::move(truth), origin);
+    return maker_.choice_of_value(answer.variable, truth, origin);
 }
 
 void MachineConditions::add_answers_after(VariableId variable, const ExprPtr& value, const Origin& origin,
@@ -473,7 +415,7 @@ StmtPtr MachineConditions::with_answers(const StmtPtr& stmt) {
         add_answers_after(stmt->variable, stmt->path.empty() ? stmt->value : nullptr, stmt->origin, parts);
     if (stmt->communication.variable.is_valid())
         add_answers_after(stmt->communication.variable, nullptr, stmt->origin, parts);
-    return sequence_of(std::move(parts), stmt->origin);
+    return maker_.sequence_of(std::move(parts), stmt->origin);
 }
 
 /// The answers are chosen when the machine starts, and when a trigger has stored a value.
@@ -490,7 +432,7 @@ void MachineConditions::add_answers(Transition& transition) {
     if (transition.trigger && transition.trigger->variable.is_valid())
         add_answers_after(transition.trigger->variable, nullptr, transition.origin, parts);
     if (transition.action) parts.push_back(with_answers(transition.action));
-    if (!parts.empty()) transition.action = sequence_of(std::move(parts), transition.origin);
+    if (!parts.empty()) transition.action = maker_.sequence_of(std::move(parts), transition.origin);
 }
 
 Machine MachineConditions::rewrite() {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "semantics/data/images.hpp"
+#include "semantics/data/statements.hpp"
 #include "semantics/data/value_text.hpp"
 #include "semantics/ir/dump_expressions.hpp"
 #include "semantics/ir/visit.hpp"
@@ -49,12 +50,11 @@ private:
     void rewrite_communication(Communication& communication);
     [[nodiscard]] StmtPtr rewritten(const StmtPtr& stmt);
     [[nodiscard]] bool is_chosen(PlaceId target, const ExprPtr& expr) const;
-    [[nodiscard]] StmtPtr make(Stmt stmt);
     [[nodiscard]] StmtPtr chosen_class(PlaceId target, VariableId variable, const std::set<std::size_t>& numbers,
                                        const Origin& origin);
     [[nodiscard]] StmtPtr chosen_class(PlaceId target, VariableId variable, const ExprPtr& value, const Origin& origin);
     [[nodiscard]] ExprPtr is_one_of(PlaceId flow, const Expr& place, const std::set<std::size_t>& numbers,
-                                    TypeId boolean) const;
+                                    diagnostics::Span span) const;
     [[nodiscard]] ExprPtr chosen_before(PlaceId target, const ExprPtr& expr, std::vector<StmtPtr>& choices,
                                         const Origin& origin);
     [[nodiscard]] StmtPtr rewritten_assignment(const Stmt& stmt);
@@ -147,23 +147,24 @@ ExprPtr Rewriter::test(PlaceId flow, const Expr& condition) const {
     std::set<std::size_t> numbers;
     for (std::size_t i = 0; i < answers.size(); ++i)
         if (answers[i]) numbers.insert(i);
-    return is_one_of(flow, *place, numbers, condition.type);
+    return is_one_of(flow, *place, numbers, condition.span);
 }
 
-/// Whether the place, a variable or a received value, holds one of these classes.
+/// Whether the place, a variable or a received value, holds one of these classes. The test has the span of the
+/// condition that it replaces.
 ExprPtr Rewriter::is_one_of(PlaceId flow, const Expr& place, const std::set<std::size_t>& numbers,
-                            TypeId boolean) const {
+                            diagnostics::Span span) const {
     Expr set;
     set.kind = ExprKind::set;
     set.type = types_.at(flow).set;
-    set.span = place.span;
-    for (const std::size_t number : numbers) set.args.push_back(literal(flow, number, place.span));
+    set.span = span;
+    for (const std::size_t number : numbers) set.args.push_back(literal(flow, number, span));
     Expr at = place;
     at.type = types_.at(flow).one;
     Expr result;
     result.kind = ExprKind::is_in;
-    result.type = boolean;
-    result.span = place.span;
+    result.type = boolean_type;
+    result.span = span;
     result.args = {std::make_shared<const Expr>(std::move(at)), std::make_shared<const Expr>(std::move(set))};
     return std::make_shared<const Expr>(std::move(result));
 }
@@ -209,26 +210,12 @@ bool Rewriter::is_chosen(PlaceId target, const ExprPtr& expr) const {
            !sampling_.closed_value(machine_, *expr);
 }
 
-StmtPtr Rewriter::make(Stmt stmt) {
-    stmt.point = result_->points++;
-    return std::make_shared<const Stmt>(std::move(stmt));
-}
-
 /// Assigns one of these classes of the target's values to the variable.
 StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const std::set<std::size_t>& numbers,
                                const Origin& origin) {
-    Stmt choice;
-    choice.kind = StmtKind::choose;
-    choice.origin = origin;
-    for (const std::size_t i : numbers) {
-        Stmt assignment;
-        assignment.kind = StmtKind::assign;
-        assignment.variable = variable;
-        assignment.value = literal(places_.class_of(target), i, origin.span);
-        assignment.origin = origin;
-        choice.body.push_back(make(std::move(assignment)));
-    }
-    return make(std::move(choice));
+    std::vector<ExprPtr> values;
+    for (const std::size_t i : numbers) values.push_back(literal(places_.class_of(target), i, origin.span));
+    return StatementMaker(*result_).choice_of_value(variable, values, origin);
 }
 
 /// The only variable that the expression reads; null if it reads others, or a received value or a clock.
@@ -236,8 +223,7 @@ const Expr* only_variable(const Expr& root) {
     const Expr* result = nullptr;
     bool others = false;
     visit_operands(root, [&](const Expr& expr) {
-        others = others || expr.kind == ExprKind::trigger_value || expr.kind == ExprKind::since ||
-                 expr.kind == ExprKind::since_entry;
+        others = others || expr.kind == ExprKind::trigger_value || is_clock(expr.kind);
         if (expr.kind != ExprKind::variable) return;
         others = others || (result != nullptr && result->variable != expr.variable);
         result = &expr;
@@ -254,9 +240,8 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPt
     const Expr* const read = value ? only_variable(*value) : nullptr;
     const PlaceId source = read != nullptr ? places_.variable(machine_, read->variable) : no_id;
     const bool alone = std::ranges::all_of(result_->nodes, [](const Node& node) { return node.during == nullptr; });
-    const auto boolean = std::ranges::find(system_.types, TypeKind::boolean, &Type::kind);
     const ValueClasses* classes = classes_at(source);
-    if (classes == nullptr || !alone || places_[places_.class_of(source)].shared || boolean == system_.types.end())
+    if (classes == nullptr || !alone || places_[places_.class_of(source)].shared)
         return chosen_class(target, variable, all, origin);
     const auto flow = [&](PlaceId place) {
         const PlaceId least = places_.class_of(place);
@@ -266,15 +251,11 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPt
     if (!images) return chosen_class(target, variable, all, origin);
     std::map<std::set<std::size_t>, std::set<std::size_t>> sources;  // by their image
     for (std::size_t i = 0; i < images->size(); ++i) sources[(*images)[i].empty() ? all : (*images)[i]].insert(i);
-    const TypeId type{static_cast<std::uint32_t>(boolean - system_.types.begin())};
     StmtPtr result = chosen_class(target, variable, sources.begin()->first, origin);
     for (auto image = std::next(sources.begin()); image != sources.end(); ++image) {
-        Stmt branch;
-        branch.kind = StmtKind::if_then_else;
-        branch.origin = origin;
-        branch.condition = is_one_of(places_.class_of(source), *read, image->second, type);
-        branch.body = {chosen_class(target, variable, image->first, origin), result};
-        result = make(std::move(branch));
+        const ExprPtr condition = is_one_of(places_.class_of(source), *read, image->second, value->span);
+        result = StatementMaker(*result_).if_then_else(
+            condition, chosen_class(target, variable, image->first, origin), result, origin);
     }
     return result;
 }
@@ -283,22 +264,10 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPt
 ExprPtr Rewriter::chosen_before(PlaceId target, const ExprPtr& expr, std::vector<StmtPtr>& choices,
                                 const Origin& origin) {
     if (!is_chosen(target, expr)) return written(target, expr);
-    Variable variable;
-    variable.name = "chosen";
-    const auto used = [&] {
-        return std::ranges::find(result_->variables, variable.name, &Variable::name) != result_->variables.end();
-    };
-    while (used()) variable.name += "_";
-    variable.type = types_.at(places_.class_of(target)).one;
-    variable.origin = origin;
-    Expr name;
-    name.kind = ExprKind::variable;
-    name.type = variable.type;
-    name.variable = VariableId{static_cast<std::uint32_t>(result_->variables.size())};
-    name.span = origin.span;
-    result_->variables.push_back(std::move(variable));
-    choices.push_back(chosen_class(target, name.variable, expr, origin));
-    return std::make_shared<const Expr>(std::move(name));
+    StatementMaker maker(*result_);
+    const VariableId variable = maker.add_variable("chosen", types_.at(places_.class_of(target)).one, origin);
+    choices.push_back(chosen_class(target, variable, expr, origin));
+    return maker.read(variable, origin.span);
 }
 
 StmtPtr Rewriter::rewritten_assignment(const Stmt& stmt) {
@@ -337,12 +306,7 @@ StmtPtr Rewriter::rewritten(const StmtPtr& stmt) {
         result.args[i] =
             chosen_before(places_.parameter(machine_, stmt->operation, i), stmt->args[i], parts, stmt->origin);
     parts.push_back(std::make_shared<const Stmt>(std::move(result)));
-    if (parts.size() == 1) return parts.front();
-    Stmt sequence;
-    sequence.kind = StmtKind::sequence;
-    sequence.body = std::move(parts);
-    sequence.origin = stmt->origin;
-    return make(std::move(sequence));
+    return StatementMaker(*result_).sequence_of(std::move(parts), stmt->origin);
 }
 
 void Rewriter::rewrite_transition(Transition& transition) {

@@ -10,14 +10,6 @@
 namespace robochart::ir {
 namespace {
 
-bool reads_clock_somewhere(const Expr& root) {
-    bool result = false;
-    visit_operands(root, [&](const Expr& expr) {
-        result = result || expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
-    });
-    return result;
-}
-
 class Collector {
 public:
     Collector(const System& system, const Sampling& sampling, Places& places, Computed computed)
@@ -34,14 +26,14 @@ private:
     void collect_machine(MachineId id);
     void collect_transition(const Transition& transition);
     void collect_statement(const Stmt& stmt);
-    void collect_communication(const Communication& communication, const std::string& element);
-    void write(PlaceId target, const ExprPtr& expr, const std::string& element, bool initial = false);
-    void write_part(const Stmt& stmt, const std::string& element);
-    void read_guard(const ExprPtr& expr, const std::string& element);
-    void read_condition(const ExprPtr& expr, const std::string& element);
-    void read_values(const ExprPtr& expr, const std::string& element);
-    void needs_values(PlaceId place, const std::string& element) {
-        if (uses_[place].needs_values.empty()) uses_[place].needs_values = element;
+    void collect_communication(const Communication& communication);
+    void write(PlaceId target, const ExprPtr& expr, bool initial = false);
+    void write_part(const Stmt& stmt);
+    void read_guard(const ExprPtr& expr);
+    void read_condition(const ExprPtr& expr);
+    void read_values(const ExprPtr& expr, KeepReason why);
+    void needs_values(PlaceId place, KeepReason why, const Expr& expr) {
+        if (!uses_[place].needs_values) uses_[place].needs_values = Keep{why, expr.span};
     }
     [[nodiscard]] std::set<PlaceId> places_read(const Expr& expr) const;
     [[nodiscard]] bool may_be_undefined(const ExprPtr& expr) const {
@@ -63,7 +55,7 @@ void Collector::merge(Uses& all, Uses&& more) {
     all.conditions.insert(all.conditions.end(), more.conditions.begin(), more.conditions.end());
     all.writes.insert(all.writes.end(), more.writes.begin(), more.writes.end());
     all.entries.insert(all.entries.end(), more.entries.begin(), more.entries.end());
-    if (all.needs_values.empty()) all.needs_values = std::move(more.needs_values);
+    if (!all.needs_values) all.needs_values = more.needs_values;
 }
 
 std::set<PlaceId> Collector::places_read(const Expr& root) const {
@@ -74,106 +66,106 @@ std::set<PlaceId> Collector::places_read(const Expr& root) const {
     return result;
 }
 
-void Collector::read_values(const ExprPtr& expr, const std::string& element) {
+void Collector::read_values(const ExprPtr& expr, KeepReason why) {
     if (!expr) return;
-    for (const PlaceId place : places_read(*expr)) needs_values(place, element);
+    for (const PlaceId place : places_read(*expr)) needs_values(place, why, *expr);
 }
 
 /// Other conditions than guards stop the machine where they are undefined.
-void Collector::read_condition(const ExprPtr& expr, const std::string& element) {
+void Collector::read_condition(const ExprPtr& expr) {
     if (expr && may_be_undefined(expr))
-        read_values(expr, element);
+        read_values(expr, KeepReason::undefined);
     else
-        read_guard(expr, element);
+        read_guard(expr);
 }
 
 /// A condition over one place is a test of its values as a whole. In a connective of several places, each operand is a
 /// condition, unless a call may be undefined: then the whole guard is false.
-void Collector::read_guard(const ExprPtr& expr, const std::string& element) {
+void Collector::read_guard(const ExprPtr& expr) {
     if (!expr) return;
     const std::set<PlaceId> read = places_read(*expr);
     if (read.empty()) return;
-    if (read.size() == 1 && !reads_clock_somewhere(*expr)) {
+    if (read.size() == 1 && !mentions_clock(*expr)) {
         // `condition else` shares the conditions of the other transitions.
         std::vector<Condition>& conditions = uses_[*read.begin()].conditions;
         if (std::ranges::find(conditions, expr.get(), &Condition::expr) == conditions.end())
             conditions.push_back({expr.get(), machine_, inline_calls(system_, expr)});
         return;
     }
-    if (!is_connective(expr->kind) || may_be_undefined(expr)) return read_values(expr, element);
-    for (const ExprPtr& part : expr->args) read_guard(part, element);
+    if (!is_connective(expr->kind) || may_be_undefined(expr))
+        return read_values(expr, read.size() == 1 ? KeepReason::clock : KeepReason::other_data);
+    for (const ExprPtr& part : expr->args) read_guard(part);
 }
 
-void Collector::write(PlaceId target, const ExprPtr& expr, const std::string& element, bool initial) {
+void Collector::write(PlaceId target, const ExprPtr& expr, bool initial) {
     if (!expr) return;
     if (const PlaceId source = place_of(*expr); source != no_id) {
         places_.unite(source, target);
         return;
     }
-    if (system_.type(expr->type).kind == TypeKind::boolean) return read_condition(expr, element);
+    if (system_.type(expr->type).kind == TypeKind::boolean) return read_condition(expr);
     Written written{expr.get(), machine_, sampling_.closed_value(machine_, *expr).has_value(), initial, {}};
     if (!written.closed) written.reads = places_read(*expr);
     const bool exact = computed_ == Computed::exactly && !written.closed;
-    if (exact && (may_be_undefined(expr) || reads_clock_somewhere(*expr))) needs_values(target, element);
+    if (exact && may_be_undefined(expr)) needs_values(target, KeepReason::undefined, *expr);
+    if (exact && mentions_clock(*expr)) needs_values(target, KeepReason::clock, *expr);
     uses_[target].writes.push_back(std::move(written));
 }
 
 /// An assignment to a part of a variable computes the whole from the old value.
-void Collector::write_part(const Stmt& stmt, const std::string& element) {
+void Collector::write_part(const Stmt& stmt) {
     const PlaceId target = places_.variable(machine_, stmt.variable);
     if (computed_ == Computed::exactly) {
-        for (const ExprPtr& step : stmt.path) read_values(step, element);
-        needs_values(target, element);
-        return read_values(stmt.value, element);
+        for (const ExprPtr& step : stmt.path) read_values(step, KeepReason::selector);
+        needs_values(target, KeepReason::part, *stmt.value);
+        return read_values(stmt.value, KeepReason::part);
     }
     Written written{stmt.value.get(), machine_, false, false, places_read(*stmt.value)};
     for (const ExprPtr& step : stmt.path) written.reads.merge(places_read(*step));
     uses_[target].writes.push_back(std::move(written));
 }
 
-void Collector::collect_communication(const Communication& communication, const std::string& element) {
+void Collector::collect_communication(const Communication& communication) {
     const PlaceId carried = places_.event(machine_, communication.event);
     trigger_ = carried;
-    read_condition(communication.predicate, element);
+    read_condition(communication.predicate);
     trigger_ = no_id;
     if (carried == no_id) return;
     if (communication.variable.is_valid()) places_.unite(carried, places_.variable(machine_, communication.variable));
-    write(carried, communication.value, element);
+    write(carried, communication.value);
 }
 
 void Collector::collect_statement(const Stmt& stmt) {
-    const std::string& element = stmt.origin.element;
-    read_condition(stmt.condition, element);
-    read_values(stmt.upper, element);
+    read_condition(stmt.condition);
+    read_values(stmt.upper, KeepReason::time);
     if (stmt.kind == StmtKind::assign && stmt.path.empty())
-        write(places_.variable(machine_, stmt.variable), stmt.value, element);
+        write(places_.variable(machine_, stmt.variable), stmt.value);
     else if (stmt.kind == StmtKind::assign)
-        write_part(stmt, element);
+        write_part(stmt);
     else
-        read_values(stmt.value, element);
+        read_values(stmt.value, KeepReason::time);
     if (stmt.kind == StmtKind::communicate) {
-        collect_communication(stmt.communication, element);
+        collect_communication(stmt.communication);
         const PlaceId carried = places_.event(machine_, stmt.communication.event);
         if (stmt.communication.variable.is_valid() && carried != no_id) uses_[carried].entries.push_back(nullptr);
     }
     for (std::size_t i = 0; i < stmt.args.size(); ++i)
-        write(places_.parameter(machine_, stmt.operation, i), stmt.args[i], element);
+        write(places_.parameter(machine_, stmt.operation, i), stmt.args[i]);
 }
 
 void Collector::collect_transition(const Transition& transition) {
-    const std::string& element = transition.origin.element;
-    if (transition.trigger) collect_communication(*transition.trigger, element);
+    if (transition.trigger) collect_communication(*transition.trigger);
     trigger_ = places_.trigger(machine_, transition);
     if (transition.trigger) {
         if (transition.trigger->variable.is_valid() && trigger_ != no_id) {
             const bool alone = transition.guard && places_read(*transition.guard) == std::set<PlaceId>{trigger_} &&
-                               !reads_clock_somewhere(*transition.guard);
+                               !mentions_clock(*transition.guard);
             uses_[trigger_].entries.push_back(alone ? transition.guard.get() : nullptr);
         }
     }
-    read_guard(transition.guard, element);
-    read_values(transition.probability, element);
-    read_values(transition.deadline, element);
+    read_guard(transition.guard);
+    read_values(transition.probability, KeepReason::probability);
+    read_values(transition.deadline, KeepReason::time);
     trigger_ = no_id;
     if (transition.action) visit_statements(*transition.action, [&](const Stmt& stmt) { collect_statement(stmt); });
 }
@@ -184,12 +176,12 @@ void Collector::collect_machine(MachineId id) {
     for (std::uint32_t v = 0; v < machine.variables.size(); ++v) {
         const PlaceId place = places_.variable(id, VariableId{v});
         if (machine.variables[v].initial)
-            write(place, machine.variables[v].initial, machine.variables[v].origin.element, true);
+            write(place, machine.variables[v].initial, true);
         else
             uses_[place].writes.push_back({nullptr, id, true, true, {}});
     }
     for (const auto* conditions : {&machine.preconditions, &machine.postconditions})
-        for (const ExprPtr& condition : *conditions) read_values(condition, machine.origin.element);
+        for (const ExprPtr& condition : *conditions) read_values(condition, KeepReason::contract);
     for (const Node& node : machine.nodes)
         for (const auto* action : {&node.entry, &node.during, &node.exit})
             if (*action) visit_statements(**action, [&](const Stmt& stmt) { collect_statement(stmt); });

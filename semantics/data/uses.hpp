@@ -3,10 +3,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
+#include "semantics/data/kept_data.hpp"
 #include "semantics/data/places.hpp"
 #include "semantics/data/sampling.hpp"
 
@@ -35,8 +36,7 @@ struct Uses {
     /// For every transition that takes an event of the class with its value: the condition on the value, null if the
     /// transition takes every value.
     std::vector<const Expr*> entries;
-    /// A use that needs the values themselves, as an element of the model; "": there is none.
-    std::string needs_values;
+    std::optional<Keep> needs_values;  ///< the first use that needs the values themselves
 };
 
 /// How exactly the class model represents computed values.

@@ -40,8 +40,7 @@ bool is_free_of_carriers(const Expr& root) {
         const bool atom = expr.kind == ExprKind::boolean || expr.kind == ExprKind::integer ||
                           expr.kind == ExprKind::real || expr.kind == ExprKind::enum_literal ||
                           expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value ||
-                          expr.kind == ExprKind::constant || expr.kind == ExprKind::since ||
-                          expr.kind == ExprKind::since_entry;
+                          expr.kind == ExprKind::constant || is_clock(expr.kind);
         const bool built = expr.kind == ExprKind::is_in || expr.kind == ExprKind::set || expr.kind == ExprKind::tuple ||
                            expr.kind == ExprKind::record || expr.kind == ExprKind::member ||
                            expr.kind == ExprKind::if_then_else;
@@ -60,7 +59,7 @@ public:
           cuts_(cuts),
           places_(system),
           uses_(collect_uses(system, sampling_, places_)),
-          classes_(divide_values(system, sampling_, places_, uses_)) {}
+          classes_(divide_values(system, sampling_, places_, uses_).classes) {}
 
     std::optional<ValueModel> explore() {
         ValueModel result;

@@ -19,7 +19,7 @@ bool depends_on_state(const Expr& expr) {
     bool result = false;
     visit_operands(expr, [&](const Expr& part) {
         result = result || part.kind == ExprKind::variable || part.kind == ExprKind::trigger_value ||
-                 part.kind == ExprKind::since || part.kind == ExprKind::since_entry;
+                 is_clock(part.kind);
     });
     return result;
 }

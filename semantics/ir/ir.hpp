@@ -39,6 +39,13 @@ using OperationId = Id<struct OperationTag>;    ///< Machine::operations
 using NodeId = Id<struct NodeTag>;              ///< Machine::nodes
 using TransitionId = Id<struct TransitionTag>;  ///< Machine::transitions
 
+/// The core types, interned first in every System.
+inline constexpr TypeId boolean_type{0};
+inline constexpr TypeId nat_type{1};
+inline constexpr TypeId integer_type{2};
+inline constexpr TypeId real_type{3};
+inline constexpr TypeId string_type{4};
+
 /// The element of the model from which a part of the IR was made: its qualified RoboChart name and its place.
 struct Origin {
     std::string element;  ///< e.g. "AggregationFSM::S1", "AggregationFSM::t2"

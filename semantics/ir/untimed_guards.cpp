@@ -13,14 +13,6 @@ struct Bounds {
     ExprPtr upper, lower;
 };
 
-bool mentions_time(const Expr& expr) {
-    bool found = false;
-    visit_operands(expr, [&](const Expr& part) {
-        found = found || part.kind == ExprKind::since || part.kind == ExprKind::since_entry;
-    });
-    return found;
-}
-
 /// A boolean expression that replaces `whole` or a part of it.
 ExprPtr make_boolean_expression(const Expr& whole, ExprKind kind, std::vector<ExprPtr> parts, std::int64_t number = 0) {
     Expr result;
@@ -61,7 +53,7 @@ ExprPtr lower_conjunction(const Expr& whole, const ExprPtr& left, const ExprPtr&
 /// Bounds that are correct for both branches, because the condition of `if` may read clocks.
 Bounds bounds_of_choice(const Expr& choice, const Bounds& yes, const Bounds& no) {
     const ExprPtr& condition = choice.args[0];
-    if (mentions_time(*condition))
+    if (mentions_clock(*condition))
         return {upper_disjunction(choice, yes.upper, no.upper), lower_conjunction(choice, yes.lower, no.lower)};
     const auto chosen = [&](const ExprPtr& one, const ExprPtr& other, std::int64_t otherwise) -> ExprPtr {
         if (!one && !other) return nullptr;
@@ -78,14 +70,14 @@ public:
     explicit Reader(std::vector<ExprPtr>& left_open) : left_open_(left_open) {}
 
     Bounds bounds_of(const ExprPtr& part) {
-        if (!mentions_time(*part)) return {part, part};
+        if (!mentions_clock(*part)) return {part, part};
         const auto operand = [&](std::size_t number) { return bounds_of(part->args[number]); };
         if (part->kind == ExprKind::logical_not) {
             const Bounds inner = operand(0);
             return {negate_guard(inner.lower), negate_guard(inner.upper)};
         }
         if (part->kind == ExprKind::if_then_else) {
-            if (mentions_time(*part->args[0])) left_open_.push_back(part->args[0]);
+            if (mentions_clock(*part->args[0])) left_open_.push_back(part->args[0]);
             const Bounds yes = operand(1), no = operand(2);
             return bounds_of_choice(*part, yes, no);
         }

@@ -93,9 +93,19 @@ void visit_operands(const Expr& expr, const std::function<void(const Expr&)>& vi
         if (arg) visit_operands(*arg, visitor);
 }
 
+bool is_clock(ExprKind kind) {
+    return kind == ExprKind::since || kind == ExprKind::since_entry;
+}
+
+bool mentions_clock(const Expr& root) {
+    bool found = false;
+    visit_operands(root, [&](const Expr& expr) { found = found || is_clock(expr.kind); });
+    return found;
+}
+
 bool reads_clock(const Expr& expr) {
     if (expr.kind == ExprKind::cast && !expr.args.empty() && expr.args[0]) return reads_clock(*expr.args[0]);
-    return expr.kind == ExprKind::since || expr.kind == ExprKind::since_entry;
+    return is_clock(expr.kind);
 }
 
 bool is_connective(ExprKind kind) {

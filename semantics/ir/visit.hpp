@@ -37,6 +37,10 @@ void visit_expressions(const System&, const RootVisitor&);
 /// Visits the expression and all its operands.
 void visit_operands(const Expr&, const std::function<void(const Expr&)>&);
 
+/// since, sinceEntry
+[[nodiscard]] bool is_clock(ExprKind);
+/// True if the expression or one of its operands is a clock.
+[[nodiscard]] bool mentions_clock(const Expr&);
 /// True for an expression that is a clock: since, sinceEntry or a cast of one.
 [[nodiscard]] bool reads_clock(const Expr&);
 [[nodiscard]] bool is_comparison(ExprKind);

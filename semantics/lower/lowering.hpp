@@ -26,13 +26,6 @@ template <class Id>
     return it == map.end() ? Id{} : it->second;
 }
 
-/// The core types, interned first in every System.
-inline constexpr TypeId boolean_type{0};
-inline constexpr TypeId nat_type{1};
-inline constexpr TypeId integer_type{2};
-inline constexpr TypeId real_type{3};
-inline constexpr TypeId string_type{4};
-
 struct Lowering {
     const frontend::Model& model;
     const diagnostics::SourceManager& sources;

@@ -27,6 +27,7 @@ struct Answers {
     std::map<std::string, std::string> verdicts;
     std::map<std::string, std::uint64_t> states;
     std::map<std::string, std::size_t> classes;
+    std::map<std::string, std::string> kept;  ///< why data keep their carriers, by the first place
     std::set<std::string> bounded;  ///< claims whose answer rests on bounds
     std::set<std::string> free;     ///< claims that are decided with free values of computed data
     std::string text;
@@ -48,8 +49,12 @@ Answers answers_for(const std::string& model, std::vector<std::string> options =
         if (one.contains("basis")) result.bounded.insert(name);
         if (one.value("reason", "").starts_with("for all values")) result.free.insert(name);
     }
-    for (const Json& data : json.value("data", Json::array()))
-        result.classes[data.at("places").at(0)] = data.at("classes");
+    for (const Json& data : json.value("data", Json::array())) {
+        if (data.contains("classes"))
+            result.classes[data.at("places").at(0)] = data.at("classes");
+        else
+            result.kept[data.at("places").at(0)] = data.at("carrier");
+    }
     return result;
 }
 
@@ -549,7 +554,7 @@ TEST(Shortcuts, AReaderBehindABufferDistinguishesValues) {
     ASSERT_FALSE(json.is_discarded()) << ran.out << ran.err;
     std::map<std::string, std::size_t> classes;
     for (const Json& data : json.value("data", Json::array()))
-        for (const Json& place : data.at("places")) classes[place.get<std::string>()] = data.at("classes");
+        for (const Json& place : data.at("places")) classes[place.get<std::string>()] = data.value("classes", 0U);
     EXPECT_EQ(classes["x"], 2U) << ran.out << ran.err;
     EXPECT_EQ(classes["y"], 2U);
 }
@@ -594,6 +599,57 @@ TEST(Shortcuts, AConversionMayHaveNoValue) {
         "stm S { event e : nat event out_ : nat var x : nat = 0 initial i state A { } transition t0 { from i to A } "
         "transition t1 { from A to A trigger e ? x condition x > 2 action out_ ! ( ( x - 4 ) as nat ) } }");
     EXPECT_NE(found.verdicts.at("state machine S deadlock-free"), "holds") << found.text;
+}
+
+/// The expression of the reason is quoted as written, and the text names its place if a verdict rests on carriers.
+TEST(Carriers, TheReportSaysWhyDataKeepThem) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "import sequence_toolkit::*\n"
+        "stm S { event e : nat event f : nat event list : Seq(nat) event go event out_ : nat clock C\n"
+        "var sum : nat, x : nat, y : nat, z : nat, t : nat, q : nat, s : Seq(nat), h : nat initial i state A { }\n"
+        "transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e ? x action sum = sum + x }\n"
+        "transition t2 { from A to A trigger go condition sum > 5 }\n"
+        "transition t3 { from A to A trigger f ? y }\n"
+        "transition t4 { from A to A trigger go condition y * z > 3 }\n"
+        "transition t5 { from A to A trigger f ? t action wait(t) }\n"
+        "transition t6 { from A to A trigger go condition q * q > 3 }\n"
+        "transition t7 { from A to A trigger list ? s action h = head(s) ; out_ ! h }\n"
+        "}\n");
+    const Answers found = answers_for(model.path(), {"--untimed"});
+    EXPECT_EQ(found.kept.at("sum"), "`sum + x` computes a value, and a condition reads it") << found.text;
+    EXPECT_EQ(found.kept.at("e"), "`sum + x` computes a value of data that keep their carriers") << found.text;
+    EXPECT_EQ(found.kept.at("f"), "`y * z > 3` also reads other data") << found.text;
+    EXPECT_EQ(found.kept.at("z"), "`y * z > 3` also reads other data") << found.text;
+    EXPECT_EQ(found.kept.at("h"), "`head(s)` may be undefined") << found.text;
+    EXPECT_TRUE(found.classes.contains("q") || found.kept.contains("q")) << found.text;
+    const auto ran = run({"check", model.path(), "--core", "--no-cache", "--untimed"});
+    EXPECT_THAT(ran.out, ::testing::HasSubstr("carrier      sum: `sum + x` computes a value, and a condition reads it (")) << ran.out;
+    EXPECT_THAT(ran.out, ::testing::HasSubstr("m.rct:5)")) << ran.out;
+}
+
+/// The user has chosen these carriers.
+TEST(Carriers, ThatTheUserChoosesHaveNoReason) {
+    const testing::TemporaryFile model(
+        "m.rct", "stm S { event e : nat var x : nat, y : nat initial i state A { } transition t0 { from i to A } "
+                 "transition t1 { from A to A trigger e ? x condition x > y } }");
+    EXPECT_FALSE(answers_for(model.path()).kept.empty());
+    EXPECT_TRUE(answers_for(model.path(), {"--concrete"}).kept.empty());
+    EXPECT_TRUE(answers_for(model.path(), {"--range", "nat=0..3"}).kept.empty());
+}
+
+/// Literals of an enumeration may have numbers, whose carriers leave values out.
+TEST(Carriers, OfNumbersInLiteralsArePartOfTheBasis) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "enumeration Goal { none distance : nat }\n"
+        "stm S { event e : Goal event f : Goal var x : Goal, y : Goal initial i state A { } state B { } "
+        "transition t0 { from i to A } transition t1 { from A to A trigger e ? x } "
+        "transition t2 { from A to A trigger f ? y } transition t3 { from A to B condition x == y } "
+        "transition t4 { from B to A trigger e ? x } }");
+    const Answers found = answers_for(model.path(), {"--untimed"});
+    EXPECT_TRUE(found.bounded.contains("state machine S divergence-free")) << found.text;
 }
 
 /// A claim that compares values is decided with values: the block sends what it has received, and the machine sends 1.

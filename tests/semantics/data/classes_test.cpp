@@ -28,7 +28,7 @@ std::optional<ClassModel> classes_of(const std::string& text) {
     const auto lowered = samples::lower_text(text);
     diagnostics::Diagnostics found;
     const Instantiation instantiation = instantiate_system(lowered->system, {}, found);
-    return class_model(lowered->system, instantiation);
+    return classify_data(lowered->system, instantiation).model;
 }
 
 /// A machine that reads a value of this type into `x` and goes on by the guards.
@@ -114,6 +114,22 @@ TEST(Classes, OfPairsOfRealsAreTheCombinationsThatExist) {
         EXPECT_TRUE(data.all_values);
         EXPECT_EQ(data.classes, answers.size()) << text;
     }
+}
+
+/// Findings about a guard of the class model have the place of the condition in the model.
+TEST(Classes, ARewrittenGuardKeepsThePlaceOfItsCondition) {
+    const auto lowered = samples::lower_text(reading("real", {"x < 19.5", "x >= 19.5 /\\ x < 21.25"}));
+    diagnostics::Diagnostics found;
+    const auto model = classify_data(lowered->system, instantiate_system(lowered->system, {}, found)).model;
+    ASSERT_TRUE(model);
+    std::vector<std::string> texts;
+    for (const Transition& transition : model->system.machines.front().transitions) {
+        if (!transition.guard) continue;
+        EXPECT_EQ(transition.guard->kind, ExprKind::is_in);
+        const diagnostics::Span span = transition.guard->span;
+        texts.emplace_back(lowered->sources.source_text(span.source).substr(span.begin, span.end - span.begin));
+    }
+    EXPECT_THAT(texts, ElementsAre("x < 19.5", "x >= 19.5 /\\ x < 21.25"));
 }
 
 TEST(Classes, OfOneNumberAreTheIntervalsBetweenThresholds) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides claims of the model, and those that carriers limit also with free data (docs/data.md, "Computed data").
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driver/claims/class_project.hpp"
+#include "driver/claims/time_claims.hpp"
+
+namespace robochart::driver {
+
+/// The project with free data, which is made when a claim first needs it.
+class FreeData {
+public:
+    /// All arguments must outlive the object. `classes` is the result for the same project.
+    FreeData(const Project& project, const Settings& settings, const ClassProject& classes);
+
+    /// False if no data can be free. The project is not made for this answer.
+    [[nodiscard]] bool may_exist() const { return possible_ && (!made_ || made_->project); }
+    /// Makes the project if it has not been made.
+    [[nodiscard]] const FreeProject& project();
+    /// Whether the carriers are so large that claims are decided with free data first. The project is only made if some
+    /// carrier is large.
+    [[nodiscard]] bool comes_first();
+
+private:
+    const Project& project_;
+    const Settings& settings_;
+    const ClassProject& classes_;
+    bool possible_;
+    std::optional<FreeProject> made_;
+    std::optional<bool> large_;  ///< a carrier of the model, or of its classes, is large
+};
+
+/// Decides the claims of one list. A claim that carriers may limit is also decided with free data, in a list that the
+/// results do not contain.
+class FreeClaims {
+public:
+    /// All arguments must outlive the object.
+    FreeClaims(TimeClaims& own, FreeData& data, const SearchContext& search, csp_emit::Time time)
+        : own_(own), data_(data), search_(search), time_(time) {}
+
+    void add_to(std::vector<WaitingClaim>& claims);
+    /// Frees the session of the list with free data.
+    void give_back() {
+        if (free_) free_->give_back();
+    }
+
+private:
+    /// Decides and stores the claim. Returns true if it is decided.
+    bool decide_in(const Turn& turn, const ListedClaim& claim);
+    [[nodiscard]] AssertionReport decide_alone(const Turn& turn, const ListedClaim& claim);
+    /// Decides the claim with free data. Returns true if the answer is also true of the model, and writes it to the
+    /// report.
+    bool answer(const Turn& turn, const csp_emit::Obligation& obligation, AssertionReport& report);
+    [[nodiscard]] std::optional<ListedClaim> free_claim(const csp_emit::Obligation& obligation);
+
+    TimeClaims& own_;
+    FreeData& data_;
+    SearchContext search_;
+    csp_emit::Time time_;
+    ClaimResults results_;  ///< of the claims with free data
+    std::unique_ptr<TimeClaims> free_;
+    std::map<std::string, Answer> tried_;  ///< the answers with free data, by title
+};
+
+}  // namespace robochart::driver

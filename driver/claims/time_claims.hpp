@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides the claims of one script.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "checker/cspm/session.hpp"
+#include "driver/claims/bounds.hpp"
+#include "driver/claims/second_look.hpp"
+#include "driver/claims/taken_guards.hpp"
+#include "driver/claims/turns.hpp"
+#include "driver/model/pipeline.hpp"
+#include "driver/results/results.hpp"
+#include "driver/rules/rule_claims.hpp"
+#include "driver/settings/search_context.hpp"
+
+namespace robochart::driver {
+
+/// The values that claims are about.
+enum class Values {
+    of_project,   ///< of all data of the project
+    of_carriers,  ///< of the finite instantiation, where other claims are about classes of values
+};
+
+using ClaimFilter = std::function<bool(const csp_emit::Obligation&)>;
+
+/// The project, script and services with which claims are decided.
+struct ClaimContext {
+    Project& project;
+    const SearchContext& search;
+    const csp_emit::Emission& emission;
+    cspm::Session& session;
+    const TakenGuards& guards;
+    const ClaimFilter& takes;  ///< the claims that are decided in this context
+};
+
+/// Decides the premises of claims. A premise that several claims share is decided once.
+class Premises {
+public:
+    /// If the premise of a claim that holds does not hold, the claim becomes inconclusive and gets the run that refutes
+    /// the premise.
+    void apply_premise(const ClaimContext& context, const csp_emit::Obligation& obligation, AssertionReport& report);
+
+private:
+    AssertionReport answer_premise(const ClaimContext& context, const csp_emit::Obligation& claim);
+
+    std::vector<std::pair<std::shared_ptr<const csp_emit::Premise>, AssertionReport>> decided_;
+};
+
+/// A claim that TimeClaims lists.
+struct ListedClaim {
+    const csp_emit::Obligation* obligation = nullptr;
+    std::size_t number = 0;  ///< its position in the list
+};
+
+/// Decides claims in one semantics, timed or untimed.
+class TimeClaims {
+public:
+    /// Lists the claims that `takes` selects in the results. All arguments must outlive the object.
+    TimeClaims(Project& project, const SearchContext& search, csp_emit::Time time, ClaimFilter takes, Values values,
+               ClaimResults& results);
+
+    [[nodiscard]] const std::vector<ListedClaim>& claims() const { return claims_; }
+    /// Decides the claim within the turn. The results only contain the progress until the report is stored.
+    [[nodiscard]] AssertionReport decide(const Turn& turn, const ListedClaim& claim);
+    /// The claim before anything was known about it.
+    [[nodiscard]] const AssertionReport& undecided(const ListedClaim& claim) const { return announced_[claim.number]; }
+    /// Returns true if the claim is decided.
+    bool store(AssertionReport report, const ListedClaim& claim);
+    /// The claim, with a function that decides it within a turn.
+    [[nodiscard]] static WaitingClaim waiting(const ListedClaim& claim, std::function<bool(const Turn&)> decide);
+
+    /// Frees the session that the claims share. The next claim opens the script again.
+    void give_back();
+    void measure_if_asked();
+
+private:
+    [[nodiscard]] bool is_in_carriers() const { return values_ == Values::of_carriers; }
+    bool open_session();
+    void decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation, AssertionReport& one);
+    void note_progress(const refine::Progress& progress, std::size_t at);
+
+    Project& project_;
+    SearchContext search_;
+    csp_emit::Time time_;
+    ClaimFilter takes_;
+    Values values_;
+    const csp_emit::Emission& emission_;
+    ClaimResults& results_;
+    BoundWatch watch_;
+    ReachedBounds reached_;
+    TakenGuards guards_;
+    RuleClaims rules_;
+    Premises premises_;
+    std::unique_ptr<cspm::Session> session_;
+    bool given_back_ = false;
+    std::optional<SecondLook> second_look_;
+    std::size_t first_ = 0;                   ///< index of the first claim in the results
+    std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
+    std::vector<ListedClaim> claims_;
+};
+
+}  // namespace robochart::driver
