@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 
 #include "cpp_emit/ros2/field_code.hpp"
@@ -66,12 +67,14 @@ public:
         file_comment(generation_, out_, "ROS 2 node");
         out_.line(fmt::format("#include \"{}_node.hpp\"", api_.cpp_name));
         out_.gap();
+        out_.line("#include <exception>");
         out_.line("#include <utility>");
         out_.gap();
         out_.line("#include <rclcpp_components/register_node_macro.hpp>");
         out_.gap();
         out_.line(fmt::format("namespace {} {{", api_.name_space));
         write_constructors();
+        write_outbox();
         write_configure();
         write_activate();
         write_deactivate();
@@ -80,7 +83,8 @@ public:
             if (!plan_.topics[i].published) write_receive(i);
         write_cycle();
         write_publish();
-        log_method();
+        write_sending();
+        log_methods();
         out_.gap();
         out_.line(fmt::format("}}  // namespace {}", api_.name_space));
         out_.gap();
@@ -106,8 +110,8 @@ private:
     void node_class() {
         out_.doc(
             "A lifecycle node. Cycles run while it is active; while it is not, time of the model stands still, "
-            "messages "
-            "are not taken and nothing is published. To configure begins anew.");
+            "messages raise no events and nothing is published. Shared variables are taken whenever it is configured. "
+            "To configure begins anew.");
         out_.open(fmt::format("class {} : public ::rclcpp_lifecycle::LifecycleNode {{", node_));
         out_.write_label("public:");
         out_.line(
@@ -129,8 +133,13 @@ private:
         }
         out_.line("void release();");
         out_.line("void cycle();");
+        out_.line("void connect_outbox();");
         out_.line("void publish();");
-        out_.line("void log();");
+        out_.line("template <class Publisher, class Message>");
+        out_.line("void send(const Publisher& publisher, const Message& message) noexcept;");
+        out_.line("void report_unfit(const char* name) noexcept;");
+        out_.line("[[nodiscard]] bool open_log();");
+        out_.line("void note(const std::string& text) noexcept;");
         for (const Topic& topic : plan_.topics)
             if (!topic.published)
                 out_.line(
@@ -141,6 +150,7 @@ private:
         out_.line("#endif");
         out_.line(fmt::format("std::unique_ptr<{}Messages> robot_;", api_.cpp_name));
         out_.line("double seconds_ = 0;");
+        out_.line("::robochart::ros2::Pace pace_;");
         out_.line("std::string log_file_;");
         if (!constants_.empty())
             out_.line_with_doc("std::string changed_;", "constants that are not those of the generated code");
@@ -186,6 +196,7 @@ private:
         for (const NodeConstant& constant : constants_)
             out_.line(fmt::format("constant(\"{}\", \"{}\", {});", constant.parameter, constant.path,
                                   parameter_value(constant)));
+        out_.line("connect_outbox();");
         out_.close();
         if (constants_.empty()) return;
         out_.gap();
@@ -238,7 +249,7 @@ private:
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
         out_.line("robot_->reset();");
-        out_.line("log();");
+        out_.line("if (!open_log()) return CallbackReturn::FAILURE;");
         for (const Topic& topic : plan_.topics) write_connection(topic);
         out_.line("return CallbackReturn::SUCCESS;");
         out_.close();
@@ -267,6 +278,9 @@ private:
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
         out_.line("active_ = true;");
+        out_.line(
+            "if (const double pause = pace_.resume(now()); pause > 0) note(\"pause of \" + std::to_string(pause) + \" "
+            "s\");");
         out_.comment(
             "On the node's clock, which is the simulator's where use_sim_time is set; in the node's own callback "
             "group, "
@@ -282,6 +296,7 @@ private:
         open_transition("deactivate", " previous");
         out_.line("active_ = false;");
         out_.line("timer_.reset();");
+        out_.line("pace_.pause(now());");
         std::set<std::string> flags;
         for (const Incoming& incoming : plan_.incoming)
             if (incoming.event != nullptr) flags.insert(incoming.event->flag);
@@ -303,6 +318,7 @@ private:
         out_.line("active_ = false;");
         out_.line("ended_ = false;");
         out_.line("timer_.reset();");
+        out_.line("pace_ = {};");
         for (const Topic& topic : plan_.topics) out_.line(fmt::format("{}_.reset();", topic.member));
         for (const std::string& last : last_)
             if (!last.empty()) out_.line(fmt::format("{}.reset();", last));
@@ -315,9 +331,16 @@ private:
         out_.gap();
         out_.open(fmt::format("void {}::receive_{}([[maybe_unused]] const {}& message) {{", node_,
                               plan_.topics[topic].member, message_type(plan_.topics[topic].message)));
-        out_.line("if (!active_) return;");
         for (const Incoming& incoming : plan_.incoming)
-            if (incoming.topic == topic) write_taking(incoming);
+            if (incoming.topic == topic && incoming.variable != nullptr) write_taking(incoming);
+        const auto raises = [topic](const Incoming& incoming) {
+            return incoming.topic == topic && incoming.event != nullptr;
+        };
+        if (std::ranges::any_of(plan_.incoming, raises)) {
+            out_.line("if (!active_) return;");
+            for (const Incoming& incoming : plan_.incoming)
+                if (raises(incoming)) write_taking(incoming);
+        }
         out_.close();
     }
 
@@ -392,8 +415,19 @@ private:
         out_.gap();
         out_.open(fmt::format("void {}::cycle() {{", node_));
         if (plan_.is_stamped()) out_.line(fmt::format("{}.now = now();", outbox_));
+        out_.open("if (const std::int64_t lost = pace_.count_lost(now(), seconds_); lost > 0) {");
+        out_.line("RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000,");
+        out_.line("                     \"%s control cycles are lost: the model's clocks and deadlines are late\",");
+        out_.line("                     std::to_string(lost).c_str());");
+        out_.line("note(\"lost cycles: \" + std::to_string(lost));");
+        out_.close();
         out_.line("const ::robochart::StepResult result = robot_->step();");
         out_.line("publish();");
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("if (log_ && !log_->good())");
+        out_.line(
+            "    RCLCPP_ERROR_THROTTLE(get_logger(), *get_clock(), 5000, \"cannot write %s\", log_file_.c_str());");
+        out_.line("#endif");
         out_.line("if (result == ::robochart::StepResult::quiescent) return;");
         out_.line("ended_ = true;");
         out_.line("timer_->cancel();");
@@ -409,34 +443,56 @@ private:
     void write_publish() {
         out_.gap();
         out_.open(fmt::format("void {}::publish() {{", node_));
-        std::set<std::size_t> done;
-        for (std::size_t i = 0; i < plan_.outgoing.size(); ++i) {
-            const Outgoing& outgoing = plan_.outgoing[i];
-            if (outgoing.variable != nullptr)
-                publish_variable(outgoing, last_[i]);
-            else if (done.insert(outgoing.topic).second)
-                publish_kept(outgoing);
-        }
+        for (std::size_t i = 0; i < plan_.outgoing.size(); ++i)
+            if (plan_.outgoing[i].variable != nullptr) publish_variable(plan_.outgoing[i], last_[i]);
         for (std::size_t i = 0; i < plan_.states.size(); ++i) publish_state(plan_.states[i], last_states_[i]);
-        out_.line(fmt::format("for (const char* const name : {}.unfit)", outbox_));
-        out_.line(
-            "    RCLCPP_ERROR(get_logger(), \"%s has a value that its message cannot hold: not published\", name);");
-        out_.line(fmt::format("{}.unfit.clear();", outbox_));
         out_.close();
     }
 
-    void publish_kept(const Outgoing& outgoing) {
+    /// Connects each topic of operations and events with its publisher.
+    void write_outbox() {
+        out_.gap();
+        out_.open(fmt::format("void {}::connect_outbox() {{", node_));
+        std::set<std::size_t> connected;
+        for (const Outgoing& outgoing : plan_.outgoing)
+            if (outgoing.variable == nullptr && connected.insert(outgoing.topic).second) connect_topic(outgoing);
+        out_.line(fmt::format("{}.unfit = [this](const char* name) {{ report_unfit(name); }};", outbox_));
+        out_.close();
+    }
+
+    void connect_topic(const Outgoing& outgoing) {
         const Topic& topic = plan_.topics[outgoing.topic];
-        const std::string messages = fmt::format("{}.{}", outbox_, topic.member);
+        out_.open(
+            fmt::format("{}.{} = [this](const {}& message) {{", outbox_, topic.member, message_type(topic.message)));
         if (outgoing.kind == ElementKind::operation && !outgoing.mapped) {
-            out_.line(fmt::format("if (!{}.empty() && {}_->get_subscription_count() == 0)", messages, topic.member));
+            out_.line(fmt::format("if ({0}_ && {0}_->get_subscription_count() == 0)", topic.member));
             out_.line(
                 fmt::format("    RCLCPP_WARN_ONCE(get_logger(), \"operation {} is called and nobody does it: nothing "
                             "listens to {}\");",
                             outgoing.name, topic.name));
         }
-        out_.line(fmt::format("for (const auto& message : {}) {}_->publish(message);", messages, topic.member));
-        out_.line(fmt::format("{}.clear();", messages));
+        out_.line(fmt::format("send({}_, message);", topic.member));
+        out_.close("};");
+    }
+
+    /// An exception must not leave the controller's cycle, which is noexcept.
+    void write_sending() {
+        out_.gap();
+        out_.line("template <class Publisher, class Message>");
+        out_.open(fmt::format("void {}::send(const Publisher& publisher, const Message& message) noexcept {{", node_));
+        out_.line("if (!publisher) return;");
+        out_.open("try {");
+        out_.line("publisher->publish(message);");
+        out_.reopen_block("} catch (const std::exception& error) {");
+        out_.line("RCLCPP_ERROR(get_logger(), \"%s: not published: %s\", publisher->get_topic_name(), error.what());");
+        out_.line("note(std::string(\"not published: \") + publisher->get_topic_name());");
+        out_.close();
+        out_.close();
+        out_.gap();
+        out_.open(fmt::format("void {}::report_unfit(const char* name) noexcept {{", node_));
+        out_.line("RCLCPP_ERROR(get_logger(), \"%s has a value that its message cannot hold: not published\", name);");
+        out_.line("note(std::string(\"not published, unfit: \") + name);");
+        out_.close();
     }
 
     void publish_variable(const Outgoing& outgoing, const std::string& last) {
@@ -446,14 +502,14 @@ private:
         out_.line(fmt::format("{} = value;", last));
         out_.line(fmt::format("{} message;", message_type(topic.message)));
         const std::string fits = fill_message(out_, outgoing, "message", outbox_ + ".now");
-        const std::string publish = fmt::format("{}_->publish(message);", topic.member);
+        const std::string publish = fmt::format("send({}_, message);", topic.member);
         if (fits.empty()) {
             out_.line(publish);
         } else {
             out_.open(fmt::format("if ({}) {{", fits));
             out_.line(publish);
             out_.reopen_block("} else {");
-            out_.line(fmt::format("{}.unfit.push_back({});", outbox_, diagnostics::cpp_string(outgoing.name)));
+            out_.line(fmt::format("report_unfit({});", diagnostics::cpp_string(outgoing.name)));
             out_.close();
         }
         out_.close();
@@ -465,23 +521,37 @@ private:
         out_.line(fmt::format("{} = robot_->{}();", last, method));
         out_.line("::std_msgs::msg::String message;");
         out_.line(fmt::format("message.data = {}::name(*{});", api_.cpp_name, last));
-        out_.line(fmt::format("{}_->publish(message);", plan_.topics[state.topic].member));
+        out_.line(fmt::format("send({}_, message);", plan_.topics[state.topic].member));
         out_.close();
     }
 
-    void log_method() {
+    /// A run that is meant as evidence must not go unrecorded: without its log, the node is not configured.
+    void log_methods() {
         out_.gap();
-        out_.open(fmt::format("void {}::log() {{", node_));
+        out_.open(fmt::format("bool {}::open_log() {{", node_));
         out_.line("#if ROBOCHART_TRACE");
-        out_.line("if (log_file_.empty() || log_) return;");
-        out_.line(
-            fmt::format("log_ = std::make_unique<::robochart::TraceFile>({}Messages::RunHeader());", api_.cpp_name));
-        out_.line("if (log_->open(log_file_)) return robot_->SetTracer(log_.get());");
-        out_.line("RCLCPP_ERROR(get_logger(), \"cannot write %s\", log_file_.c_str());");
+        out_.line("if (log_file_.empty() || log_) return true;");
+        out_.line(fmt::format("auto log = std::make_unique<::robochart::TraceFile>({}Messages::RunHeader());",
+                              api_.cpp_name));
+        out_.open("if (!log->open(log_file_)) {");
+        out_.line("RCLCPP_ERROR(get_logger(), \"parameter log: cannot write %s\", log_file_.c_str());");
+        out_.line("return false;");
+        out_.close();
+        out_.line("log_ = std::move(log);");
+        out_.line("robot_->SetTracer(log_.get());");
+        out_.line("return true;");
         out_.line("#else");
-        out_.line("if (log_file_.empty()) return;");
+        out_.line("if (log_file_.empty()) return true;");
         out_.line(
-            "RCLCPP_ERROR(get_logger(), \"%s: logs need a build with -DROBOCHART_TRACE=ON\", log_file_.c_str());");
+            "RCLCPP_ERROR(get_logger(), \"parameter log: %s needs a build with -DROBOCHART_TRACE=ON\", "
+            "log_file_.c_str());");
+        out_.line("return false;");
+        out_.line("#endif");
+        out_.close();
+        out_.gap();
+        out_.open(fmt::format("void {}::note([[maybe_unused]] const std::string& text) noexcept {{", node_));
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("if (log_) log_->note(text.c_str());");
         out_.line("#endif");
         out_.close();
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -91,6 +92,36 @@ template <class List, class Array, class TakeItem>
     }
     return true;
 }
+
+/// Calls the function, if there is one.
+template <class Function, class Value>
+void send(const Function& function, const Value& value) {
+    if (function) function(value);
+}
+
+/// The times of control cycles: pauses, and cycles that did not take place because an earlier one took too long.
+class Pace {
+public:
+    void pause(const ::rclcpp::Time& now) {
+        paused_ = now;
+        last_.reset();
+    }
+    /// The seconds since the pause began; 0 without a pause.
+    [[nodiscard]] double resume(const ::rclcpp::Time& now) {
+        const double seconds = paused_ ? (now - *paused_).seconds() : 0;
+        paused_.reset();
+        return seconds;
+    }
+    /// A cycle begins. Returns the number of cycles that should have begun since the last one.
+    [[nodiscard]] std::int64_t count_lost(const ::rclcpp::Time& now, double period) {
+        const double elapsed = last_ ? (now - *last_).seconds() : 0;
+        last_ = now;
+        return elapsed > 1.5 * period ? std::llround(elapsed / period) - 1 : 0;
+    }
+
+private:
+    std::optional<::rclcpp::Time> last_, paused_;
+};
 
 /// Describes a parameter that is set when the node starts, and not later.
 inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& description) {

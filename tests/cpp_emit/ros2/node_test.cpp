@@ -179,6 +179,174 @@ ir::InstantiationOptions chosen_constants() {
     return options;
 }
 
+const char* const two_topics = R"(package order
+interface Acts { go(w : nat) halt() horn() }
+interface Ins { event clear event obstacle }
+stm M { requires Acts uses Ins initial i
+    state Driving { entry go(1) }
+    state Held { entry halt(); horn() }
+    transition t0 { from i to Driving }
+    transition t1 { from Driving to Held trigger obstacle }
+    transition t2 { from Held to Driving trigger clear } }
+)";
+const char* const two_topics_mapping = R"(ros2 for M {
+    publish operation go as std_msgs/Int64 on "waypoint_goal" { data = w }
+    publish operation halt as geometry_msgs/Twist on "cmd_vel" { }
+    receive event obstacle as std_msgs/Empty on "obstacle"
+    receive event clear as std_msgs/Empty on "clear"
+})";
+
+/// In one cycle the model calls halt, horn and go(1), so their messages are published in this order. An operation of
+/// one's own begins when the messages of earlier calls have been published. An exception of a publisher does not end
+/// the program.
+TEST_F(Package, PublishesInTheOrderOfTheCalls) {
+    emit(testing::load_model(two_topics), "M", two_topics_mapping);
+    drive("M_node.hpp", R"(
+class Robot : public order::MMessages {
+public:
+    void horn() override { before = Network::get().order; }
+    std::vector<std::string> before;
+};
+void both() {
+    Network& network = Network::get();
+    network.order.clear();
+    network.send("/clear", std_msgs::msg::Empty{});
+    network.send("/obstacle", std_msgs::msg::Empty{});
+    network.tick();
+}
+int main() {
+    using Topics = std::vector<std::string>;
+    Network& network = Network::get();
+    auto robot = std::make_unique<Robot>();
+    Robot& mine = *robot;
+    {
+        order::MNode node(rclcpp::NodeOptions(), std::move(robot));
+        EXPECT(started(node));
+        network.tick();
+        EXPECT(network.order == (Topics{"/waypoint_goal", "/M/state"}));
+        both();
+        EXPECT(mine.before == Topics{"/cmd_vel"});
+        EXPECT(network.order == (Topics{"/cmd_vel", "/waypoint_goal"}));
+    }
+    order::MNode node;
+    EXPECT(started(node));
+    network.tick();
+    network.log.clear();
+    network.broken.insert("/cmd_vel");
+    both();
+    EXPECT(network.order == (Topics{"/M/out/horn", "/waypoint_goal"}));
+    EXPECT(logged("/cmd_vel: not published: the publisher is broken"));
+    return 0;
+})");
+}
+
+/// A variable holds its value, so the node takes it whenever it is configured. Events are taken only while it is
+/// active.
+TEST_F(Package, TakesVariablesWheneverItIsConfigured) {
+    emit(testing::load_model(R"(package latch
+interface Acts { drive(v : real) }
+interface Sh { var limit : real = 0 }
+interface Ins { event tick }
+stm M { requires Acts requires Sh uses Ins initial i state S { entry drive(limit) }
+    transition t0 { from i to S } transition t1 { from S to S trigger tick } }
+)"),
+         "M", R"(ros2 for M {
+    publish operation drive as std_msgs/Float64 on "drive" { data = v }
+    receive variable limit as std_msgs/Float64 on "limit" with transient_local { value = data }
+    receive event tick as std_msgs/Float64 on "limit" with transient_local
+})");
+    drive("M_node.hpp", R"(
+int main() {
+    using Number = std_msgs::msg::Float64;
+    latch::MNode node;
+    Network& network = Network::get();
+    EXPECT(node.configure().label() == "inactive");
+    network.send("/limit", Number{0.5});
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    auto driven = taken<Number>("/drive");
+    EXPECT(driven.size() == 1 && driven[0].data == 0.5);
+    EXPECT(node.deactivate().label() == "inactive");
+    network.send("/limit", Number{0.25});
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    EXPECT(taken<Number>("/drive").empty());  // no event tick
+    network.send("/limit", Number{0.125});
+    network.tick();
+    driven = taken<Number>("/drive");
+    EXPECT(driven.size() == 1 && driven[0].data == 0.125);
+    // Cleaned up, it forgets the value.
+    EXPECT(node.deactivate().label() == "inactive" && node.cleanup().label() == "unconfigured" && started(node));
+    network.tick();
+    driven = taken<Number>("/drive");
+    EXPECT(driven.size() == 1 && driven[0].data == 0);
+    return 0;
+})");
+}
+
+/// The log has the constants of the generated code, and what is no event of the model as comments: messages that were
+/// not published, cycles that were lost, pauses. A configuration without cycles has no run.
+TEST_F(Package, LogsWhatTheModelDoesNotKnow) {
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
+    drive("M_node.hpp", R"(
+#include <fstream>
+#include <sstream>
+std::string text_of(const char* file) {
+    std::ostringstream log;
+    log << std::ifstream(file).rdbuf();
+    return log.str();
+}
+int main() {
+    Network& network = Network::get();
+    network.parameters["log"] = std::string("run.trace");
+    p::MNode node;
+    EXPECT(started(node));
+    network.tick();
+    sensor_msgs::msg::Range range;
+    range.range = 0.25F;
+    network.send("/scan", range);
+    network.nanoseconds += 140'000'000;  // not one and a half cycles
+    network.tick();
+    EXPECT(network.log.empty());
+    network.send("/Mod/in/tell", std_msgs::msg::Int64{256});
+    network.nanoseconds += 1'000'000'000;
+    network.tick();
+    EXPECT(logged("9 control cycles are lost"));
+    EXPECT(node.deactivate().label() == "inactive");
+    network.nanoseconds += 2'500'000'000;
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    EXPECT(node.deactivate().label() == "inactive" && node.cleanup().label() == "unconfigured");
+    EXPECT(started(node));
+    EXPECT(node.shutdown().label() == "finalized");
+    EXPECT(network.log.empty());
+    EXPECT(text_of("run.trace") ==
+           "robochart-trace 1\ncomponent p::Mod\ncycle 1\n"
+           "const p::C::m::LIMIT=7\nconst p::C::m::MODE=slow\nconst p::C::m::ON=true\nconst p::C::m::SPEED=1.5\n"
+           "run 1\nmove!1.5!0.25 tock\nobstacle?0.25 stop! tock\n"
+           "// lost cycles: 9\ntell?256 done!256 stop! tock\n// not published, unfit: done\n"
+           "// pause of 2.500000 s\ntock\n");
+    return 0;
+})",
+          true);
+}
+
+/// Without its log the node is not configured, whether the file cannot be written or the build has no trace hook.
+TEST_F(Package, IsNotConfiguredWithoutItsLog) {
+    emit(testing::load_model(two_topics), "M", two_topics_mapping);
+    for (const bool traced : {true, false})
+        drive("M_node.hpp", R"(
+int main() {
+    Network& network = Network::get();
+    network.parameters["log"] = std::string("no/such/folder/run.trace");
+    order::MNode node;
+    EXPECT(node.configure().label() == "unconfigured");
+    EXPECT(logged("parameter log: "));
+    return 0;
+})",
+              traced);
+}
+
 TEST_F(Package, PublishesAndReceivesWhatTheMappingSays) {
     emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(

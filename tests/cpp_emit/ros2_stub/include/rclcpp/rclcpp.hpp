@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -61,12 +62,15 @@ private:
 struct Network {
     std::map<std::string, std::vector<std::function<void(const std::any&)>>> listeners;
     std::map<std::string, std::vector<std::any>> published;
+    std::vector<std::string> order;               ///< the topic of each published message
     std::map<std::string, std::string> quality;   ///< of publishers and subscriptions
     std::map<std::string, std::size_t> policies;  ///< number of policies that parameters may override
     std::map<std::string, std::any> parameters;   ///< as given on the command line
     std::map<std::string, rcl_interfaces::msg::ParameterDescriptor> declared;
+    std::set<std::string> broken;  ///< topics whose publishers throw
     std::vector<std::string> log;  ///< warnings and errors
     std::int32_t seconds = 0;      ///< of the clock
+    std::int64_t nanoseconds = 0;  ///< added to the seconds
     struct Timer {
         double period = 0;
         bool cancelled = false;
@@ -123,7 +127,12 @@ public:
     Publisher(std::string topic, const QoS& qos) : topic_(std::move(topic)), qos_(qos) {}
     virtual ~Publisher() = default;
     [[nodiscard]] QoS get_actual_qos() const { return qos_; }
-    virtual void publish(const Message& message) { Network::get().published[topic_].push_back(message); }
+    virtual void publish(const Message& message) {
+        if (Network::get().broken.count(topic_) != 0) throw std::runtime_error("the publisher is broken");
+        Network::get().order.push_back(topic_);
+        Network::get().published[topic_].push_back(message);
+    }
+    [[nodiscard]] const char* get_topic_name() const { return topic_.c_str(); }
     [[nodiscard]] std::size_t get_subscription_count() const { return Network::get().listeners[topic_].size(); }
 
 private:
@@ -147,11 +156,6 @@ public:
     using SharedPtr = std::shared_ptr<Clock>;
 };
 
-class Time {
-public:
-    operator builtin_interfaces::msg::Time() const { return {Network::get().seconds, 0}; }
-};
-
 class Duration {
 public:
     static Duration from_seconds(double seconds) { return Duration(seconds); }
@@ -160,6 +164,21 @@ public:
 private:
     explicit Duration(double seconds) : seconds_(seconds) {}
     double seconds_;
+};
+
+class Time {
+public:
+    Time() : nanoseconds_(Network::get().seconds * std::int64_t{1'000'000'000} + Network::get().nanoseconds) {}
+    operator builtin_interfaces::msg::Time() const {
+        return {static_cast<std::int32_t>(nanoseconds_ / 1'000'000'000),
+                static_cast<std::uint32_t>(nanoseconds_ % 1'000'000'000)};
+    }
+    Duration operator-(const Time& other) const {
+        return Duration::from_seconds(static_cast<double>(nanoseconds_ - other.nanoseconds_) * 1e-9);
+    }
+
+private:
+    std::int64_t nanoseconds_;
 };
 
 class Logger {};
@@ -208,3 +227,4 @@ void stub_log(const Logger&, const char* format, const Arguments&... arguments) 
         static_assert((milliseconds) > 0, "a duration");       \
         RCLCPP_WARN(logger, __VA_ARGS__);                      \
     } while (false)
+#define RCLCPP_ERROR_THROTTLE(...) RCLCPP_WARN_THROTTLE(__VA_ARGS__)
