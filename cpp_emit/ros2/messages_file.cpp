@@ -38,7 +38,7 @@ public:
         for (const std::string& header : headers) out_.line(header);
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", api_.cpp_name));
-        out_.line("#include \"node_support.hpp\"");
+        out_.line(fmt::format("#include \"{}/node_support.hpp\"", plan_.package));
         out_.gap();
         out_.line(fmt::format("namespace {} {{", api_.name_space));
         out_.gap();

@@ -43,6 +43,7 @@ public:
         head_comment();
         out_.line("#pragma once");
         out_.gap();
+        if (!plan_.farewells.empty()) out_.line("#include <atomic>");
         for (const char* const header : {"cstdint", "memory", "optional", "string"})
             out_.line(fmt::format("#include <{}>", header));
         out_.gap();
@@ -50,7 +51,7 @@ public:
         out_.line("#include <rclcpp_lifecycle/lifecycle_node.hpp>");
         out_.line("#include <rclcpp_lifecycle/lifecycle_publisher.hpp>");
         out_.gap();
-        out_.line(fmt::format("#include \"{}_messages.hpp\"", api_.cpp_name));
+        out_.line(fmt::format("#include \"{}/{}_messages.hpp\"", plan_.package, api_.cpp_name));
         out_.line("#if ROBOCHART_TRACE");
         out_.line("#include \"robochart/trace_file.hpp\"");
         out_.line("#endif");
@@ -65,9 +66,10 @@ public:
 
     std::string write_source() {
         file_comment(generation_, out_, "ROS 2 node");
-        out_.line(fmt::format("#include \"{}_node.hpp\"", api_.cpp_name));
+        out_.line(fmt::format("#include \"{}/{}_node.hpp\"", plan_.package, api_.cpp_name));
         out_.gap();
         out_.line("#include <exception>");
+        out_.line("#include <type_traits>");
         out_.line("#include <utility>");
         out_.gap();
         out_.line("#include <rclcpp_components/register_node_macro.hpp>");
@@ -75,6 +77,7 @@ public:
         out_.line(fmt::format("namespace {} {{", api_.name_space));
         write_constructors();
         write_outbox();
+        if (!plan_.farewells.empty()) write_farewell();
         write_configure();
         write_activate();
         write_deactivate();
@@ -122,6 +125,7 @@ private:
         out_.line(fmt::format("{}(const ::rclcpp::NodeOptions& options, std::unique_ptr<{}Messages> robot);", node_,
                               api_.cpp_name));
         out_.gap();
+        if (!plan_.farewells.empty()) out_.line(fmt::format("~{}() override;", node_));
         for (const char* const transition : {"configure", "activate", "deactivate", "cleanup", "shutdown"})
             out_.line(
                 fmt::format("CallbackReturn on_{}(const ::rclcpp_lifecycle::State& previous) override;", transition));
@@ -135,6 +139,7 @@ private:
         out_.line("void cycle();");
         out_.line("void connect_outbox();");
         out_.line("void publish();");
+        if (!plan_.farewells.empty()) out_.line("void say_farewell() noexcept;");
         out_.line("template <class Publisher, class Message>");
         out_.line("void send(const Publisher& publisher, const Message& message) noexcept;");
         out_.line("void report_unfit(const char* name) noexcept;");
@@ -154,7 +159,14 @@ private:
         out_.line("std::string log_file_;");
         if (!constants_.empty())
             out_.line_with_doc("std::string changed_;", "constants that are not those of the generated code");
-        out_.line("bool active_ = false;");
+        if (plan_.farewells.empty()) {
+            out_.line("bool active_ = false;");
+        } else {
+            out_.line_with_doc("std::atomic<bool> active_{false};", "read by the thread that ends the program, too");
+            out_.line("::rclcpp::PreShutdownCallbackHandle at_end_;");
+        }
+        for (const Silence& silence : plan_.silences)
+            out_.line(fmt::format("::robochart::ros2::Watch {}_;", silence.member));
         out_.line_with_doc("bool ended_ = false;", "the controller has terminated or cannot go on");
         for (const Topic& topic : plan_.topics)
             out_.line(topic.published ? fmt::format("::rclcpp_lifecycle::LifecyclePublisher<{}>::SharedPtr {}_;",
@@ -185,9 +197,9 @@ private:
                               node_, api_.cpp_name));
         out_.open(fmt::format("    : ::rclcpp_lifecycle::LifecycleNode(\"{}\", options), robot_(std::move(robot)) {{",
                               plan_.node));
-        out_.line("seconds_ = declare_parameter(");
+        out_.line("seconds_ = ::robochart::ros2::declare_number(");
         out_.line(fmt::format(
-            "    \"cycle\", 0.1, ::robochart::ros2::at_start(\"seconds of a control cycle{}\", 0.001, 3600.0));",
+            "    *this, \"cycle\", 0.1, ::robochart::ros2::at_start(\"seconds of a control cycle{}\", 0.001, 3600.0));",
             cycle_units()));
         out_.line("log_file_ = declare_parameter(");
         out_.line(
@@ -197,7 +209,19 @@ private:
             out_.line(fmt::format("constant(\"{}\", \"{}\", {});", constant.parameter, constant.path,
                                   parameter_value(constant)));
         out_.line("connect_outbox();");
+        if (!plan_.farewells.empty()) {
+            out_.comment("When the program ends, for example by Ctrl-C, as long as messages can be published.");
+            out_.open("at_end_ = get_node_base_interface()->get_context()->add_pre_shutdown_callback([this] {");
+            out_.line("if (active_) say_farewell();");
+            out_.close("});");
+        }
         out_.close();
+        if (!plan_.farewells.empty()) {
+            out_.gap();
+            out_.open(fmt::format("{0}::~{0}() {{", node_));
+            out_.line("get_node_base_interface()->get_context()->remove_pre_shutdown_callback(at_end_);");
+            out_.close();
+        }
         if (constants_.empty()) return;
         out_.gap();
         out_.line("template <class Value>");
@@ -205,10 +229,13 @@ private:
             "void {}::constant(const std::string& parameter, const std::string& path, const Value& generated) {{",
             node_));
         out_.line("const std::string text = \"constant \" + path + \" of the model, as the code was generated\";");
-        out_.line(
-            "if (declare_parameter(parameter, generated, ::robochart::ros2::at_start(text)) != generated) changed_ += "
-            "\" "
-            "\" + parameter;");
+        out_.line("const auto descriptor = ::robochart::ros2::at_start(text);");
+        out_.open("if constexpr (std::is_same_v<Value, double>) {");
+        out_.line("const double value = ::robochart::ros2::declare_number(*this, parameter, generated, descriptor);");
+        out_.line("if (!(value <= generated && value >= generated)) changed_ += \" \" + parameter;");
+        out_.reopen_block("} else if (declare_parameter(parameter, generated, descriptor) != generated) {");
+        out_.line("changed_ += \" \" + parameter;");
+        out_.close();
         out_.close();
     }
 
@@ -244,8 +271,10 @@ private:
             out_.line("return CallbackReturn::FAILURE;");
             out_.close();
         }
-        out_.open("if (!(seconds_ > 0)) {");
-        out_.line("RCLCPP_ERROR(get_logger(), \"parameter cycle: %f seconds are no time\", seconds_);");
+        out_.open("if (!(seconds_ >= 0.001 && seconds_ <= 3600.0)) {");
+        out_.line(
+            "RCLCPP_ERROR(get_logger(), \"parameter cycle: %f is no number of seconds from 0.001 to 3600\", "
+            "seconds_);");
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
         out_.line("robot_->reset();");
@@ -278,6 +307,7 @@ private:
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
         out_.line("active_ = true;");
+        for (const Silence& silence : plan_.silences) out_.line(silence.member + "_.hear(now());");
         out_.line(
             "if (const double pause = pace_.resume(now()); pause > 0) note(\"pause of \" + std::to_string(pause) + \" "
             "s\");");
@@ -296,6 +326,7 @@ private:
         open_transition("deactivate", " previous");
         out_.line("active_ = false;");
         out_.line("timer_.reset();");
+        if (!plan_.farewells.empty()) out_.line("say_farewell();");
         out_.line("pace_.pause(now());");
         std::set<std::string> flags;
         for (const Incoming& incoming : plan_.incoming)
@@ -309,6 +340,8 @@ private:
     void write_release() {
         for (const char* const transition : {"cleanup", "shutdown"}) {
             open_transition(transition, "");
+            if (!plan_.farewells.empty() && std::string_view(transition) == "shutdown")
+                out_.line("if (active_) say_farewell();");
             out_.line("release();");
             out_.line("return CallbackReturn::SUCCESS;");
             out_.close();
@@ -331,15 +364,62 @@ private:
         out_.gap();
         out_.open(fmt::format("void {}::receive_{}([[maybe_unused]] const {}& message) {{", node_,
                               plan_.topics[topic].member, message_type(plan_.topics[topic].message)));
+        for (const Silence& silence : plan_.silences)
+            if (silence.topic == topic) out_.line(silence.member + "_.hear(now());");
         for (const Incoming& incoming : plan_.incoming)
-            if (incoming.topic == topic && incoming.variable != nullptr) write_taking(incoming);
+            if (incoming.topic == topic && incoming.variable != nullptr) write_tested(incoming);
         const auto raises = [topic](const Incoming& incoming) {
             return incoming.topic == topic && incoming.event != nullptr;
         };
         if (std::ranges::any_of(plan_.incoming, raises)) {
             out_.line("if (!active_) return;");
             for (const Incoming& incoming : plan_.incoming)
-                if (raises(incoming)) write_taking(incoming);
+                if (raises(incoming)) write_tested(incoming);
+        }
+        out_.close();
+    }
+
+    /// Writes the code that takes a message if the conditions of its item are true.
+    void write_tested(const Incoming& incoming) {
+        std::vector<std::string> tests;
+        for (const Test& test : incoming.tests)
+            tests.push_back(fmt::format("::robochart::ros2::holds(message.{}, ::robochart::ros2::Comparison::{}, {})",
+                                        test.field, comparison_name(test.comparison), test.value));
+        if (tests.empty()) return write_taking(incoming);
+        out_.open(fmt::format("if ({}) {{", fmt::join(tests, " && ")));
+        write_taking(incoming);
+        out_.close();
+    }
+
+    static std::string_view comparison_name(Comparison comparison) {
+        switch (comparison) {
+            case Comparison::equal:
+                return "equal";
+            case Comparison::not_equal:
+                return "not_equal";
+            case Comparison::less:
+                return "less";
+            case Comparison::less_equal:
+                return "less_equal";
+            case Comparison::greater:
+                return "greater";
+            case Comparison::greater_equal:
+                break;
+        }
+        return "greater_equal";
+    }
+
+    /// The messages that are published when the node stops.
+    void write_farewell() {
+        out_.gap();
+        out_.open(fmt::format("void {}::say_farewell() noexcept {{", node_));
+        for (const Outgoing& outgoing : plan_.farewells) {
+            const Topic& topic = plan_.topics[outgoing.topic];
+            out_.open("{");
+            out_.line(fmt::format("{} message;", message_type(topic.message)));
+            const std::string fits = fill_message(out_, outgoing, "message", "now()");
+            out_.line(fmt::format("{}send({}_, message);", fits.empty() ? "" : "if (" + fits + ") ", topic.member));
+            out_.close();
         }
         out_.close();
     }
@@ -415,6 +495,9 @@ private:
         out_.gap();
         out_.open(fmt::format("void {}::cycle() {{", node_));
         if (plan_.is_stamped()) out_.line(fmt::format("{}.now = now();", outbox_));
+        for (const Silence& silence : plan_.silences)
+            out_.line(fmt::format("if ({}_.is_due(now(), {})) robot_->{}();", silence.member, silence.seconds,
+                                  silence.event->method));
         out_.open("if (const std::int64_t lost = pace_.count_lost(now(), seconds_); lost > 0) {");
         out_.line("RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000,");
         out_.line("                     \"%s control cycles are lost: the model's clocks and deadlines are late\",");
@@ -431,6 +514,7 @@ private:
         out_.line("if (result == ::robochart::StepResult::quiescent) return;");
         out_.line("ended_ = true;");
         out_.line("timer_->cancel();");
+        if (!plan_.farewells.empty()) out_.line("say_farewell();");
         out_.open("if (result == ::robochart::StepResult::terminated) {");
         out_.line("RCLCPP_INFO(get_logger(), \"the controller has terminated\");");
         out_.line("return;");

@@ -77,7 +77,12 @@ struct Network {
         std::function<void()> callback;
     };
     std::vector<std::weak_ptr<Timer>> timers;
+    std::map<int, std::function<void()>> pre_shutdown;  ///< callbacks of the context, by number
 
+    /// The program ends.
+    void shut_down() const {
+        for (const auto& [number, callback] : pre_shutdown) callback();
+    }
     static Network& get() {
         static Network network;
         return network;
@@ -99,6 +104,31 @@ struct Network {
 };
 
 class NodeOptions {};
+
+struct PreShutdownCallbackHandle {
+    int number = 0;
+};
+
+class Context {
+public:
+    PreShutdownCallbackHandle add_pre_shutdown_callback(std::function<void()> callback) {
+        static int last = 0;
+        Network::get().pre_shutdown[++last] = std::move(callback);
+        return {last};
+    }
+    bool remove_pre_shutdown_callback(const PreShutdownCallbackHandle& handle) {
+        return Network::get().pre_shutdown.erase(handle.number) == 1;
+    }
+};
+
+namespace node_interfaces {
+
+class NodeBaseInterface {
+public:
+    [[nodiscard]] std::shared_ptr<Context> get_context() const { return std::make_shared<Context>(); }
+};
+
+}  // namespace node_interfaces
 
 struct PublisherOptions {
     QosOverridingOptions qos_overriding_options;
@@ -182,6 +212,32 @@ private:
 };
 
 class Logger {};
+
+inline void init(int, const char* const*) {}
+inline bool shutdown() {
+    return true;
+}
+
+enum class ParameterType { PARAMETER_NOT_SET, PARAMETER_BOOL, PARAMETER_INTEGER, PARAMETER_DOUBLE, PARAMETER_STRING };
+
+class ParameterValue {
+public:
+    explicit ParameterValue(double value) : ParameterValue(std::any(value)) {}
+    explicit ParameterValue(std::any value) : value_(std::move(value)) {}
+    [[nodiscard]] ParameterType get_type() const {
+        if (value_.type() == typeid(double)) return ParameterType::PARAMETER_DOUBLE;
+        return value_.type() == typeid(std::int64_t) ? ParameterType::PARAMETER_INTEGER
+                                                     : ParameterType::PARAMETER_STRING;
+    }
+    template <class Value>
+    [[nodiscard]] Value get() const {
+        return std::any_cast<Value>(value_);
+    }
+    [[nodiscard]] const std::any& any() const { return value_; }
+
+private:
+    std::any value_;
+};
 
 class CallbackGroup {
 public:
