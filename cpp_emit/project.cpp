@@ -9,7 +9,6 @@
 
 #include "base/diagnostics/text.hpp"
 #include "cpp_emit/ros2/node_files.hpp"
-#include "cpp_emit/ros2/ros_names.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -38,6 +37,7 @@ public:
         const Target target = generation.options.target;
         keys_["TRACE"] = target == Target::library || target == Target::ros2 ? "OFF" : "ON";
         element_ = generation.component.kind + " " + generation.place_text(generation.component.origin);
+        keys_["HEADERS"] = node ? node->package + "/controller" : api.cpp_name;
         keys_["CONTROLLER"] = controller_target();
     }
 
@@ -86,13 +86,16 @@ private:
 
     /// Defines the texts about the messages that the node uses.
     void message_keys() {
-        std::set<std::string> taken{"ament_cmake",       "ament_index_python", "launch",
-                                    "launch_ros",        "lifecycle_msgs",     "rclcpp",
-                                    "rclcpp_components", "rclcpp_lifecycle"};
-        taken.insert(node_->packages.begin(), node_->packages.end());
-        keys_["PACKAGE"] = ros2::package_name(generation_.component.name, taken);
+        keys_["PACKAGE"] = node_->package;
         keys_["NODE"] = node_->node;
+        keys_["FILES"] = node_->files;
+        const PackageFacts& facts = generation_.options.package;
+        keys_["VERSION"] = facts.version;
+        keys_["LICENSE"] = diagnostics::xml_text(facts.license.empty() ? "TODO: License declaration" : facts.license);
+        keys_["MAINTAINER"] = diagnostics::xml_text(facts.maintainer);
+        keys_["EMAIL"] = diagnostics::xml_text(facts.email);
         for (const std::string& name : node_->packages) {
+            keys_["MESSAGE_PACKAGES"] += " " + name;
             keys_["FIND_MESSAGES"] += fmt::format("find_package({} REQUIRED)\n", name);
             keys_["MESSAGE_TARGETS"] += fmt::format("\n                      ${{{}_TARGETS}}", name);
             keys_["DEPEND_MESSAGES"] += fmt::format("  <depend>{}</depend>\n", name);
@@ -106,13 +109,18 @@ private:
         message_keys();
         add_file("CMakeLists.txt", "ros2/CMakeLists.txt");
         add_file("package.xml", "ros2/package.xml");
-        add_file("launch/" + api_.cpp_name + ".launch.py", "ros2/launch/node.launch.py");
-        add_file("config/" + api_.cpp_name + ".yaml", "ros2/config/parameters.yaml");
-        add_file("src/node_support.hpp", "ros2/node_support.hpp");
-        const std::string stem = "src/" + api_.cpp_name;
-        files_.push_back({stem + "_messages.hpp", messages_header(generation_, core_, api_, *node_)});
-        files_.push_back({stem + "_node.hpp", node_header(generation_, core_, api_, *node_)});
-        files_.push_back({stem + "_node.cpp", node_source(generation_, core_, api_, *node_)});
+        add_file("launch/" + node_->files + ".launch.py", "ros2/launch/node.launch.py");
+        add_file("config/" + node_->files + ".yaml", "ros2/config/parameters.yaml");
+        add_file("test/node_test.cpp", "ros2/test/node_test.cpp");
+        add_file("test/launch_test.py", "ros2/test/launch_test.py");
+        add_file("own/own.cmake", "ros2/own/own.cmake");
+        files_.back().keep = true;
+        const std::string headers = "include/" + node_->package + "/";
+        add_file(headers + "node_support.hpp", "ros2/node_support.hpp");
+        files_.push_back(
+            {headers + api_.cpp_name + "_messages.hpp", messages_header(generation_, core_, api_, *node_)});
+        files_.push_back({headers + api_.cpp_name + "_node.hpp", node_header(generation_, core_, api_, *node_)});
+        files_.push_back({"src/" + api_.cpp_name + "_node.cpp", node_source(generation_, core_, api_, *node_)});
     }
 
     void add_robot() {

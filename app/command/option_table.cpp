@@ -143,6 +143,51 @@ void take_choices(Options& o, const std::string&) {
     o.code.choices = true;
 }
 
+/// The version of a package: three whole numbers (REP 149).
+void take_package_version(Options& o, const std::string& word) {
+    std::size_t numbers = 0, digits = 0;
+    bool wrong = word.size() > 32;
+    for (const char c : word + ".") {
+        const bool digit = c >= '0' && c <= '9';
+        wrong = wrong || (!digit && (c != '.' || digits == 0));
+        if (c == '.') ++numbers;
+        digits = digit ? digits + 1 : 0;
+    }
+    if (wrong || numbers != 3)
+        throw UsageError(fmt::format("--package-version {}: expected three numbers, as in 1.2.0",
+                                     diagnostics::escape_for_display(word)));
+    o.code.package.version = word;
+    o.code.package_given = true;
+}
+
+/// A licence as an SPDX expression: identifiers, `AND`, `OR`, `WITH`, brackets.
+void take_license(Options& o, const std::string& word) {
+    constexpr std::string_view others = "-.+() ";
+    const auto fits = [&](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               others.find(c) != std::string_view::npos;
+    };
+    if (word.empty() || word.size() > 200 || !std::ranges::all_of(word, fits))
+        throw UsageError(fmt::format("--license {}: expected an SPDX expression, as in Apache-2.0",
+                                     diagnostics::escape_for_display(word)));
+    o.code.package.license = word;
+    o.code.package_given = true;
+}
+
+/// NAME <EMAIL>.
+void take_maintainer(Options& o, const std::string& word) {
+    const std::size_t open = word.find(" <"), at = word.find('@', open == std::string::npos ? 0 : open);
+    const bool closed = open != std::string::npos && open > 0 && word.back() == '>' && at != std::string::npos &&
+                        at > open + 2 && at + 2 < word.size() && word.find(' ', open + 1) == std::string::npos;
+    const bool plain = std::ranges::none_of(word, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+    if (!closed || !plain || word.size() > 200)
+        throw UsageError(fmt::format("--maintainer {}: expected a name and an address, as in 'Ada <ada@example.org>'",
+                                     diagnostics::escape_for_display(word)));
+    o.code.package.maintainer = word.substr(0, open);
+    o.code.package.email = word.substr(open + 2, word.size() - open - 3);
+    o.code.package_given = true;
+}
+
 /// EVENT=N: the capacity of the lists of an event or variable.
 void take_capacity(Options& o, const std::string& word) {
     const std::size_t equals = word.find('=');
@@ -313,6 +358,16 @@ const std::vector<OptionRow>& option_table() {
         {"--mapping", Group::code, verb_bit(Verb::emit_cpp), {.kind = Kind::file, .name = "FILE"},
          "with --target ros2: the messages and topics of operations, events and variables",
          [](Options& o, const std::string& word) { o.code.mapping = word; }},
+        {"--license", Group::code, verb_bit(Verb::emit_cpp), {.kind = Kind::text, .name = "SPDX"},
+         "with --target ros2: the licence in package.xml", take_license},
+        {"--maintainer", Group::code, verb_bit(Verb::emit_cpp), {.kind = Kind::text, .name = "'NAME <EMAIL>'"},
+         "with --target ros2: the maintainer in package.xml", take_maintainer},
+        {"--package-version", Group::code, verb_bit(Verb::emit_cpp),
+         {.kind = Kind::text, .name = "X.Y.Z", .usual = "0.1.0"}, "with --target ros2: the version in package.xml",
+         take_package_version},
+        {"--model-names", Group::code, verb_bit(Verb::emit_cpp), {},
+         "with --target ros2: nodes, topics and launch files have the names of the model, not snake_case",
+         [](Options& o, const std::string&) { o.code.model_names = true; }},
         {"--strategy", Group::code, verb_bit(Verb::emit_cpp),
          {.kind = Kind::choice, .name = "STRATEGY", .usual = "auto", .choices = "auto,switch,table"},
          "how generated code finds the reaction to an event: a switch over states and events, or a table; auto uses a "

@@ -156,6 +156,9 @@ struct CodeOptions {
     bool cycle_given = false;
     cpp_emit::Target target = cpp_emit::Target::sources;          ///< only the classes, or a kind of project
     std::string mapping;                                          ///< --target ros2: file that assigns messages
+    cpp_emit::PackageFacts package;                               ///< --target ros2
+    bool package_given = false;                                   ///< an option sets a member of `package`
+    bool model_names = false;                                     ///< --target ros2: no snake_case
     cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic;  ///< how the code finds the effect of an event
     std::map<std::string, std::size_t> capacities;                ///< capacities of lists, by event or variable
     bool choices = false;                                         ///< emit cpp --choices, conform --all-choices

@@ -24,6 +24,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
 #include "conformance/model/rules.hpp"
+#include "conformance/traces/more_numbers.hpp"
 #include "conformance/traces/trace_check.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "driver/model/places.hpp"
@@ -123,6 +124,7 @@ public:
 private:
     using Candidate = std::pair<const driver::Part*, ir::ComponentRef>;
     struct Entry {
+        ir::Instantiation instantiation;
         std::unique_ptr<conformance::CyclicModel> model;
         std::unique_ptr<conformance::TraceChecker> checker;
         std::string error;
@@ -166,7 +168,8 @@ private:
         return std::nullopt;
     }
     void load_entry(Entry& entry, driver::Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
-        entry.model = conformance::CyclicModel::load(project.system, project.instantiation, component, cycle, limits_,
+        entry.instantiation = conformance::with_more_numbers(project.system, project.instantiation, component);
+        entry.model = conformance::CyclicModel::load(project.system, entry.instantiation, component, cycle, limits_,
                                                      project.sources, project.diagnostics, entry.error);
         if (entry.model == nullptr) return;
         entry.checker = std::make_unique<conformance::TraceChecker>(
@@ -274,7 +277,9 @@ void print_totals(const Totals& totals, const Options& options) {
     if (!totals.reported.empty() && !options.output.quiet) print("\n");
     if (totals.replaced > 0 && !options.output.quiet)
         print(
-            "{} outside the finite instantiation replaced, as the model only passes such values on (docs/traces.md)\n",
+            "{} outside the finite instantiation replaced, as the model only passes such values on or compares them "
+            "with "
+            "constants (docs/traces.md)\n",
             count_text(totals.replaced, "value"));
     if (!totals.limit.empty()) print("inconclusive: {}\n", totals.limit);
     print("{} in {}, {}: {} accepted, {} rejected, {} inconclusive ({:.1f} s)\n", count_text(totals.runs, "run"),

@@ -6,9 +6,58 @@
 
 #include <algorithm>
 
+#include "semantics/ir/visit.hpp"
+
 namespace robochart::conformance {
 
 namespace {
+
+bool is_leaf(ir::ExprKind kind) {
+    return kind == ir::ExprKind::variable || kind == ir::ExprKind::trigger_value;
+}
+
+/// Whether the expression depends on no variable. Recursion depth: the depth of the model's expressions, which the
+/// reader limits.
+bool is_constant(const ir::Expr& expr) {
+    constexpr ir::ExprKind alone[] = {ir::ExprKind::boolean, ir::ExprKind::integer, ir::ExprKind::real,
+                                      ir::ExprKind::string, ir::ExprKind::constant};
+    if (expr.kind == ir::ExprKind::negate) return is_constant(*expr.args.front());
+    return std::find(std::begin(alone), std::end(alone), expr.kind) != std::end(alone);
+}
+
+bool is_number(const ir::System& system, const ir::Expr& expr) {
+    if (!expr.type.is_valid()) return false;
+    const ir::TypeKind kind = system.type(expr.type).kind;
+    return kind == ir::TypeKind::nat || kind == ir::TypeKind::integer || kind == ir::TypeKind::real;
+}
+
+/// The expression without conversions that keep the order of numbers: all but those of reals to whole numbers.
+const ir::Expr& converted(const ir::System& system, const ir::Expr& expr) {
+    if (expr.kind != ir::ExprKind::cast || !is_number(system, expr) || !is_number(system, *expr.args[0])) return expr;
+    const bool rounds =
+        system.type(expr.args[0]->type).kind == ir::TypeKind::real && system.type(expr.type).kind != ir::TypeKind::real;
+    return rounds ? expr : converted(system, *expr.args[0]);
+}
+
+/// Whether a variable or a field of one holds the value.
+bool is_held(const ir::Expr& expr) {
+    return is_leaf(expr.kind) || (expr.kind == ir::ExprKind::member && is_held(*expr.args[0]));
+}
+
+/// The operands of a comparison of a held number with a literal or constant. The answer depends only on the side of the
+/// constant on which the number is.
+struct ComparedOperands {
+    const ir::Expr* held = nullptr;
+    const ir::Expr* constant = nullptr;
+};
+std::optional<ComparedOperands> compared_operands(const ir::System& system, const ir::Expr& expr) {
+    if (!ir::is_comparison(expr.kind) || expr.args.size() != 2) return std::nullopt;
+    if (!is_number(system, *expr.args[0]) || !is_number(system, *expr.args[1])) return std::nullopt;
+    const ir::Expr &left = converted(system, *expr.args[0]), &right = converted(system, *expr.args[1]);
+    if (is_held(left) && is_constant(right)) return ComparedOperands{&left, &right};
+    if (is_constant(left) && is_held(right)) return ComparedOperands{&right, &left};
+    return std::nullopt;
+}
 
 class Look {
 public:
@@ -36,14 +85,9 @@ private:
         if (!id.is_valid()) return;
         switch (system_.type(id).kind) {
             case ir::TypeKind::nat:
-                result.nat = false;
-                return;
             case ir::TypeKind::integer:
-                result.integer = false;
-                return;
             case ir::TypeKind::real:
-                result.real = false;
-                return;
+                return raise_use(system_.type(id).kind, NumberUse::computed);
             case ir::TypeKind::boolean:
             case ir::TypeKind::enumeration:
             case ir::TypeKind::string:
@@ -64,8 +108,25 @@ private:
     }
 
     void mark_inspected(ir::TypeId id) {
-        result.nat = result.integer = result.real = false;
+        for (const ir::TypeKind kind : {ir::TypeKind::nat, ir::TypeKind::integer, ir::TypeKind::real})
+            raise_use(kind, NumberUse::computed);
         result.looked_into.push_back(id);
+    }
+
+    /// Marks a type whose values are taken apart or built from parts, while the parts keep their values.
+    void mark_selected(ir::TypeId id) {
+        if (!id.is_valid()) return;
+        for (const ir::TypeKind kind : {ir::TypeKind::nat, ir::TypeKind::integer, ir::TypeKind::real})
+            raise_use(kind, NumberUse::compared);
+        result.looked_into.push_back(id);
+    }
+
+    void raise_use(ir::TypeKind kind, NumberUse use) {
+        NumberUse* known = nullptr;
+        if (kind == ir::TypeKind::nat) known = &result.nat;
+        if (kind == ir::TypeKind::integer) known = &result.integer;
+        if (kind == ir::TypeKind::real) known = &result.real;
+        if (known != nullptr) *known = std::max(*known, use);
     }
 
     /// Marks every value of the type, and of its parts, as used.
@@ -86,19 +147,6 @@ private:
         mark_tested(place);
     }
 
-    static bool is_leaf(ir::ExprKind kind) {
-        return kind == ir::ExprKind::variable || kind == ir::ExprKind::trigger_value;
-    }
-
-    /// Whether the expression depends on no variable. Recursion depth: the depth of the model's expressions, which the
-    /// reader limits.
-    static bool is_constant(const ir::Expr& expr) {
-        constexpr ir::ExprKind alone[] = {ir::ExprKind::boolean, ir::ExprKind::integer, ir::ExprKind::real,
-                                          ir::ExprKind::string, ir::ExprKind::constant};
-        if (expr.kind == ir::ExprKind::negate) return is_constant(*expr.args.front());
-        return std::find(std::begin(alone), std::end(alone), expr.kind) != std::end(alone);
-    }
-
     /// Marks a value that is passed on unchanged. If the value is a part of another value, or is built from other
     /// values, examines those.
     void mark_passed_on(const ir::ExprPtr& expr) {
@@ -106,7 +154,7 @@ private:
         const ir::ExprKind kind = expr->kind;
         if (kind == ir::ExprKind::record || kind == ir::ExprKind::tuple) return mark_constructed(*expr);
         if (kind == ir::ExprKind::member) {
-            mark_tested(expr->args[0]->type);
+            mark_selected(expr->args[0]->type);
             return mark_passed_on(expr->args[0]);
         }
         if (kind != ir::ExprKind::if_then_else) return mark_used(expr);
@@ -116,15 +164,22 @@ private:
     }
 
     void mark_constructed(const ir::Expr& whole) {
-        mark_tested(whole.type);
+        mark_selected(whole.type);
         const std::vector<ir::TypeId>& parts = system_.type(whole.type).args;
         for (std::size_t i = 0; i < whole.args.size(); ++i)
             mark_stored(whole.args[i], i < parts.size() ? parts[i] : ir::TypeId{});
     }
 
+    void mark_compared(const ir::Expr& operand) {
+        raise_use(system_.type(operand.type).kind, NumberUse::compared);
+        for (const ir::Expr* at = &operand; at->kind == ir::ExprKind::member; at = at->args[0].get())
+            mark_selected(at->args[0]->type);
+    }
+
     /// Marks a value that affects the behaviour.
     void mark_used(const ir::ExprPtr& expr) {
         if (!expr || is_constant(*expr)) return;
+        if (const auto operands = compared_operands(system_, *expr)) return mark_compared(*operands->held);
         const bool clock = expr->kind == ir::ExprKind::since || expr->kind == ir::ExprKind::since_entry;
         if (!clock) mark_tested(expr->type);
         for (const ir::TypeId type : expr->bound_types) mark_enumerated(type);
@@ -272,9 +327,17 @@ bool DataIndependence::is_independent(const ir::System& system, ir::TypeId id) c
     return false;
 }
 
-bool DataIndependence::is_independent(ir::TypeKind kind) const {
-    return (kind == ir::TypeKind::nat && nat) || (kind == ir::TypeKind::integer && integer) ||
-           (kind == ir::TypeKind::real && real);
+std::optional<ConstantComparison> constant_comparison(const ir::System& system, const ir::Expr& expr) {
+    const auto operands = compared_operands(system, expr);
+    if (!operands) return std::nullopt;
+    return ConstantComparison{system.type(operands->held->type).kind, operands->constant,
+                              expr.kind != ir::ExprKind::equal && expr.kind != ir::ExprKind::not_equal};
+}
+
+NumberUse DataIndependence::use_of(ir::TypeKind kind) const {
+    if (kind == ir::TypeKind::nat) return nat;
+    if (kind == ir::TypeKind::integer) return integer;
+    return kind == ir::TypeKind::real ? real : NumberUse::computed;
 }
 
 DataIndependence data_independence(const ir::System& system, const std::vector<ir::MachineId>& machines) {

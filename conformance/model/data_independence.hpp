@@ -1,27 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the values that a component only passes on.
+// Finds the values that a component only passes on, and the numbers that it only compares with constants.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::conformance {
 
-/// Values that the component only passes on ("data independent": Lazić 1999; Roscoe UCS 17.2). It stores them, sends
-/// them and passes them to operations, but uses them in no operator, comparison, index or wait.
+/// What a component does with the numbers of a kind, from the least to the greatest dependence.
+enum class NumberUse {
+    passed_on,  ///< it stores them, sends them and passes them to operations ("data independent": Lazić 1999; Roscoe
+                ///< UCS 17.2)
+    compared,   ///< it also compares them with literals and constants of the model, alone or as fields of records
+    computed,   ///< anything else: operators, comparisons of two variables, indexes, waits
+};
+
+/// Values that the component only passes on or compares.
 struct DataIndependence {
-    bool nat = true;
-    bool integer = true;
-    bool real = true;
+    NumberUse nat = NumberUse::passed_on;
+    NumberUse integer = NumberUse::passed_on;
+    NumberUse real = NumberUse::passed_on;
     std::vector<ir::TypeId> looked_into;  ///< types with parts for which something depends on values or on parts of
                                           ///< values
 
+    /// The use of numbers of this kind; `computed` for types that are not numbers.
+    [[nodiscard]] NumberUse use_of(ir::TypeKind) const;
     /// Whether the component only passes on numbers of this kind.
-    [[nodiscard]] bool is_independent(ir::TypeKind) const;
+    [[nodiscard]] bool is_independent(ir::TypeKind kind) const { return use_of(kind) == NumberUse::passed_on; }
     /// Whether the component passes on values of a type with parts as a whole. False for other types.
     [[nodiscard]] bool is_independent(const ir::System&, ir::TypeId) const;
 };
+
+/// A comparison of a number that a variable, or a field of one, holds with a literal or constant.
+struct ConstantComparison {
+    ir::TypeKind kind = ir::TypeKind::unit;  ///< of the held number
+    const ir::Expr* constant = nullptr;      ///< a literal or constant, or its negation
+    bool ordered = false;                    ///< not == or !=
+};
+/// The comparison that the expression is; no value for all other expressions.
+[[nodiscard]] std::optional<ConstantComparison> constant_comparison(const ir::System&, const ir::Expr&);
 
 /// Analyses these machines and operations together.
 [[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads values in logs by the types of the model. If the component is data independent, replaces numbers outside the
-// carriers.
+// Reads values in logs by the types of the model. Replaces numbers outside the carriers if the component only passes
+// them on, or only compares them with constants: then all numbers on the same side of each constant give the same
+// answers, and a run with one of them is a run with another (a bijection of the numbers that keeps their sides).
 #include "conformance/model/logged_value.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "base/diagnostics/containers.hpp"
 #include "base/diagnostics/scanner.hpp"
@@ -37,8 +40,9 @@ std::uint64_t hash_text(std::string_view text, std::uint64_t salt) {
 /// Parses one value from left to right. Recursion depth: the depth of its type.
 class ValueParser : diagnostics::Scanner {
 public:
-    ValueParser(const ir::System& system, const ir::Instantiation& instantiation, std::string_view text)
-        : Scanner(text), system_(system), instantiation_(instantiation) {}
+    ValueParser(const ir::System& system, const ir::Instantiation& instantiation, const DataIndependence& uses,
+                NumberReading reading, std::string_view text)
+        : Scanner(text), system_(system), instantiation_(instantiation), uses_(uses), reading_(reading) {}
 
     LoggedPart parse_whole(ir::TypeId type) {
         LoggedPart result = parse_value(type);
@@ -89,7 +93,7 @@ private:
     LoggedPart parse_truth() {
         const std::string_view word = parse_name();
         if (word != "true" && word != "false") throw make_fault("true or false", word);
-        return {word == "true" ? 1 : 0, "", TypeKind::boolean, {}};
+        return {word == "true" ? 1 : 0, "", 0, TypeKind::boolean, {}};
     }
 
     LoggedPart parse_number(TypeKind kind) {
@@ -104,12 +108,21 @@ private:
         const double scaled = real ? value * static_cast<double>(instantiation_.scale) : value;
         if (!real && scaled != std::floor(scaled)) throw make_fault("a whole number", word);
         at_ += length;
-        // the error of a decimal of the model in binary floating point is smaller
         const double near = std::round(scaled);
-        const bool whole = std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled)) && std::abs(near) < 9e15;
-        if (whole && is_in_carrier(kind, static_cast<std::int64_t>(near)))
-            return {static_cast<std::int64_t>(near), "", kind, {}};
-        return {0, fmt::format("{}", value), kind, {}};
+        if (std::abs(near) < 9e15 && is_near(kind, value, scaled, near) &&
+            is_in_carrier(kind, static_cast<std::int64_t>(near)))
+            return {static_cast<std::int64_t>(near), "", 0, kind, {}};
+        return {0, fmt::format("{}", value), value, kind, {}};
+    }
+
+    /// Whether the logged number counts as `near`, in units of 1/scale.
+    [[nodiscard]] bool is_near(TypeKind kind, double value, double scaled, double near) const {
+        if (kind != TypeKind::real) return scaled == near;
+        const double decimal = near / static_cast<double>(instantiation_.scale);
+        if (reading_ == NumberReading::exact && uses_.use_of(kind) == NumberUse::compared) return value == decimal;
+        // the error of a decimal of the model in binary floating point is smaller
+        if (std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled))) return true;
+        return uses_.use_of(kind) != NumberUse::computed && value == static_cast<double>(static_cast<float>(decimal));
     }
 
     [[nodiscard]] bool is_in_carrier(TypeKind kind, std::int64_t value) const {
@@ -123,7 +136,7 @@ private:
         const ir::Type& type = system_.type(id);
         const std::size_t begin = at_;
         const std::string_view word = parse_name();
-        LoggedPart result{0, "", TypeKind::enumeration, {}};
+        LoggedPart result{0, "", 0, TypeKind::enumeration, {}};
         const auto same = [&](std::size_t i) {
             return word == type.labels[i] ||
                    word == cpp_emit::cspm_value(system_, id, {static_cast<std::int64_t>(i), {}});
@@ -145,10 +158,10 @@ private:
 
     LoggedPart parse_characters() {
         const std::size_t begin = at_;
-        LoggedPart result{0, "", TypeKind::string, {}};
+        LoggedPart result{0, "", 0, TypeKind::string, {}};
         const auto unfinished = [&] { return ValueFault{"a text in quotes", begin, text_.size() - begin}; };
         if (!accept("\"")) throw unfinished();
-        while (!at_end() && peek() != '"') result.parts.push_back({parse_character(), "", TypeKind::unit, {}});
+        while (!at_end() && peek() != '"') result.parts.push_back({parse_character(), "", 0, TypeKind::unit, {}});
         if (!accept("\"")) throw unfinished();
         return result;
     }
@@ -171,7 +184,7 @@ private:
 
     template <class Item>
     LoggedPart parse_list(const ir::Type& type, std::size_t begin, const char* brackets, const Item& item) {
-        LoggedPart result{0, "", type.kind, {}};
+        LoggedPart result{0, "", 0, type.kind, {}};
         expect(brackets[0], type, begin);
         if (accept_character(brackets[1])) return result;
         do result.parts.push_back(item());
@@ -183,7 +196,7 @@ private:
     /// Parses items in parentheses; a single item has none.
     template <class Item>
     LoggedPart parse_repeated(const ir::Type& type, std::int64_t count, std::size_t begin, const Item& item) {
-        LoggedPart result{0, "", TypeKind::product, {}};
+        LoggedPart result{0, "", 0, TypeKind::product, {}};
         if (count != 1) expect('(', type, begin);
         for (std::int64_t i = 0; i < count; ++i) {
             if (i > 0) expect(',', type, begin);
@@ -263,70 +276,103 @@ private:
 
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
+    const DataIndependence& uses_;
+    NumberReading reading_;
 };
-
-/// The corresponding value of the model, in which other numbers replace those outside their carriers.
-ir::Value replace_outside(const LoggedPart& part, const ir::Instantiation& instantiation, std::uint64_t salt) {
-    ir::Value value{part.number, {}};
-    if (!part.outside.empty()) {
-        const std::vector<std::int64_t>& all = *carrier_numbers(instantiation, part.kind);
-        value.number = all[hash_text(part.outside, salt) % all.size()];
-    }
-    for (const LoggedPart& inner_part : part.parts)
-        value.parts.push_back(replace_outside(inner_part, instantiation, salt));
-    if (part.kind == TypeKind::set || part.kind == TypeKind::relation || part.kind == TypeKind::function) {
-        diagnostics::sort_unique(value.parts);
-    }
-    return value;
-}
 
 bool all_inside(const LoggedPart& part) {
     return part.outside.empty() && std::ranges::all_of(part.parts, all_inside);
 }
 
-/// Whether the component only passes on every kind of number that is outside its carrier. Functions are total over
-/// their carriers, so they contain no other numbers.
-bool only_passed_on(const LoggedPart& part, const DataIndependence& passed_on) {
-    if (part.kind == TypeKind::function) return all_inside(part);
-    return (part.outside.empty() || passed_on.is_independent(part.kind)) &&
-           std::ranges::all_of(part.parts,
-                               [&](const LoggedPart& inner_part) { return only_passed_on(inner_part, passed_on); });
-}
-
 }  // namespace
 
 ValueReader::ValueReader(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId type,
-                         const DataIndependence& passed_on)
+                         const ComparedNumbers& numbers, NumberReading reading)
     : system_(&system),
       instantiation_(&instantiation),
       type_(type),
-      passed_on_(passed_on),
+      numbers_(numbers),
+      reading_(reading),
       composed_(cpp_emit::is_composed(system.type(type))) {
-    passed_on_.nat = passed_on.nat && !instantiation.nat.empty();
-    passed_on_.integer = passed_on.integer && !instantiation.integer.empty();
-    passed_on_.real = passed_on.real && !instantiation.real.empty();
     if (!composed_) return;
     for (const ir::Value& value : ir::carrier_values(system, instantiation, type))
         places_.emplace(value, static_cast<std::int64_t>(places_.size()));
 }
 
+ValueReader::Answers ValueReader::answers_for(TypeKind kind, double value) const {
+    const auto found = numbers_.constants.find(kind);
+    if (numbers_.uses.use_of(kind) == NumberUse::passed_on || found == numbers_.constants.end()) return {0, -1};
+    const ComparedConstants& constants = found->second;
+    const auto below = std::ranges::lower_bound(constants.ordered, value) - constants.ordered.begin();
+    const auto equal = std::ranges::find(constants.all, value);
+    return {static_cast<std::size_t>(below), equal == constants.all.end() ? -1 : equal - constants.all.begin()};
+}
+
+const std::vector<std::int64_t>& ValueReader::candidates(const LoggedPart& part) const {
+    static const std::vector<std::int64_t> none;
+    const auto* const all = carrier_numbers(*instantiation_, part.kind);
+    if (all == nullptr || numbers_.uses.use_of(part.kind) == NumberUse::computed) return none;
+    const Answers answers = answers_for(part.kind, part.value);
+    const auto [known, fresh] = candidates_.try_emplace({part.kind, answers});
+    std::vector<std::int64_t>& chosen = known->second;
+    if (!fresh) return chosen;
+    const double units = part.kind == TypeKind::real ? static_cast<double>(instantiation_->scale) : 1;
+    std::vector<std::int64_t> literals;
+    for (const std::int64_t number : *all) {
+        const double value = static_cast<double>(number) / units;
+        if (answers_for(part.kind, value) != answers) continue;
+        (std::ranges::binary_search(numbers_.written, value) ? literals : chosen).push_back(number);
+    }
+    if (chosen.empty()) chosen = std::move(literals);
+    return chosen;
+}
+
+std::optional<std::int64_t> ValueReader::replacement(const LoggedPart& part, std::uint64_t salt) const {
+    if (part.outside.empty()) return part.number;
+    const std::vector<std::int64_t>& all = candidates(part);
+    return all.empty() ? std::nullopt : std::optional(all[hash_text(part.outside, salt) % all.size()]);
+}
+
+/// The corresponding value of the model, in which other numbers replace those outside their carriers.
+std::optional<ir::Value> ValueReader::replaced(const LoggedPart& part, std::uint64_t salt) const {
+    const auto number = replacement(part, salt);
+    if (!number) return std::nullopt;
+    ir::Value value{*number, {}};
+    for (const LoggedPart& inner_part : part.parts) {
+        auto inner = replaced(inner_part, salt);
+        if (!inner) return std::nullopt;
+        value.parts.push_back(std::move(*inner));
+    }
+    if (part.kind == TypeKind::set || part.kind == TypeKind::relation || part.kind == TypeKind::function)
+        diagnostics::sort_unique(value.parts);
+    return value;
+}
+
 std::optional<std::int64_t> ValueReader::carrier_index(const LoggedPart& whole, std::uint64_t salt) const {
-    const ir::Value value = replace_outside(whole, *instantiation_, salt);
-    if (!composed_) return value.number;
-    const auto found = places_.find(value);
+    const auto value = replaced(whole, salt);
+    if (!value) return std::nullopt;
+    if (!composed_) return value->number;
+    const auto found = places_.find(*value);
     return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Whether all numbers outside their carriers can be replaced. Functions are total over their carriers, so they contain
+/// no other numbers.
+bool ValueReader::is_replaceable(const LoggedPart& part) const {
+    return part.kind == TypeKind::function
+               ? all_inside(part)
+               : std::ranges::all_of(part.parts, [&](const LoggedPart& inner) { return is_replaceable(inner); });
 }
 
 LoggedValue ValueReader::read_value(std::string_view text) const {
     LoggedValue result;
-    result.whole = ValueParser(*system_, *instantiation_, text).parse_whole(type_);
+    result.whole = ValueParser(*system_, *instantiation_, numbers_.uses, reading_, text).parse_whole(type_);
     const bool inside = all_inside(result.whole);
     if (inside) result.number = carrier_index(result.whole, 0);
     if (result.number) return result;
     result.text = composed_ ? std::string(text) : result.whole.outside;
     // a value that is outside for another reason, such as a sequence that is too long, cannot be replaced
-    result.passed_on =
-        !inside && only_passed_on(result.whole, passed_on_) && carrier_index(result.whole, 0).has_value();
+    result.replaceable = !inside && is_replaceable(result.whole) && carrier_index(result.whole, 0).has_value();
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "conformance/model/data_independence.hpp"
@@ -20,6 +21,7 @@ namespace robochart::conformance {
 struct LoggedPart {
     std::int64_t number = 0;  ///< as in ir::Value
     std::string outside;      ///< for a number outside its carrier: a canonical text
+    double value = 0;         ///< for a number outside its carrier
     ir::TypeKind kind = ir::TypeKind::unit;
     std::vector<LoggedPart> parts;
 };
@@ -29,7 +31,9 @@ struct LoggedValue {
     std::optional<std::int64_t> number;  ///< as in the carrier; for values with parts the index in it; no value:
                                          ///< outside
     std::string text;                    ///< outside: as reported
-    bool passed_on = false;              ///< for a value outside: the component only passes such values on
+    /// For a value outside: the component only passes such numbers on, or compares them with constants, and its carrier
+    /// has numbers that give the same answers.
+    bool replaceable = false;
     LoggedPart whole;
 };
 
@@ -41,27 +45,61 @@ struct ValueFault {
     std::size_t length = 0;
 };
 
+/// When a logged number counts as a number of the carrier.
+enum class NumberReading {
+    exact,    ///< if it is equal; for numbers that the component compares with constants
+    rounded,  ///< if the difference is a rounding error of double, or the logged number is the float nearest to it
+};
+
+/// The numbers of the model with which the component compares numbers of a kind, ascending.
+struct ComparedConstants {
+    std::vector<double> ordered;  ///< by <, <=, > or >=
+    std::vector<double> all;
+};
+
+/// What the component does with numbers.
+struct ComparedNumbers {
+    DataIndependence uses;
+    std::map<ir::TypeKind, ComparedConstants> constants;
+    std::vector<double> written;  ///< the literals and constants of the component, ascending
+};
+
 /// Reads the values of one type of a model.
 class ValueReader {
 public:
-    ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const DataIndependence&);
+    ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const ComparedNumbers&, NumberReading);
 
     /// Reads a value. Throws ValueFault.
     [[nodiscard]] LoggedValue read_value(std::string_view text) const;
     /// The index of the carrier's value that represents a value outside the carrier. Numbers outside their carriers are
-    /// replaced by numbers of their kind, which `salt` selects. Equal numbers get equal replacements.
+    /// replaced by numbers of their kind, which `salt` selects: any number if the component only passes them on;
+    /// otherwise a number for which the comparisons with constants give the same answers. Equal numbers get equal
+    /// replacements. The component's own literals are no replacements if there are others.
     [[nodiscard]] std::int64_t replacement_index(const LoggedValue&, std::uint64_t salt) const;
 
 private:
+    /// The answers of all comparisons of a number with constants: how many ordered constants are less than it, and
+    /// which constant it is (-1: none).
+    using Answers = std::pair<std::size_t, std::ptrdiff_t>;
+    [[nodiscard]] Answers answers_for(ir::TypeKind, double) const;
     /// The index of the value in the carrier. Numbers outside their carriers are replaced.
     [[nodiscard]] std::optional<std::int64_t> carrier_index(const LoggedPart&, std::uint64_t salt) const;
+
+    [[nodiscard]] std::optional<std::int64_t> replacement(const LoggedPart&, std::uint64_t salt) const;
+    [[nodiscard]] std::optional<ir::Value> replaced(const LoggedPart&, std::uint64_t salt) const;
+    [[nodiscard]] bool is_replaceable(const LoggedPart&) const;
+    /// The numbers of the carrier that can stand for the number.
+    [[nodiscard]] const std::vector<std::int64_t>& candidates(const LoggedPart&) const;
 
     const ir::System* system_;
     const ir::Instantiation* instantiation_;
     ir::TypeId type_;
-    DataIndependence passed_on_;
+    ComparedNumbers numbers_;
+    NumberReading reading_;
     bool composed_;
     std::map<ir::Value, std::int64_t> places_;  ///< for values with parts
+    /// The replacements by kind and answers of the comparisons, made when they are needed.
+    mutable std::map<std::pair<ir::TypeKind, Answers>, std::vector<std::int64_t>> candidates_;
 };
 
 /// The text of a model's value in a log: "0.5", "Red", "(1,<2,3>)".

@@ -2,15 +2,77 @@
 // Collects registers and outputs from the plan of the component (cpp_emit), without emitting code.
 #include "conformance/model/model_interface.hpp"
 
+#include <cassert>
+#include <cmath>
+
+#include "base/diagnostics/containers.hpp"
 #include "conformance/model/component.hpp"
 #include "cpp_emit/plan/component.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/visit.hpp"
 
 namespace robochart::conformance {
 
 namespace {
+
+/// Collects what the component does with numbers, and the constants with which it compares them.
+class NumberCollector {
+public:
+    NumberCollector(const ir::System& system, const ir::Instantiation& instantiation,
+                    const cpp_emit::Component& component)
+        : system_(system), instantiation_(instantiation), component_(component) {}
+
+    ComparedNumbers collect() const {
+        ComparedNumbers found;
+        std::vector<ir::MachineId> machines;
+        for (const cpp_emit::Unit& unit : component_.units) machines.push_back(unit.id);
+        found.uses = data_independence(system_, machines);
+        for (const cpp_emit::Unit& unit : component_.units)
+            ir::visit_expressions(*unit.machine, [&](const ir::Expr& root, ir::ExprRole) {
+                ir::visit_operands(root, [&](const ir::Expr& expr) { collect_constant(unit, expr, found); });
+            });
+        for (auto& [kind, constants] : found.constants) {
+            diagnostics::sort_unique(constants.ordered);
+            diagnostics::sort_unique(constants.all);
+        }
+        diagnostics::sort_unique(found.written);
+        return found;
+    }
+
+private:
+    /// The number that a literal, a constant or its negation is in a unit; no value for other expressions.
+    [[nodiscard]] std::optional<double> number_of(const cpp_emit::Unit& unit, const ir::Expr& expr) const {
+        if (expr.kind == ir::ExprKind::integer) return static_cast<double>(expr.number);
+        if (expr.kind == ir::ExprKind::real)
+            return static_cast<double>(expr.decimal.unscaled) / std::pow(10.0, expr.decimal.decimals);
+        if (expr.kind == ir::ExprKind::negate) {
+            const auto number = number_of(unit, *expr.args[0]);
+            return number ? std::optional(-*number) : std::nullopt;
+        }
+        if (expr.kind != ir::ExprKind::constant) return std::nullopt;
+        const std::size_t index = expr.constant.index;
+        const ir::TypeKind kind = system_.type(unit.machine->constants[index].type).kind;
+        const auto number = static_cast<double>(unit.constants[index].number);
+        if (kind == ir::TypeKind::real) return number / static_cast<double>(instantiation_.scale);
+        return kind == ir::TypeKind::nat || kind == ir::TypeKind::integer ? std::optional(number) : std::nullopt;
+    }
+
+    void collect_constant(const cpp_emit::Unit& unit, const ir::Expr& expr, ComparedNumbers& found) const {
+        if (const auto number = number_of(unit, expr)) found.written.push_back(*number);
+        const auto comparison = constant_comparison(system_, expr);
+        if (!comparison) return;
+        const auto number = number_of(unit, *comparison->constant);
+        assert(number);  // a constant that is not known would make replacements wrong
+        found.constants[comparison->kind].all.push_back(*number);
+        if (comparison->ordered) found.constants[comparison->kind].ordered.push_back(*number);
+    }
+
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+    const cpp_emit::Component& component_;
+};
 
 class Collector {
 public:
@@ -33,9 +95,7 @@ public:
         for (const cpp_emit::StoredVariable& variable : component_.variables)
             if (variable.visible && !variable.copy)
                 add_output("set_" + variable.variable->name, {variable.variable->type});
-        std::vector<ir::MachineId> machines;
-        for (const cpp_emit::Unit& unit : component_.units) machines.push_back(unit.id);
-        result_.passed_on = data_independence(system_, machines);
+        result_.numbers = NumberCollector(system_, instantiation_, component_).collect();
         return std::move(result_);
     }
 
@@ -69,6 +129,14 @@ private:
 };
 
 }  // namespace
+
+std::optional<ComparedNumbers> compared_numbers(const ir::System& system, const ir::Instantiation& instantiation,
+                                                const ir::ComponentRef& ref) {
+    diagnostics::Diagnostics quiet;
+    const auto component = cpp_emit::resolve_component(system, instantiation, ref, quiet);
+    if (!component) return std::nullopt;
+    return NumberCollector(system, instantiation, *component).collect();
+}
 
 std::optional<ModelInterface> model_interface(const ir::System& system, const ir::Instantiation& instantiation,
                                               const ir::ComponentRef& ref, const csp_emit::Provenance& provenance,

@@ -8,7 +8,7 @@
 
 #include "base/diagnostics/diagnostic.hpp"
 #include "conformance/code/interface.hpp"
-#include "conformance/model/data_independence.hpp"
+#include "conformance/model/logged_value.hpp"
 #include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
@@ -19,12 +19,16 @@ struct ModelInterface {
     Interface interface;
     std::vector<std::optional<ir::TypeId>> input_types;  ///< no value: the register carries no value
     std::vector<std::vector<ir::TypeId>> output_types;
-    DataIndependence passed_on;
+    ComparedNumbers numbers;
 };
 
 /// Returns no value, with diagnostics, if no C++ can be generated for the component.
 [[nodiscard]] std::optional<ModelInterface> model_interface(const ir::System&, const ir::Instantiation&,
                                                             const ir::ComponentRef&, const csp_emit::Provenance&,
                                                             diagnostics::Diagnostics&);
+
+/// What the component does with numbers. No value if no C++ can be generated for it.
+[[nodiscard]] std::optional<ComparedNumbers> compared_numbers(const ir::System&, const ir::Instantiation&,
+                                                              const ir::ComponentRef&);
 
 }  // namespace robochart::conformance

@@ -224,7 +224,7 @@ private:
             consecutive = consecutive && numbers[i] == numbers[0] + static_cast<std::int64_t>(i);
         channel.values.push_back({numbers.data(), static_cast<std::uint32_t>(numbers.size()),
                                   real ? model_.interface().scale : 1, consecutive,
-                                  model_.boundary().passed_on.is_independent(kind)});
+                                  model_.boundary().numbers.uses.is_independent(kind)});
     }
 
     /// Adds a column for each combination of arguments. Recursion depth: the number of an output's arguments.

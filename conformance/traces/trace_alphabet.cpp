@@ -68,16 +68,20 @@ TraceAlphabet::TraceAlphabet(const CyclicModel& model) : model_(&model) {
     input_ids_ = number_names(full_names(interface.inputs), inputs_);
     output_ids_ = number_names(full_names(interface.outputs), outputs_);
     const ModelInterface& boundary = model.boundary();
-    const auto values = [&](ir::TypeId type) {
-        return ValueReader(model.system(), model.instantiation(), type, boundary.passed_on);
+    const auto values = [&](ir::TypeId type, NumberReading reading) {
+        return ValueReader(model.system(), model.instantiation(), type, boundary.numbers, reading);
     };
     for (const std::optional<ir::TypeId>& type : boundary.input_types) {
         input_values_.emplace_back();
-        if (type) input_values_.back() = values(*type);
+        if (type) input_values_.back() = values(*type, NumberReading::exact);
     }
     for (const std::vector<ir::TypeId>& types : boundary.output_types) {
         output_values_.emplace_back();
-        for (const ir::TypeId type : types) output_values_.back().push_back(values(type));
+        rounded_values_.emplace_back();
+        for (const ir::TypeId type : types) {
+            output_values_.back().push_back(values(type, NumberReading::exact));
+            rounded_values_.back().push_back(values(type, NumberReading::rounded));
+        }
     }
 }
 
@@ -118,7 +122,7 @@ LoggedValue TraceAlphabet::parse_value(const ValueReader& reader, std::string_vi
     }
 }
 
-LoggedEvent TraceAlphabet::parse_event(const TraceToken& token) const {
+LoggedEvent TraceAlphabet::parse_event(const TraceToken& token, NumberReading reading) const {
     LoggedEvent event = parse_kind(token);
     const std::size_t mark = token.text.find_first_of("?!");
     const std::string_view name = token.text.substr(0, mark);
@@ -127,7 +131,8 @@ LoggedEvent TraceAlphabet::parse_event(const TraceToken& token) const {
     if (event.kind == LoggedEvent::Kind::read) {
         if (input_values_[event.index]) readers.push_back(&*input_values_[event.index]);
     } else {
-        for (const ValueReader& reader : output_values_[event.index]) readers.push_back(&reader);
+        const auto& values = reading == NumberReading::exact ? output_values_ : rounded_values_;
+        for (const ValueReader& reader : values[event.index]) readers.push_back(&reader);
     }
     const auto parts = rest.empty() ? std::vector<std::string_view>{} : split_at_marks(rest);
     if (parts.size() != readers.size())
@@ -146,7 +151,9 @@ const LoggedEvent& TraceAlphabet::read_event(const TraceToken& token) {
     constexpr std::size_t most_known = 1U << 14U;
     const auto found = known_.find(std::string(token.text));
     if (found != known_.end()) return found->second;
-    last_ = parse_event(token);
+    last_ = parse_event(token, NumberReading::exact);
+    if (last_.kind == LoggedEvent::Kind::write && !last_.is_inside())
+        last_.rounded = parse_event(token, NumberReading::rounded).event;
     if (known_.size() >= most_known || !last_.is_inside()) return last_;
     return known_.emplace(std::string(token.text), last_).first->second;
 }

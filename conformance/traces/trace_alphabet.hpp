@@ -21,6 +21,9 @@ struct LoggedEvent {
     std::uint32_t index = 0;              ///< index of the register or output
     std::vector<LoggedValue> values;      ///< empty for events without values
     process::Event event = process::tau;  ///< valid if all values are in their carriers
+    /// A write with values beside numbers of their carriers: the event with these numbers. Otherwise tau. The component
+    /// may have computed these numbers, with a rounding error, or may have passed on numbers that it has read.
+    process::Event rounded = process::tau;
 
     [[nodiscard]] bool is_inside() const;
 };
@@ -39,7 +42,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& outputs() const { return outputs_; }
 
 private:
-    [[nodiscard]] LoggedEvent parse_event(const TraceToken&) const;
+    [[nodiscard]] LoggedEvent parse_event(const TraceToken&, NumberReading) const;
     [[nodiscard]] static LoggedValue parse_value(const ValueReader&, std::string_view text, const TraceToken& token,
                                                  std::string_view name);
 
@@ -47,7 +50,7 @@ private:
     std::vector<std::string> inputs_, outputs_;
     std::unordered_map<std::string, std::uint32_t> input_ids_, output_ids_;  ///< never iterated
     std::vector<std::optional<ValueReader>> input_values_;
-    std::vector<std::vector<ValueReader>> output_values_;
+    std::vector<std::vector<ValueReader>> output_values_, rounded_values_;
     std::unordered_map<std::string, LoggedEvent> known_;  ///< by token; never iterated
     LoggedEvent last_;
 };

@@ -235,7 +235,7 @@ private:
         clean_ = false;
         const auto meant = in_carrier(event, token);
         if (!meant) return Next::stop;
-        const Next next = read ? take_read(event.index, *meant, token) : take_write(*meant, token);
+        const Next next = read ? take_read(event.index, *meant, token) : take_write(*meant, event.rounded, token);
         so_far_.emplace_back(token.text);
         return next;
     }
@@ -246,7 +246,8 @@ private:
         if (event.event != process::tau) return event.event;
         for (const LoggedValue& value : event.values) {
             if (value.number) continue;
-            if (!value.passed_on) {
+            if (!value.replaceable && event.rounded != process::tau) return event.rounded;
+            if (!value.replaceable) {
                 report_undecided(token, value);
                 return std::nullopt;
             }
@@ -260,7 +261,8 @@ private:
         run_->verdict = RunVerdict::inconclusive;
         run_->what = token.text;
         run_->reason = fmt::format(
-            "{} is outside the finite instantiation of the model, which calculates with such values or tests them",
+            "{} is outside the finite instantiation of the model, which calculates with such values or compares them "
+            "with each other",
             value.text);
     }
 
@@ -270,9 +272,10 @@ private:
         return Next::go_on;
     }
 
-    Next take_write(process::Event event, const TraceToken& token) {
+    Next take_write(process::Event event, process::Event rounded, const TraceToken& token) {
         if (!finish_reads()) return Next::stop;
-        return step_model(event) ? Next::go_on : reject_event(std::string(token.text));
+        const bool can = step_model(event) || (rounded != process::tau && step_model(rounded));
+        return can ? Next::go_on : reject_event(std::string(token.text));
     }
 
     /// A3: all registers are read, in the order of the interface, before anything else happens.

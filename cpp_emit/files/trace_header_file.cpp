@@ -10,6 +10,7 @@
 
 #include "cpp_emit/code/transition_numbers.hpp"
 #include "cpp_emit/files/files.hpp"
+#include "cpp_emit/files/open_constants.hpp"
 #include "cpp_emit/files/trace_names.hpp"
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -76,9 +77,18 @@ private:
         out_.gap();
         out_.doc("What its logs begin with.");
         out_.line(fmt::format(
-            "inline constexpr robochart::RunHeader run_header = {{{}, {}, cycle_length, transitions, {}}};",
+            "inline constexpr robochart::RunHeader run_header = {{{}, {}, {}, cycle_length, transitions, {}}};",
             cpp_string(package.empty() ? component.ref.path : package + "::" + component.ref.path),
-            cpp_string(diagnostics::escape_for_display(generation_.file_text(component.origin.span))), transitions_));
+            cpp_string(diagnostics::escape_for_display(generation_.file_text(component.origin.span))),
+            cpp_string(constant_lines()), transitions_));
+    }
+
+    /// The code contains the values of these constants, so a log is a log of the model with these values.
+    [[nodiscard]] std::string constant_lines() const {
+        std::string lines;
+        for (const OpenConstant& constant : open_constants(generation_))
+            lines += fmt::format("const {}={}\n", constant.path, constant.literal);
+        return lines;
     }
 
     /// Writes functions that print values of the declared types with the names of the model.

@@ -45,6 +45,14 @@ enum class Strategy {
 /// The greatest capacity of lists that can be given.
 inline constexpr std::uint32_t greatest_capacity = 65'536;
 
+/// What the manifest of a ROS 2 package says about the package.
+struct PackageFacts {
+    std::string version = "0.1.0";
+    std::string license;  ///< SPDX expression; "": not declared
+    std::string maintainer = "the robot's maintainer";
+    std::string email = "maintainer@example.org";
+};
+
 /// The options of a generation.
 struct Options {
     Target target = Target::sources;
@@ -66,6 +74,8 @@ struct Options {
     std::int64_t tracked_scale = 0;
     /// Target::ros2: the messages for the component's boundary (cpp_emit/ros2/mapping.hpp); null: messages of std_msgs.
     const ros2::Mapping* mapping = nullptr;
+    PackageFacts package = {};
+    bool model_names = false;  ///< Target::ros2: nodes, topics and files have the names of the model, not snake_case
     /// For comments with file and line. If null, comments contain only the names of the model's elements.
     const diagnostics::SourceManager* sources = nullptr;
 };

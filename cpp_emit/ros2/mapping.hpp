@@ -65,6 +65,15 @@ struct Assignment {
     std::optional<ListCapacity> capacity;  ///< received arrays only
 };
 
+enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
+
+/// `when percentage < 0.2`: the element receives only messages whose field compares so.
+struct Condition {
+    Path field;
+    Comparison comparison = Comparison::equal;
+    Source value;  ///< a number, a truth value or a text
+};
+
 /// The quality of service of messages. Options that are not given have the default of their kind.
 struct Delivery {
     std::optional<bool> reliable;
@@ -80,12 +89,24 @@ struct Item {
     MessageName message;
     Word topic;
     Delivery delivery;
+    std::vector<Condition> conditions;  ///< received elements only; all must be true
     std::vector<Assignment> assignments;
+};
+
+/// `receive event lost as deadline 0.5 on "scan"`: the event is raised if no message arrives on the topic for this
+/// time.
+struct Deadline {
+    Word event;
+    std::string seconds;  ///< as C++ text
+    Word topic;
 };
 
 struct Mapping {
     Word component;
     std::vector<Item> items;
+    std::vector<Deadline> deadlines;
+    /// `on deactivate publish geometry_msgs/Twist on "cmd_vel" { ... }`. The element has no name.
+    std::vector<Item> farewells;
 };
 
 }  // namespace robochart::cpp_emit::ros2

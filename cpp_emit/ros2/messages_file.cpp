@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the class that stores the controller's outputs as messages until the end of a cycle.
+// Writes the class that sends the controller's outputs as messages, in the order of its calls.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,7 +28,7 @@ public:
         out_.line("#pragma once");
         out_.gap();
         out_.line("#include <cstdint>");
-        out_.line("#include <vector>");
+        out_.line("#include <functional>");
         out_.gap();
         std::set<std::string> headers;
         for (const Topic& topic : plan_.topics)
@@ -38,7 +38,7 @@ public:
         for (const std::string& header : headers) out_.line(header);
         out_.gap();
         out_.line(fmt::format("#include \"{}.hpp\"", api_.cpp_name));
-        out_.line("#include \"node_support.hpp\"");
+        out_.line(fmt::format("#include \"{}/node_support.hpp\"", plan_.package));
         out_.gap();
         out_.line(fmt::format("namespace {} {{", api_.name_space));
         out_.gap();
@@ -52,32 +52,36 @@ public:
 
 private:
     void write_outbox() {
-        out_.doc("What the controller says in a cycle, topic by topic in the order in which it says it.");
+        out_.doc(
+            "Where the messages go: one function for each topic. The node sets them. A message is sent when the model "
+            "calls its operation or sends its event, so the messages leave in the order of the calls.");
         out_.open(fmt::format("struct {}Outbox {{", api_.cpp_name));
         std::set<std::size_t> topics;
         for (const Outgoing& outgoing : plan_.outgoing)
             if (outgoing.variable == nullptr) topics.insert(outgoing.topic);
         for (const std::size_t topic : topics)
-            out_.line(fmt::format("std::vector<{}> {};", message_type(plan_.topics[topic].message),
+            out_.line(fmt::format("std::function<void(const {}&)> {};", message_type(plan_.topics[topic].message),
                                   plan_.topics[topic].member));
-        out_.line_with_doc("std::vector<const char*> unfit;", "what has a value that its message cannot hold");
+        out_.line_with_doc("std::function<void(const char*)> unfit;",
+                           "called instead if a message cannot hold a value, with the name of the operation or event");
         if (plan_.is_stamped()) out_.line_with_doc("::builtin_interfaces::msg::Time now{};", "of the cycle");
         out_.close("};");
     }
 
     void write_robot() {
         out_.doc(
-            "The controller. What it does is kept until the end of the cycle, for a cycle must not fail. To do an "
-            "operation in C++, inherit this class, override the operation and give the node an object of yours.");
+            "The controller. It sends a message for each operation and event. To do an operation in C++, inherit this "
+            "class, override the operation and give the node an object of yours. The messages of earlier calls have "
+            "been published when an operation begins, and cycles wait until it returns.");
         out_.open(fmt::format("class {0}Messages : public {0} {{", api_.cpp_name));
         out_.write_label("public:");
         out_.line(fmt::format("{}Outbox {};", api_.cpp_name, outbox_));
         for (const Outgoing& outgoing : plan_.outgoing)
-            if (outgoing.variable == nullptr) write_keeping(outgoing);
+            if (outgoing.variable == nullptr) write_sending(outgoing);
         out_.close("};");
     }
 
-    void write_keeping(const Outgoing& outgoing) {
+    void write_sending(const Outgoing& outgoing) {
         const Topic& topic = plan_.topics[outgoing.topic];
         std::vector<std::string> parameters;
         std::vector<ir::TypeId> types;
@@ -94,14 +98,15 @@ private:
                               fmt::join(parameters, ", ")));
         out_.line(fmt::format("{} {};", message_type(topic.message), message_));
         const std::string fits = fill_message(out_, outgoing, message_, outbox_ + ".now");
-        const std::string keep = fmt::format("{}.{}.push_back({});", outbox_, topic.member, message_);
+        const std::string send = fmt::format("::robochart::ros2::send({}.{}, {});", outbox_, topic.member, message_);
         if (fits.empty()) {
-            out_.line(keep);
+            out_.line(send);
         } else {
             out_.open(fmt::format("if ({}) {{", fits));
-            out_.line(keep);
+            out_.line(send);
             out_.reopen_block("} else {");
-            out_.line(fmt::format("{}.unfit.push_back({});", outbox_, diagnostics::cpp_string(outgoing.name)));
+            out_.line(
+                fmt::format("::robochart::ros2::send({}.unfit, {});", outbox_, diagnostics::cpp_string(outgoing.name)));
             out_.close();
         }
         out_.close();

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 
 #include "cpp_emit/ros2/field_code.hpp"
@@ -42,6 +43,7 @@ public:
         head_comment();
         out_.line("#pragma once");
         out_.gap();
+        if (!plan_.farewells.empty()) out_.line("#include <atomic>");
         for (const char* const header : {"cstdint", "memory", "optional", "string"})
             out_.line(fmt::format("#include <{}>", header));
         out_.gap();
@@ -49,7 +51,7 @@ public:
         out_.line("#include <rclcpp_lifecycle/lifecycle_node.hpp>");
         out_.line("#include <rclcpp_lifecycle/lifecycle_publisher.hpp>");
         out_.gap();
-        out_.line(fmt::format("#include \"{}_messages.hpp\"", api_.cpp_name));
+        out_.line(fmt::format("#include \"{}/{}_messages.hpp\"", plan_.package, api_.cpp_name));
         out_.line("#if ROBOCHART_TRACE");
         out_.line("#include \"robochart/trace_file.hpp\"");
         out_.line("#endif");
@@ -64,14 +66,18 @@ public:
 
     std::string write_source() {
         file_comment(generation_, out_, "ROS 2 node");
-        out_.line(fmt::format("#include \"{}_node.hpp\"", api_.cpp_name));
+        out_.line(fmt::format("#include \"{}/{}_node.hpp\"", plan_.package, api_.cpp_name));
         out_.gap();
+        out_.line("#include <exception>");
+        out_.line("#include <type_traits>");
         out_.line("#include <utility>");
         out_.gap();
         out_.line("#include <rclcpp_components/register_node_macro.hpp>");
         out_.gap();
         out_.line(fmt::format("namespace {} {{", api_.name_space));
         write_constructors();
+        write_outbox();
+        if (!plan_.farewells.empty()) write_farewell();
         write_configure();
         write_activate();
         write_deactivate();
@@ -80,7 +86,8 @@ public:
             if (!plan_.topics[i].published) write_receive(i);
         write_cycle();
         write_publish();
-        log_method();
+        write_sending();
+        log_methods();
         out_.gap();
         out_.line(fmt::format("}}  // namespace {}", api_.name_space));
         out_.gap();
@@ -106,8 +113,8 @@ private:
     void node_class() {
         out_.doc(
             "A lifecycle node. Cycles run while it is active; while it is not, time of the model stands still, "
-            "messages "
-            "are not taken and nothing is published. To configure begins anew.");
+            "messages raise no events and nothing is published. Shared variables are taken whenever it is configured. "
+            "To configure begins anew.");
         out_.open(fmt::format("class {} : public ::rclcpp_lifecycle::LifecycleNode {{", node_));
         out_.write_label("public:");
         out_.line(
@@ -118,6 +125,7 @@ private:
         out_.line(fmt::format("{}(const ::rclcpp::NodeOptions& options, std::unique_ptr<{}Messages> robot);", node_,
                               api_.cpp_name));
         out_.gap();
+        if (!plan_.farewells.empty()) out_.line(fmt::format("~{}() override;", node_));
         for (const char* const transition : {"configure", "activate", "deactivate", "cleanup", "shutdown"})
             out_.line(
                 fmt::format("CallbackReturn on_{}(const ::rclcpp_lifecycle::State& previous) override;", transition));
@@ -129,8 +137,14 @@ private:
         }
         out_.line("void release();");
         out_.line("void cycle();");
+        out_.line("void connect_outbox();");
         out_.line("void publish();");
-        out_.line("void log();");
+        if (!plan_.farewells.empty()) out_.line("void say_farewell() noexcept;");
+        out_.line("template <class Publisher, class Message>");
+        out_.line("void send(const Publisher& publisher, const Message& message) noexcept;");
+        out_.line("void report_unfit(const char* name) noexcept;");
+        out_.line("[[nodiscard]] bool open_log();");
+        out_.line("void note(const std::string& text) noexcept;");
         for (const Topic& topic : plan_.topics)
             if (!topic.published)
                 out_.line(
@@ -141,10 +155,18 @@ private:
         out_.line("#endif");
         out_.line(fmt::format("std::unique_ptr<{}Messages> robot_;", api_.cpp_name));
         out_.line("double seconds_ = 0;");
+        out_.line("::robochart::ros2::Pace pace_;");
         out_.line("std::string log_file_;");
         if (!constants_.empty())
             out_.line_with_doc("std::string changed_;", "constants that are not those of the generated code");
-        out_.line("bool active_ = false;");
+        if (plan_.farewells.empty()) {
+            out_.line("bool active_ = false;");
+        } else {
+            out_.line_with_doc("std::atomic<bool> active_{false};", "read by the thread that ends the program, too");
+            out_.line("::rclcpp::PreShutdownCallbackHandle at_end_;");
+        }
+        for (const Silence& silence : plan_.silences)
+            out_.line(fmt::format("::robochart::ros2::Watch {}_;", silence.member));
         out_.line_with_doc("bool ended_ = false;", "the controller has terminated or cannot go on");
         for (const Topic& topic : plan_.topics)
             out_.line(topic.published ? fmt::format("::rclcpp_lifecycle::LifecyclePublisher<{}>::SharedPtr {}_;",
@@ -175,9 +197,9 @@ private:
                               node_, api_.cpp_name));
         out_.open(fmt::format("    : ::rclcpp_lifecycle::LifecycleNode(\"{}\", options), robot_(std::move(robot)) {{",
                               plan_.node));
-        out_.line("seconds_ = declare_parameter(");
+        out_.line("seconds_ = ::robochart::ros2::declare_number(");
         out_.line(fmt::format(
-            "    \"cycle\", 0.1, ::robochart::ros2::at_start(\"seconds of a control cycle{}\", 0.001, 3600.0));",
+            "    *this, \"cycle\", 0.1, ::robochart::ros2::at_start(\"seconds of a control cycle{}\", 0.001, 3600.0));",
             cycle_units()));
         out_.line("log_file_ = declare_parameter(");
         out_.line(
@@ -186,7 +208,20 @@ private:
         for (const NodeConstant& constant : constants_)
             out_.line(fmt::format("constant(\"{}\", \"{}\", {});", constant.parameter, constant.path,
                                   parameter_value(constant)));
+        out_.line("connect_outbox();");
+        if (!plan_.farewells.empty()) {
+            out_.comment("When the program ends, for example by Ctrl-C, as long as messages can be published.");
+            out_.open("at_end_ = get_node_base_interface()->get_context()->add_pre_shutdown_callback([this] {");
+            out_.line("if (active_) say_farewell();");
+            out_.close("});");
+        }
         out_.close();
+        if (!plan_.farewells.empty()) {
+            out_.gap();
+            out_.open(fmt::format("{0}::~{0}() {{", node_));
+            out_.line("get_node_base_interface()->get_context()->remove_pre_shutdown_callback(at_end_);");
+            out_.close();
+        }
         if (constants_.empty()) return;
         out_.gap();
         out_.line("template <class Value>");
@@ -194,10 +229,13 @@ private:
             "void {}::constant(const std::string& parameter, const std::string& path, const Value& generated) {{",
             node_));
         out_.line("const std::string text = \"constant \" + path + \" of the model, as the code was generated\";");
-        out_.line(
-            "if (declare_parameter(parameter, generated, ::robochart::ros2::at_start(text)) != generated) changed_ += "
-            "\" "
-            "\" + parameter;");
+        out_.line("const auto descriptor = ::robochart::ros2::at_start(text);");
+        out_.open("if constexpr (std::is_same_v<Value, double>) {");
+        out_.line("const double value = ::robochart::ros2::declare_number(*this, parameter, generated, descriptor);");
+        out_.line("if (!(value <= generated && value >= generated)) changed_ += \" \" + parameter;");
+        out_.reopen_block("} else if (declare_parameter(parameter, generated, descriptor) != generated) {");
+        out_.line("changed_ += \" \" + parameter;");
+        out_.close();
         out_.close();
     }
 
@@ -233,12 +271,14 @@ private:
             out_.line("return CallbackReturn::FAILURE;");
             out_.close();
         }
-        out_.open("if (!(seconds_ > 0)) {");
-        out_.line("RCLCPP_ERROR(get_logger(), \"parameter cycle: %f seconds are no time\", seconds_);");
+        out_.open("if (!(seconds_ >= 0.001 && seconds_ <= 3600.0)) {");
+        out_.line(
+            "RCLCPP_ERROR(get_logger(), \"parameter cycle: %f is no number of seconds from 0.001 to 3600\", "
+            "seconds_);");
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
         out_.line("robot_->reset();");
-        out_.line("log();");
+        out_.line("if (!open_log()) return CallbackReturn::FAILURE;");
         for (const Topic& topic : plan_.topics) write_connection(topic);
         out_.line("return CallbackReturn::SUCCESS;");
         out_.close();
@@ -267,6 +307,10 @@ private:
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
         out_.line("active_ = true;");
+        for (const Silence& silence : plan_.silences) out_.line(silence.member + "_.hear(now());");
+        out_.line(
+            "if (const double pause = pace_.resume(now()); pause > 0) note(\"pause of \" + std::to_string(pause) + \" "
+            "s\");");
         out_.comment(
             "On the node's clock, which is the simulator's where use_sim_time is set; in the node's own callback "
             "group, "
@@ -282,6 +326,8 @@ private:
         open_transition("deactivate", " previous");
         out_.line("active_ = false;");
         out_.line("timer_.reset();");
+        if (!plan_.farewells.empty()) out_.line("say_farewell();");
+        out_.line("pace_.pause(now());");
         std::set<std::string> flags;
         for (const Incoming& incoming : plan_.incoming)
             if (incoming.event != nullptr) flags.insert(incoming.event->flag);
@@ -294,6 +340,8 @@ private:
     void write_release() {
         for (const char* const transition : {"cleanup", "shutdown"}) {
             open_transition(transition, "");
+            if (!plan_.farewells.empty() && std::string_view(transition) == "shutdown")
+                out_.line("if (active_) say_farewell();");
             out_.line("release();");
             out_.line("return CallbackReturn::SUCCESS;");
             out_.close();
@@ -303,6 +351,7 @@ private:
         out_.line("active_ = false;");
         out_.line("ended_ = false;");
         out_.line("timer_.reset();");
+        out_.line("pace_ = {};");
         for (const Topic& topic : plan_.topics) out_.line(fmt::format("{}_.reset();", topic.member));
         for (const std::string& last : last_)
             if (!last.empty()) out_.line(fmt::format("{}.reset();", last));
@@ -315,9 +364,63 @@ private:
         out_.gap();
         out_.open(fmt::format("void {}::receive_{}([[maybe_unused]] const {}& message) {{", node_,
                               plan_.topics[topic].member, message_type(plan_.topics[topic].message)));
-        out_.line("if (!active_) return;");
+        for (const Silence& silence : plan_.silences)
+            if (silence.topic == topic) out_.line(silence.member + "_.hear(now());");
         for (const Incoming& incoming : plan_.incoming)
-            if (incoming.topic == topic) write_taking(incoming);
+            if (incoming.topic == topic && incoming.variable != nullptr) write_tested(incoming);
+        const auto raises = [topic](const Incoming& incoming) {
+            return incoming.topic == topic && incoming.event != nullptr;
+        };
+        if (std::ranges::any_of(plan_.incoming, raises)) {
+            out_.line("if (!active_) return;");
+            for (const Incoming& incoming : plan_.incoming)
+                if (raises(incoming)) write_tested(incoming);
+        }
+        out_.close();
+    }
+
+    /// Writes the code that takes a message if the conditions of its item are true.
+    void write_tested(const Incoming& incoming) {
+        std::vector<std::string> tests;
+        for (const Test& test : incoming.tests)
+            tests.push_back(fmt::format("::robochart::ros2::holds(message.{}, ::robochart::ros2::Comparison::{}, {})",
+                                        test.field, comparison_name(test.comparison), test.value));
+        if (tests.empty()) return write_taking(incoming);
+        out_.open(fmt::format("if ({}) {{", fmt::join(tests, " && ")));
+        write_taking(incoming);
+        out_.close();
+    }
+
+    static std::string_view comparison_name(Comparison comparison) {
+        switch (comparison) {
+            case Comparison::equal:
+                return "equal";
+            case Comparison::not_equal:
+                return "not_equal";
+            case Comparison::less:
+                return "less";
+            case Comparison::less_equal:
+                return "less_equal";
+            case Comparison::greater:
+                return "greater";
+            case Comparison::greater_equal:
+                break;
+        }
+        return "greater_equal";
+    }
+
+    /// The messages that are published when the node stops.
+    void write_farewell() {
+        out_.gap();
+        out_.open(fmt::format("void {}::say_farewell() noexcept {{", node_));
+        for (const Outgoing& outgoing : plan_.farewells) {
+            const Topic& topic = plan_.topics[outgoing.topic];
+            out_.open("{");
+            out_.line(fmt::format("{} message;", message_type(topic.message)));
+            const std::string fits = fill_message(out_, outgoing, "message", "now()");
+            out_.line(fmt::format("{}send({}_, message);", fits.empty() ? "" : "if (" + fits + ") ", topic.member));
+            out_.close();
+        }
         out_.close();
     }
 
@@ -392,11 +495,26 @@ private:
         out_.gap();
         out_.open(fmt::format("void {}::cycle() {{", node_));
         if (plan_.is_stamped()) out_.line(fmt::format("{}.now = now();", outbox_));
+        for (const Silence& silence : plan_.silences)
+            out_.line(fmt::format("if ({}_.is_due(now(), {})) robot_->{}();", silence.member, silence.seconds,
+                                  silence.event->method));
+        out_.open("if (const std::int64_t lost = pace_.count_lost(now(), seconds_); lost > 0) {");
+        out_.line("RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000,");
+        out_.line("                     \"%s control cycles are lost: the model's clocks and deadlines are late\",");
+        out_.line("                     std::to_string(lost).c_str());");
+        out_.line("note(\"lost cycles: \" + std::to_string(lost));");
+        out_.close();
         out_.line("const ::robochart::StepResult result = robot_->step();");
         out_.line("publish();");
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("if (log_ && !log_->good())");
+        out_.line(
+            "    RCLCPP_ERROR_THROTTLE(get_logger(), *get_clock(), 5000, \"cannot write %s\", log_file_.c_str());");
+        out_.line("#endif");
         out_.line("if (result == ::robochart::StepResult::quiescent) return;");
         out_.line("ended_ = true;");
         out_.line("timer_->cancel();");
+        if (!plan_.farewells.empty()) out_.line("say_farewell();");
         out_.open("if (result == ::robochart::StepResult::terminated) {");
         out_.line("RCLCPP_INFO(get_logger(), \"the controller has terminated\");");
         out_.line("return;");
@@ -409,34 +527,56 @@ private:
     void write_publish() {
         out_.gap();
         out_.open(fmt::format("void {}::publish() {{", node_));
-        std::set<std::size_t> done;
-        for (std::size_t i = 0; i < plan_.outgoing.size(); ++i) {
-            const Outgoing& outgoing = plan_.outgoing[i];
-            if (outgoing.variable != nullptr)
-                publish_variable(outgoing, last_[i]);
-            else if (done.insert(outgoing.topic).second)
-                publish_kept(outgoing);
-        }
+        for (std::size_t i = 0; i < plan_.outgoing.size(); ++i)
+            if (plan_.outgoing[i].variable != nullptr) publish_variable(plan_.outgoing[i], last_[i]);
         for (std::size_t i = 0; i < plan_.states.size(); ++i) publish_state(plan_.states[i], last_states_[i]);
-        out_.line(fmt::format("for (const char* const name : {}.unfit)", outbox_));
-        out_.line(
-            "    RCLCPP_ERROR(get_logger(), \"%s has a value that its message cannot hold: not published\", name);");
-        out_.line(fmt::format("{}.unfit.clear();", outbox_));
         out_.close();
     }
 
-    void publish_kept(const Outgoing& outgoing) {
+    /// Connects each topic of operations and events with its publisher.
+    void write_outbox() {
+        out_.gap();
+        out_.open(fmt::format("void {}::connect_outbox() {{", node_));
+        std::set<std::size_t> connected;
+        for (const Outgoing& outgoing : plan_.outgoing)
+            if (outgoing.variable == nullptr && connected.insert(outgoing.topic).second) connect_topic(outgoing);
+        out_.line(fmt::format("{}.unfit = [this](const char* name) {{ report_unfit(name); }};", outbox_));
+        out_.close();
+    }
+
+    void connect_topic(const Outgoing& outgoing) {
         const Topic& topic = plan_.topics[outgoing.topic];
-        const std::string messages = fmt::format("{}.{}", outbox_, topic.member);
+        out_.open(
+            fmt::format("{}.{} = [this](const {}& message) {{", outbox_, topic.member, message_type(topic.message)));
         if (outgoing.kind == ElementKind::operation && !outgoing.mapped) {
-            out_.line(fmt::format("if (!{}.empty() && {}_->get_subscription_count() == 0)", messages, topic.member));
+            out_.line(fmt::format("if ({0}_ && {0}_->get_subscription_count() == 0)", topic.member));
             out_.line(
                 fmt::format("    RCLCPP_WARN_ONCE(get_logger(), \"operation {} is called and nobody does it: nothing "
                             "listens to {}\");",
                             outgoing.name, topic.name));
         }
-        out_.line(fmt::format("for (const auto& message : {}) {}_->publish(message);", messages, topic.member));
-        out_.line(fmt::format("{}.clear();", messages));
+        out_.line(fmt::format("send({}_, message);", topic.member));
+        out_.close("};");
+    }
+
+    /// An exception must not leave the controller's cycle, which is noexcept.
+    void write_sending() {
+        out_.gap();
+        out_.line("template <class Publisher, class Message>");
+        out_.open(fmt::format("void {}::send(const Publisher& publisher, const Message& message) noexcept {{", node_));
+        out_.line("if (!publisher) return;");
+        out_.open("try {");
+        out_.line("publisher->publish(message);");
+        out_.reopen_block("} catch (const std::exception& error) {");
+        out_.line("RCLCPP_ERROR(get_logger(), \"%s: not published: %s\", publisher->get_topic_name(), error.what());");
+        out_.line("note(std::string(\"not published: \") + publisher->get_topic_name());");
+        out_.close();
+        out_.close();
+        out_.gap();
+        out_.open(fmt::format("void {}::report_unfit(const char* name) noexcept {{", node_));
+        out_.line("RCLCPP_ERROR(get_logger(), \"%s has a value that its message cannot hold: not published\", name);");
+        out_.line("note(std::string(\"not published, unfit: \") + name);");
+        out_.close();
     }
 
     void publish_variable(const Outgoing& outgoing, const std::string& last) {
@@ -446,14 +586,14 @@ private:
         out_.line(fmt::format("{} = value;", last));
         out_.line(fmt::format("{} message;", message_type(topic.message)));
         const std::string fits = fill_message(out_, outgoing, "message", outbox_ + ".now");
-        const std::string publish = fmt::format("{}_->publish(message);", topic.member);
+        const std::string publish = fmt::format("send({}_, message);", topic.member);
         if (fits.empty()) {
             out_.line(publish);
         } else {
             out_.open(fmt::format("if ({}) {{", fits));
             out_.line(publish);
             out_.reopen_block("} else {");
-            out_.line(fmt::format("{}.unfit.push_back({});", outbox_, diagnostics::cpp_string(outgoing.name)));
+            out_.line(fmt::format("report_unfit({});", diagnostics::cpp_string(outgoing.name)));
             out_.close();
         }
         out_.close();
@@ -465,23 +605,37 @@ private:
         out_.line(fmt::format("{} = robot_->{}();", last, method));
         out_.line("::std_msgs::msg::String message;");
         out_.line(fmt::format("message.data = {}::name(*{});", api_.cpp_name, last));
-        out_.line(fmt::format("{}_->publish(message);", plan_.topics[state.topic].member));
+        out_.line(fmt::format("send({}_, message);", plan_.topics[state.topic].member));
         out_.close();
     }
 
-    void log_method() {
+    /// A run that is meant as evidence must not go unrecorded: without its log, the node is not configured.
+    void log_methods() {
         out_.gap();
-        out_.open(fmt::format("void {}::log() {{", node_));
+        out_.open(fmt::format("bool {}::open_log() {{", node_));
         out_.line("#if ROBOCHART_TRACE");
-        out_.line("if (log_file_.empty() || log_) return;");
-        out_.line(
-            fmt::format("log_ = std::make_unique<::robochart::TraceFile>({}Messages::RunHeader());", api_.cpp_name));
-        out_.line("if (log_->open(log_file_)) return robot_->SetTracer(log_.get());");
-        out_.line("RCLCPP_ERROR(get_logger(), \"cannot write %s\", log_file_.c_str());");
+        out_.line("if (log_file_.empty() || log_) return true;");
+        out_.line(fmt::format("auto log = std::make_unique<::robochart::TraceFile>({}Messages::RunHeader());",
+                              api_.cpp_name));
+        out_.open("if (!log->open(log_file_)) {");
+        out_.line("RCLCPP_ERROR(get_logger(), \"parameter log: cannot write %s\", log_file_.c_str());");
+        out_.line("return false;");
+        out_.close();
+        out_.line("log_ = std::move(log);");
+        out_.line("robot_->SetTracer(log_.get());");
+        out_.line("return true;");
         out_.line("#else");
-        out_.line("if (log_file_.empty()) return;");
+        out_.line("if (log_file_.empty()) return true;");
         out_.line(
-            "RCLCPP_ERROR(get_logger(), \"%s: logs need a build with -DROBOCHART_TRACE=ON\", log_file_.c_str());");
+            "RCLCPP_ERROR(get_logger(), \"parameter log: %s needs a build with -DROBOCHART_TRACE=ON\", "
+            "log_file_.c_str());");
+        out_.line("return false;");
+        out_.line("#endif");
+        out_.close();
+        out_.gap();
+        out_.open(fmt::format("void {}::note([[maybe_unused]] const std::string& text) noexcept {{", node_));
+        out_.line("#if ROBOCHART_TRACE");
+        out_.line("if (log_) log_->note(text.c_str());");
         out_.line("#endif");
         out_.close();
     }

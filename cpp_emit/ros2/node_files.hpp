@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a ROS 2 node: the class that stores messages until the end of a cycle, and the lifecycle node that uses it.
+// Writes a ROS 2 node: the class that sends the controller's outputs as messages, and the lifecycle node that uses it.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "cpp_emit/api/class_api.hpp"
+#include "cpp_emit/files/open_constants.hpp"
 #include "cpp_emit/ros2/node_plan.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
 /// A constant without a value in the model. The generated code contains a value, and the node rejects any other value.
-struct NodeConstant {
+struct NodeConstant : OpenConstant {
     std::string parameter;  ///< name of the ROS parameter: "constants.SPEED"
-    std::string path;       ///< path in the model: "M::C::S::SPEED"
-    ir::TypeId type;
-    ir::Value value;
 };
 [[nodiscard]] std::vector<NodeConstant> node_constants(const Generation&);
 

@@ -31,6 +31,9 @@ struct Element {
     const ApiVariable* variable = nullptr;
     Span span;
     const Item* item = nullptr;  ///< the element's item in the mapping
+    const Deadline* deadline = nullptr;
+
+    [[nodiscard]] bool is_mapped() const { return item != nullptr || deadline != nullptr; }
 };
 
 std::string suggest_name(const std::string& name, const std::vector<std::string>& known) {
@@ -77,23 +80,35 @@ class Planner {
 public:
     Planner(const Generation& generation, const ClassApi& api, diagnostics::Diagnostics& diagnostics)
         : generation_(generation), api_(api), diagnostics_(diagnostics) {
-        plan_.node = generation.component.cpp_name;
+        style_ = generation.options.model_names ? NameStyle::model : NameStyle::snake;
+        plan_.node = style_ == NameStyle::model ? generation.component.cpp_name
+                                                : topic_part(generation.component.cpp_name, style_);
         for (const char* const own : {"message", "outbox", "unfit", "now"}) members_.reserve_name(own);
     }
 
     NodePlan make_plan() {
         std::vector<Element> elements = elements_of(generation_, api_);
-        if (generation_.options.mapping != nullptr) match_items(*generation_.options.mapping, elements);
+        const Mapping* const mapping = generation_.options.mapping;
+        if (mapping != nullptr) {
+            match_items(*mapping, elements);
+            match_deadlines(*mapping, elements);
+        }
         for (const ApiMachine& machine : api_.machines)
-            plan_.states.push_back(
-                {&machine,
-                 topic_index(
-                     {"~/" + machine.method, {"std_msgs", "String", {}}, latched_quality(), true, "", machine.method},
-                     generation_.component.origin.span)});
+            plan_.states.push_back({&machine, topic_index({"~/" + topic_part(machine.method, style_),
+                                                           {"std_msgs", "String", {}},
+                                                           latched_quality(),
+                                                           true,
+                                                           "",
+                                                           machine.method},
+                                                          generation_.component.origin.span)});
         for (const Element& element : elements)
-            if (element.item == nullptr) add_default(element);
+            if (!element.is_mapped()) add_default(element);
         for (const Element& element : elements)
             if (element.item != nullptr) add_mapped(element);
+        for (const Element& element : elements)
+            if (element.deadline != nullptr) add_silence(element);
+        if (mapping != nullptr)
+            for (const Item& item : mapping->farewells) add_farewell(item);
         note_defaults();
         collect_packages();
         return std::move(plan_);
@@ -122,6 +137,64 @@ private:
             }
             note_unchecked(item.message);
         }
+    }
+
+    void match_deadlines(const Mapping& mapping, std::vector<Element>& elements) {
+        for (const Deadline& deadline : mapping.deadlines) {
+            std::vector<std::string> known;
+            Element* found = nullptr;
+            for (Element& element : elements) {
+                if (element.kind != ElementKind::event || element.published || element.event->port->type) continue;
+                known.push_back(element.name);
+                if (element.name == deadline.event.text && found == nullptr) found = &element;
+            }
+            if (found == nullptr) {
+                diagnostics_.report(
+                    rules::unknown_name, deadline.event.span,
+                    {fmt::format("'{}'", generation_.component.name), "event without a value to receive",
+                     deadline.event.text, suggest_name(deadline.event.text, known)});
+            } else if (found->is_mapped()) {
+                diagnostics_.report(rules::said_twice, deadline.event.span,
+                                    {fmt::format("event '{}'", deadline.event.text)});
+            } else {
+                found->deadline = &deadline;
+            }
+        }
+    }
+
+    /// The topic of a deadline is one that another item receives.
+    void add_silence(const Element& element) {
+        const Word& topic = element.deadline->topic;
+        std::vector<std::string> known;
+        for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
+            if (plan_.topics[i].published) continue;
+            known.push_back(plan_.topics[i].name);
+            if (resolve_name(known.back()) != resolve_name(topic.text)) continue;
+            plan_.silences.push_back(
+                {element.event, element.deadline->seconds, i, members_.unique_name("watch_" + element.event->method)});
+            return;
+        }
+        diagnostics_.report(rules::unknown_name, topic.span,
+                            {"the mapping", "received topic", topic.text, suggest_name(topic.text, known)});
+    }
+
+    /// A message for the end. It has the quality of the topic's other messages, if its item gives none.
+    void add_farewell(const Item& item) {
+        Element element;
+        element.published = true;
+        element.name = item.element.text;
+        element.span = item.element.span;
+        element.item = &item;
+        note_unchecked(item.message);
+        QualityOfService quality = quality_of(element, item.message, item.delivery);
+        const bool given = item.delivery.reliable || item.delivery.latched || item.delivery.depth;
+        for (const Topic& topic : plan_.topics)
+            if (!given && topic.published && resolve_name(topic.name) == resolve_name(item.topic.text))
+                quality = topic.quality;
+        Outgoing out = make_outgoing(
+            element, topic_index({item.topic.text, item.message, quality, true, "", element.name}, item.topic.span));
+        plan_fields(element, out);
+        plan_.farewells.push_back(std::move(out));
     }
 
     void report_unknown(const Item& item, const std::vector<Element>& elements) {
@@ -181,7 +254,7 @@ private:
 
     /// The default topic, such as "~/out/move". If names differ only in underscores, they get a number.
     std::string default_topic(const char* kind, const std::string& name) {
-        const std::string stem = fmt::format("~/{}/{}", kind, topic_part(name));
+        const std::string stem = fmt::format("~/{}/{}", kind, topic_part(name, style_));
         std::string topic = stem;
         for (int i = 2; !default_topics_.insert(topic).second; ++i) topic = fmt::format("{}_{}", stem, i);
         return topic;
@@ -296,13 +369,15 @@ private:
             topic_index({item.topic.text, item.message, quality_of(element, item.message, item.delivery),
                          item.published, "", element.name},
                         item.topic.span);
-        if (item.published)
-            plan_publication(element, make_outgoing(element, place));
-        else
+        if (item.published) {
+            plan_.outgoing.push_back(make_outgoing(element, place));
+            plan_fields(element, plan_.outgoing.back());
+        } else {
             plan_reception(element, make_incoming(element, place));
+        }
     }
 
-    void plan_publication(const Element& element, Outgoing out) {
+    void plan_fields(const Element& element, Outgoing& out) {
         const std::vector<ModelValue> values = values_of(element);
         std::set<std::string> used;
         for (const Assignment& assignment : element.item->assignments) {
@@ -326,7 +401,6 @@ private:
             out.fields.push_back(std::move(filled));
         }
         for (const ModelValue& value : values) warn_unsent(element, value, used);
-        plan_.outgoing.push_back(std::move(out));
     }
 
     static bool names_value(const std::vector<ModelValue>& values, const Path& path) {
@@ -365,8 +439,49 @@ private:
             in.fields.push_back({assignment.source.path.path_text(), *scalar});
         }
         for (const ModelValue& value : values) require_all(element, value, used);
-        if (values.empty() && element.item->assignments.empty()) warn_unread(element);
+        for (const Condition& condition : element.item->conditions) plan_test(*element.item, condition, in);
+        if (values.empty() && element.item->assignments.empty() && element.item->conditions.empty())
+            warn_unread(element);
         plan_.incoming.push_back(std::move(in));
+    }
+
+    /// Truth values and texts are only equal or not. A number of the model's text is compared in the field's type.
+    void plan_test(const Item& item, const Condition& condition, Incoming& in) {
+        const std::optional<FieldType> field = field_of(item, condition.field);
+        if (!field) return;
+        const Source& source = condition.value;
+        const FieldKind kind = field->kind;
+        const bool equality =
+            condition.comparison == Comparison::equal || condition.comparison == Comparison::not_equal;
+        const bool number = kind == FieldKind::whole || kind == FieldKind::real || kind == FieldKind::unknown;
+        bool good = false;
+        std::string text;
+        switch (source.kind) {
+            case Source::Kind::path:
+                break;
+            case Source::Kind::whole:
+                good = number;
+                text = fmt::format("std::int64_t{{{}}}", source.number);
+                break;
+            case Source::Kind::decimal:
+                good = number;
+                text = source.number;
+                break;
+            case Source::Kind::truth:
+                good = equality && (kind == FieldKind::truth || kind == FieldKind::unknown);
+                text = source.path.path_text();
+                break;
+            case Source::Kind::text:
+                good = equality && (kind == FieldKind::text || kind == FieldKind::unknown);
+                text = diagnostics::cpp_string(source.text);
+                break;
+        }
+        if (good) return in.tests.push_back({condition.field.path_text(), condition.comparison, text});
+        const char* const expected = equality ? "no value that can be equal to the field"
+                                              : "no number, or the field is none; only numbers are ordered";
+        diagnostics_.report(rules::wrong_type, source.span,
+                            {"the value", expected, fmt::format("the field '{}'", condition.field.path_text()),
+                             describe_field(*field)});
     }
 
     /// Warns of fields without effect. Every message raises an event without a value, independently of the message's
@@ -488,12 +603,17 @@ private:
         for (const Topic& topic : plan_.topics) names.insert(topic.message.package);
         if (plan_.is_stamped()) names.insert("builtin_interfaces");
         plan_.packages.assign(names.begin(), names.end());
+        names.insert({"ament_cmake", "ament_index_python", "launch", "launch_ros", "lifecycle_msgs", "rclcpp",
+                      "rclcpp_components", "rclcpp_lifecycle"});
+        plan_.package = package_name(generation_.component.name, names);
+        plan_.files = style_ == NameStyle::model ? api_.cpp_name : plan_.package;
     }
 
     const Generation& generation_;
     const ClassApi& api_;
     diagnostics::Diagnostics& diagnostics_;
     NodePlan plan_;
+    NameStyle style_ = NameStyle::snake;
     NameScope members_;
     std::set<std::string> default_topics_;
     std::set<std::string> noted_;

@@ -70,6 +70,13 @@ struct Taken {
     Scalar scalar;
 };
 
+/// A condition on a field of a received message.
+struct Test {
+    std::string field;  ///< C++ path in the message
+    Comparison comparison = Comparison::equal;
+    std::string value;  ///< C++ text
+};
+
 /// A received element: an event or a shared variable.
 struct Incoming {
     std::string name;
@@ -78,6 +85,15 @@ struct Incoming {
     std::optional<ir::TypeId> type;
     std::size_t topic = 0;
     std::vector<Taken> fields;
+    std::vector<Test> tests = {};
+};
+
+/// An event that is raised if no message arrives on a topic.
+struct Silence {
+    const ApiEvent* event = nullptr;
+    std::string seconds;  ///< C++ text
+    std::size_t topic = 0;
+    std::string member;  ///< of the node: "watch_lost"
 };
 
 /// The topic of the state of a machine.
@@ -87,10 +103,14 @@ struct StateTopic {
 };
 
 struct NodePlan {
-    std::string node;  ///< name of the node
+    std::string package;  ///< name of the package
+    std::string node;     ///< name of the node
+    std::string files;    ///< name of the launch file and the parameter file
     std::vector<Topic> topics;
     std::vector<Outgoing> outgoing;
     std::vector<Incoming> incoming;
+    std::vector<Silence> silences;
+    std::vector<Outgoing> farewells;  ///< published when the node stops
     std::vector<StateTopic> states;
     std::vector<std::string> packages;  ///< packages of messages, including those of parameters, sorted
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdlib>
 
 #include "cpp_emit/plan/options.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
@@ -29,27 +30,91 @@ public:
         expect_word("for");
         mapping.component = qualified_name("the component of the node");
         expect_word("{");
-        while (!has_failed() && !at_word("}")) mapping.items.push_back(read_item());
+        while (!has_failed() && !at_word("}")) read_item(mapping);
         expect_word("}");
         if (!has_failed() && !at_end()) fail_expecting("the end of the file");
         return mapping;
     }
 
 private:
-    Item read_item() {
+    void read_item(Mapping& mapping) {
+        if (take_word("on")) return mapping.farewells.push_back(read_farewell());
         Item item;
         item.published = take_word("publish");
-        if (!item.published && !take_word("receive")) fail_expecting("'publish', 'receive' or '}'");
+        if (!item.published && !take_word("receive")) fail_expecting("'publish', 'receive', 'on' or '}'");
         read_element(item);
         expect_word("as");
+        const bool silence = !item.published && item.kind == ElementKind::event && take_word("deadline");
+        if (silence) return mapping.deadlines.push_back(read_deadline(item));
         item.message = read_message();
+        read_rest(item);
+        mapping.items.push_back(std::move(item));
+    }
+
+    /// Parses `deactivate publish geometry_msgs/Twist on "cmd_vel" { ... }`.
+    Item read_farewell() {
+        Item item;
+        item.published = true;
+        expect_word("deactivate");
+        expect_word("publish");
+        item.element = {"deactivate", last_span()};
+        item.message = read_message();
+        read_rest(item);
+        return item;
+    }
+
+    /// Parses `0.5 on "scan"`.
+    Deadline read_deadline(const Item& item) {
+        Deadline deadline;
+        deadline.event = item.element;
+        Source time;
+        const Span begin = current_token().span;
+        read_number(time);
+        const double seconds = has_failed() ? 1 : std::strtod(time.number.c_str(), nullptr);
+        if (!(seconds >= 0.001 && seconds <= 3600))
+            report(rules::wrong_name, begin, {time.number, "deadline", "it must be from 0.001 to 3600 seconds"});
+        deadline.seconds = time.number;
+        deadline.topic = read_topic();
+        return deadline;
+    }
+
+    Word read_topic() {
         expect_word("on");
         const Span begin = current_token().span;
-        item.topic = {read_quoted("a topic in quotes"), begin};
-        report_invalid("topic", item.topic, wrong_topic(item.topic.text));
+        Word topic{read_quoted("a topic in quotes"), begin};
+        report_invalid("topic", topic, wrong_topic(topic.text));
+        return topic;
+    }
+
+    /// Parses what follows the message.
+    void read_rest(Item& item) {
+        item.topic = read_topic();
         if (take_word("with")) read_delivery(item.delivery);
+        if (!item.published && take_word("when")) read_conditions(item);
         if (take_word("{")) read_assignments(item);
-        return item;
+    }
+
+    /// Parses `percentage < 0.2 and present == true`.
+    void read_conditions(Item& item) {
+        do {
+            Condition condition;
+            condition.field = read_path("a field of the message");
+            check_fields(condition.field);
+            condition.comparison = read_comparison();
+            condition.value = read_source(true);
+            item.conditions.push_back(std::move(condition));
+        } while (!has_failed() && take_word("and"));
+    }
+
+    Comparison read_comparison() {
+        if (take_word("==")) return Comparison::equal;
+        if (take_word("!=")) return Comparison::not_equal;
+        if (take_word("<=")) return Comparison::less_equal;
+        if (take_word(">=")) return Comparison::greater_equal;
+        if (take_word("<")) return Comparison::less;
+        if (take_word(">")) return Comparison::greater;
+        fail_expecting("'==', '!=', '<', '<=', '>' or '>='");
+        return Comparison::equal;
     }
 
     void read_element(Item& item) {

@@ -85,9 +85,10 @@ std::string wrong_topic(std::string_view name) {
     return rest.find("__") != std::string_view::npos ? "it must not contain a double underscore" : "";
 }
 
-std::string topic_part(std::string_view name) {
+std::string topic_part(std::string_view name, NameStyle style) {
     std::string result;
-    for (const char c : to_identifier(name))
+    const std::string identifier = to_identifier(name);
+    for (const char c : style == NameStyle::snake ? header_of_message(identifier) : identifier)
         if (c != '_' || (!result.empty() && result.back() != '_')) result += c;
     while (!result.empty() && result.back() == '_') result.pop_back();
     return result.empty() || is_digit(result.front()) ? "x" + result : result;
@@ -95,7 +96,7 @@ std::string topic_part(std::string_view name) {
 
 std::string header_of_message(std::string_view type) {
     // splits before a capital letter followed by a small letter, and between a small letter or digit and a capital
-    // letter
+    // letter; this is the rule of rosidl, and snake_case for all names here
     std::string result;
     for (std::size_t i = 0; i < type.size(); ++i) {
         const bool word = is_large(type[i]) && i > 0 && i + 1 < type.size() && is_small(type[i + 1]);

@@ -15,8 +15,14 @@ namespace robochart::cpp_emit::ros2 {
 /// Topics such as `cmd_vel`, `/robot/cmd_vel`, `~/state`, without substitutions.
 [[nodiscard]] std::string wrong_topic(std::string_view name);
 
+/// Names of nodes, topics and files.
+enum class NameStyle {
+    snake,  ///< small letters and underscores, as in ROS: "call_help"
+    model,  ///< as in the model: "callHelp"
+};
+
 /// A name of the model as one part of a topic, without doubled or trailing underscores.
-[[nodiscard]] std::string topic_part(std::string_view name);
+[[nodiscard]] std::string topic_part(std::string_view name, NameStyle);
 /// The name of a message's header: "battery_state" for BatteryState, as in <sensor_msgs/msg/battery_state.hpp>.
 [[nodiscard]] std::string header_of_message(std::string_view type);
 /// The name of a ROS package for a component (REP 144), different from those in `others`.

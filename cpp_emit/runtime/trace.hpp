@@ -22,6 +22,7 @@ struct TransitionName {
 struct RunHeader {
     const char* component;
     const char* model;           ///< file name
+    const char* constants;       ///< lines `const NAME=VALUE`, for constants whose values the model does not give
     std::uint32_t cycle_length;  ///< time units of a control cycle
     const TransitionName* transitions;
     std::size_t transition_count;

@@ -27,28 +27,42 @@ public:
         std::fprintf(file_, "robochart-trace 1\n");
         if (*header_.model != 0) std::fprintf(file_, "model %s\n", header_.model);
         std::fprintf(file_, "component %s\ncycle %u\n", header_.component, static_cast<unsigned>(header_.cycle_length));
+        std::fputs(header_.constants, file_);
         if (!robot.empty()) std::fprintf(file_, "robot %s\n", robot.c_str());
-        begin();
+        std::fflush(file_);
         return std::ferror(file_) == 0;
     }
     /// Whether all writes so far have succeeded.
     [[nodiscard]] bool good() const { return file_ == nullptr || std::ferror(file_) == 0; }
 
-    void begin() noexcept override {
-        if (file_ == nullptr || (runs_ > 0 && !moved_)) return;
-        std::fprintf(file_, "run %d\n", ++runs_);
-        moved_ = false;
-    }
+    /// A run is in the log when its first cycle is.
+    void begin() noexcept override { begun_ = false; }
     void text(const char* piece) noexcept override {
-        moved_ = true;
-        if (file_ != nullptr) std::fputs(piece, file_);
+        if (file_ == nullptr) return;
+        if (!begun_) std::fprintf(file_, "run %d\n", ++runs_);
+        begun_ = in_cycle_ = true;
+        std::fputs(piece, file_);
+    }
+    /// A comment, in a line of its own: for what happened to the robot and is no event of the model. In a cycle, it
+    /// follows the cycle's line.
+    void note(const std::string& comment) {
+        if (file_ == nullptr) return;
+        if (in_cycle_) {
+            notes_ += "// " + comment + '\n';
+        } else {
+            std::fprintf(file_, "// %s\n", comment.c_str());
+        }
     }
     void taken(std::uint32_t transition) noexcept override {
         if (transition < counts_.size()) ++counts_[transition];
     }
     /// The log is complete up to the last cycle even if the program ends abnormally.
     void end() noexcept override {
-        if (file_ != nullptr) std::fflush(file_);
+        in_cycle_ = false;
+        if (file_ == nullptr) return;
+        std::fputs(notes_.c_str(), file_);
+        notes_.clear();
+        std::fflush(file_);
     }
 
     /// The number of times that each transition was taken.
@@ -71,8 +85,10 @@ private:
     RunHeader header_;
     std::FILE* file_ = nullptr;
     std::vector<unsigned long> counts_;
+    std::string notes_;
     int runs_ = 0;
-    bool moved_ = false;
+    bool begun_ = false;     ///< the line `run N` of the current run is written
+    bool in_cycle_ = false;  ///< the line of a cycle has begun and has not ended
 };
 
 }  // namespace robochart

@@ -117,8 +117,51 @@ TEST_F(EmitCppMapping, WritesThePackageOfItsComponent) {
     const auto ran =
         emit("ros2 for M { publish operation stop as geometry_msgs/Twist on \"cmd_vel\" }", {"--target", "ros2"});
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_TRUE(fs::exists(folder_.path() + "/ros2/M/launch/M.launch.py"));
+    EXPECT_TRUE(fs::exists(folder_.path() + "/ros2/M/launch/robot_m.launch.py"));
     EXPECT_FALSE(fs::exists(folder_.path() + "/ros2/N"));
+}
+
+/// A second run writes all files again, but for those in `own`.
+TEST_F(EmitCppMapping, KeepsTheUsersFiles) {
+    const std::vector<std::string> words{"--target",     "ros2",          "--license",         "Apache-2.0",
+                                         "--maintainer", "Ada <a@b.org>", "--package-version", "1.2.3"};
+    EXPECT_EQ(emit("ros2 for M { }", words).exit, 0);
+    const std::string folder = folder_.path() + "/ros2/M/";
+    for (const char* const file : {"own/own.cmake", "own/mine.cpp", "package.xml"})
+        std::ofstream(folder + file) << "mine";
+    EXPECT_EQ(emit("ros2 for M { }", words).exit, 0);
+    const auto text_of = [&](const std::string& file) {
+        std::ifstream in(folder + file);
+        return std::string{std::istreambuf_iterator<char>(in), {}};
+    };
+    EXPECT_EQ(text_of("own/own.cmake"), "mine");
+    EXPECT_EQ(text_of("own/mine.cpp"), "mine");
+    EXPECT_THAT(text_of("package.xml"), HasSubstr("<version>1.2.3</version>"));
+    EXPECT_THAT(text_of("package.xml"), HasSubstr("<maintainer email=\"a@b.org\">Ada</maintainer>"));
+}
+
+TEST_F(EmitCppMapping, RefusesFactsThatNoManifestCanHave) {
+    for (const auto& [option, word] : std::vector<std::pair<std::string, std::string>>{{"--package-version", "1.2"},
+                                                                                       {"--package-version", "1.2.x"},
+                                                                                       {"--package-version", "1..2"},
+                                                                                       {"--license", "<evil/>"},
+                                                                                       {"--license", ""},
+                                                                                       {"--maintainer", "Ada"},
+                                                                                       {"--maintainer", "Ada <ada>"},
+                                                                                       {"--maintainer", "<a@b.org>"}}) {
+        const auto ran = emit("ros2 for M { }", {"--target", "ros2", option, word});
+        EXPECT_EQ(ran.exit, 4) << option << ' ' << word;
+        EXPECT_THAT(ran.err, HasSubstr(option));
+    }
+    for (const auto& words : {std::vector<std::string>{"--license", "MIT"}, {"--model-names"}}) {
+        const auto ran = run([&] {
+            std::vector<std::string> all{"emit", "cpp", model_.path(), "--out", folder_.path()};
+            all.insert(all.end(), words.begin(), words.end());
+            return all;
+        }());
+        EXPECT_EQ(ran.exit, 4);
+        EXPECT_THAT(ran.err, HasSubstr("--target ros2"));
+    }
 }
 
 TEST_F(EmitCppMapping, RefusesWhatItCannotMean) {

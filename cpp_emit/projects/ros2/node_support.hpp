@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -92,6 +93,97 @@ template <class List, class Array, class TakeItem>
     return true;
 }
 
+enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
+
+/// Every comparison with NaN is false, but for not_equal.
+template <class Value>
+[[nodiscard]] bool compare(const Value& a, Comparison comparison, const Value& b) noexcept {
+    switch (comparison) {
+        case Comparison::equal:
+            return a <= b && a >= b;
+        case Comparison::not_equal:
+            return !(a <= b && a >= b);
+        case Comparison::less:
+            return a < b;
+        case Comparison::less_equal:
+            return a <= b;
+        case Comparison::greater:
+            return a > b;
+        case Comparison::greater_equal:
+            break;
+    }
+    return a >= b;
+}
+
+/// Whether a field compares so with a value of a mapping. A real number is compared with the precision of the field.
+template <class Field, class Value>
+[[nodiscard]] bool holds(const Field& field, Comparison comparison, const Value& value) noexcept {
+    if constexpr (std::is_same_v<Field, bool> || std::is_same_v<Value, bool>) {
+        static_assert(std::is_same_v<Field, Value>, "truth values go with bool alone");
+        return (field == value) == (comparison == Comparison::equal);
+    } else if constexpr (std::is_floating_point_v<Field>) {
+        return compare(field, comparison, static_cast<Field>(value));
+    } else if constexpr (std::is_integral_v<Field> && std::is_integral_v<Value>) {
+        if constexpr (std::is_unsigned_v<Field>)
+            if (static_cast<std::uint64_t>(field) > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+                return compare(1, comparison, 0);  // greater than every value
+        return compare(static_cast<std::int64_t>(field), comparison, static_cast<std::int64_t>(value));
+    } else if constexpr (std::is_integral_v<Field>) {
+        return compare(static_cast<double>(field), comparison, static_cast<double>(value));
+    } else {
+        return (field == value) == (comparison == Comparison::equal);
+    }
+}
+
+/// Calls the function, if there is one.
+template <class Function, class Value>
+void send(const Function& function, const Value& value) {
+    if (function) function(value);
+}
+
+/// The times of control cycles: pauses, and cycles that did not take place because an earlier one took too long.
+class Pace {
+public:
+    void pause(const ::rclcpp::Time& now) {
+        paused_ = now;
+        last_.reset();
+    }
+    /// The seconds since the pause began; 0 without a pause.
+    [[nodiscard]] double resume(const ::rclcpp::Time& now) {
+        const double seconds = paused_ ? (now - *paused_).seconds() : 0;
+        paused_.reset();
+        return seconds;
+    }
+    /// A cycle begins. Returns the number of cycles that should have begun since the last one.
+    [[nodiscard]] std::int64_t count_lost(const ::rclcpp::Time& now, double period) {
+        const double elapsed = last_ ? (now - *last_).seconds() : 0;
+        last_ = now;
+        return elapsed > 1.5 * period ? std::llround(elapsed / period) - 1 : 0;
+    }
+
+private:
+    std::optional<::rclcpp::Time> last_, paused_;
+};
+
+/// A topic from which a message must arrive from time to time.
+class Watch {
+public:
+    void hear(const ::rclcpp::Time& now) {
+        last_ = now;
+        told_ = false;
+    }
+    /// Whether no message has arrived for this time; true once for each silence.
+    [[nodiscard]] bool is_due(const ::rclcpp::Time& now, double seconds) {
+        if (told_ || !last_ || (now - *last_).seconds() < seconds) return false;
+        told_ = true;
+        return true;
+    }
+
+private:
+    std::optional<::rclcpp::Time> last_;
+    bool told_ = false;
+};
+
 /// Describes a parameter that is set when the node starts, and not later.
 inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& description) {
     ::rcl_interfaces::msg::ParameterDescriptor descriptor;
@@ -106,6 +198,23 @@ inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& de
     descriptor.floating_point_range[0].from_value = low;
     descriptor.floating_point_range[0].to_value = high;
     return descriptor;
+}
+
+/// Declares a parameter with a real number. `cycle: 1` in a file of parameters is a whole number, which counts, too. Other
+/// values give NaN.
+template <class Node>
+double declare_number(Node& node, const std::string& name, double usual,
+                      ::rcl_interfaces::msg::ParameterDescriptor descriptor) {
+    descriptor.dynamic_typing = true;
+    const ::rclcpp::ParameterValue value = node.declare_parameter(name, ::rclcpp::ParameterValue(usual), descriptor);
+    switch (value.get_type()) {
+        case ::rclcpp::ParameterType::PARAMETER_DOUBLE:
+            return value.get<double>();
+        case ::rclcpp::ParameterType::PARAMETER_INTEGER:
+            return static_cast<double>(value.get<std::int64_t>());
+        default:
+            return std::numeric_limits<double>::quiet_NaN();
+    }
 }
 
 /// The quality of service of a topic. Parameters may override it (qos_overrides.TOPIC); they are declared when the node

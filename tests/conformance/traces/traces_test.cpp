@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "conformance/model/rules.hpp"
+#include "conformance/traces/more_numbers.hpp"
 #include "conformance/traces/trace_check.hpp"
 #include "tests/conformance/bench.hpp"
 
@@ -25,7 +26,8 @@ public:
         const ir::ComponentRef ref =
             component == "module" ? project_.first_module() : project_.machine_named(component);
         std::string error;
-        model_ = CyclicModel::load(project_.system, project_.instantiation, ref, cycle, limits_, project_.sources,
+        instantiation_ = with_more_numbers(project_.system, project_.instantiation, ref);
+        model_ = CyclicModel::load(project_.system, instantiation_, ref, cycle, limits_, project_.sources,
                                    project_.diagnostics, error);
         EXPECT_NE(model_, nullptr) << error;
         checker_ = std::make_unique<TraceChecker>(*model_, std::vector<std::string>{"M"}, limits_, project_.sources);
@@ -47,6 +49,7 @@ public:
 private:
     test::Model project_;
     refine::Limits limits_;
+    ir::Instantiation instantiation_;
     std::unique_ptr<CyclicModel> model_;
     std::unique_ptr<TraceChecker> checker_;
 };
@@ -181,33 +184,111 @@ TEST(Traces, ValuesThatAreOnlyPassedOnAreReplaced) {
     EXPECT_EQ(replay.check_runs(first + turn("0.1", "0.2")).rejected, 1U);
 }
 
-/// A value that the model tests must be in the finite instantiation. Otherwise the rest of the run is undecided.
-TEST(Traces, ValuesThatMatterLeaveTheRunUndecided) {
-    Replay replay(test::ModelFolder(R"(
-interface Ops { near() }
-interface Events { event distance : real event name : Colour }
+/// A model that compares a distance with a constant, stores it, and sends it.
+const char* const comparing = R"(
+interface Ops { near(x : real) far() }
+interface Events { event distance : real event name : Colour event limit : real }
 enumeration Colour { Red Green }
 stm M {
 	requires Ops
 	uses Events
+	const edge : real = 0.5
 	var d : real
 	var c : Colour
 	initial i
 	state Far { }
-	state Near { entry near() }
-	state Done { }
+	state Near { entry near(d) }
+	state Done { entry far() }
 	transition t0 { from i to Far }
-	transition t1 { from Far to Near trigger distance?d condition d < 2 }
-	transition t2 { from Near to Done trigger name?c }
+	transition t1 { from Far to Near trigger distance?d condition d < edge }
+	transition t2 { from Near to Done trigger name?c condition d > 0.3 /\ not d == 0.4 }
+}
+)";
+
+/// The model compares distances only with its constants, so every logged distance decides: the answers are those of the
+/// logged number, not of a rounded one. 0.30000001192092896 is the float next to 0.3, and greater.
+TEST(Traces, NumbersThatAreComparedWithConstantsDecide) {
+    Replay replay(test::ModelFolder(comparing).path(), "M");
+    const auto verdict = [&](const std::string& heard, const std::string& then) {
+        const LogReport report = replay.check_runs("run a\ntock\ndistance?" + heard + " " + then + "\n");
+        EXPECT_EQ(report.inconclusive, 0U) << heard << ' ' << then;
+        return report.accepted == 1;
+    };
+    for (const char* near : {"0.25", "0.4999999999999", "-17.125", "0.4", "0.3", "0"}) {
+        EXPECT_TRUE(verdict(near, std::string("near!") + near + " tock")) << near;
+        EXPECT_FALSE(verdict(near, "tock")) << near;
+    }
+    for (const char* far : {"0.5", "0.5000000000001", "1.7", "7.5", "100", "1e9"}) {
+        EXPECT_TRUE(verdict(far, "tock")) << far;
+        EXPECT_FALSE(verdict(far, std::string("near!") + far + " tock")) << far;
+    }
+    // stored, and tested later
+    for (const auto& [heard, done] : std::vector<std::pair<std::string, bool>>{{"0.30000001192092896", true},
+                                                                               {"0.3", false},
+                                                                               {"0.29999999", false},
+                                                                               {"0.4", false},
+                                                                               {"0.40000000001", true}}) {
+        const std::string first = "near!" + heard + " tock\nname?Red ";
+        EXPECT_EQ(verdict(heard, first + "far! tock"), done) << heard;
+        EXPECT_EQ(verdict(heard, first + "tock"), !done) << heard;
+    }
+    // another number on the same side is not what was read, but for few replacements that are equal
+    std::string many;
+    for (int i = 0; i < 20; ++i) many += "run a\ntock\ndistance?0.31 near!0.32 tock\n";
+    EXPECT_GE(replay.check_runs(many).rejected, 10U);
+}
+
+/// An output that the model computes from its constants may have the rounding error of double or of float.
+TEST(Traces, OutputsBesideAConstantAreRounded) {
+    Replay replay(test::ModelFolder(R"(
+interface Ops { drive(v : real) }
+interface Events { event distance : real }
+stm M {
+	requires Ops
+	uses Events
+	var d : real
+	initial i
+	state A { entry drive(0.3) }
+	transition t0 { from i to A }
+	transition t1 { from A to A trigger distance?d condition d < 0.5 }
 }
 )")
                       .path(),
                   "M");
-    EXPECT_EQ(replay.check_runs("run a\ntock\ndistance?1 near! tock\nname?Red tock\n").accepted, 1U);
-    EXPECT_EQ(replay.check_runs("run a\ntock\ndistance?2 near! tock\n").rejected, 1U);
-    EXPECT_EQ(replay.check_runs("run a\ntock\ndistance?1.5 near! tock\n").inconclusive, 1U);
+    for (const char* rounded : {"0.3", "0.30000000000000004", "0.30000001192092896"})
+        EXPECT_EQ(replay.check_runs(std::string("run a\ndrive!") + rounded + " tock\ndistance?0.125 drive!0.3 tock\n")
+                      .accepted,
+                  1U)
+            << rounded;
+    for (const char* wrong : {"0.31", "0.3001", "0.29999998"})
+        EXPECT_EQ(replay.check_runs(std::string("run a\ndrive!") + wrong + " tock\n").rejected, 1U) << wrong;
+}
+
+/// A model that compares two readings needs both in the finite instantiation.
+TEST(Traces, NumbersThatAreComparedWithEachOtherLeaveTheRunUndecided) {
+    Replay replay(test::ModelFolder(R"(
+interface Ops { near() }
+interface Events { event distance : real event limit : real }
+stm M {
+	requires Ops
+	uses Events
+	var d : real
+	var l : real
+	initial i
+	state Far { }
+	state Near { entry near() }
+	transition t0 { from i to Far }
+	transition t1 { from Far to Far trigger limit?l }
+	transition t2 { from Far to Near trigger distance?d condition d < l }
+}
+)")
+                      .path(),
+                  "M");
+    EXPECT_EQ(replay.check_runs("run a\ntock\nlimit?2 tock\ndistance?1 near! tock\n").accepted, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\nlimit?1 tock\ndistance?2 near! tock\n").rejected, 1U);
+    EXPECT_EQ(replay.check_runs("run a\ntock\nlimit?2 tock\ndistance?1.5 near! tock\n").inconclusive, 1U);
     EXPECT_THAT(replay.reported.at(0).reason, HasSubstr("1.5 is outside the finite instantiation"));
-    EXPECT_EQ(replay.reported.at(0).cycle, 2U);
+    EXPECT_EQ(replay.reported.at(0).cycle, 3U);
 }
 
 const char* const carrier = R"(

@@ -65,7 +65,7 @@ TEST_P(WrongMapping, IsSaidWithItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Syntax, WrongMapping,
     ::testing::Values(
-        Row{"move", "RC-R01 2:1 expected 'publish', 'receive' or '}', found 'move'\n"},
+        Row{"move", "RC-R01 2:1 expected 'publish', 'receive', 'on' or '}', found 'move'\n"},
         Row{"publish move", "RC-R01 2:9 expected 'operation', 'event' or 'variable', found 'move'\n"},
         Row{"publish operation move on", "RC-R01 2:24 expected 'as', found 'on'\n"},
         Row{"publish operation stop as Twist on \"t\"", "RC-R01 2:33 expected '/', found 'on'\n"},
@@ -210,7 +210,29 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = true }",
             "RC-R06 2:57 the value is a truth value, and the field 'data' is a int8\n"},
         Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = \"x\" }",
-            "RC-R06 2:57 the value is a text, and the field 'data' is a int8\n"}));
+            "RC-R06 2:57 the value is a text, and the field 'data' is a int8\n"},
+        Row{"receive event bump as std_msgs/Bool on \"t\" when data < true",
+            "RC-R06 2:56 the value is no number, or the field is none; only numbers are ordered, and the field 'data' "
+            "is "
+            "a bool\n"},
+        Row{"receive event bump as std_msgs/Bool on \"t\" when data == 1",
+            "RC-R06 2:57 the value is no value that can be equal to the field, and the field 'data' is a bool\n"},
+        Row{"receive event bump as std_msgs/Int8 on \"t\" when data == other",
+            "RC-R06 2:57 the value is no value that can be equal to the field, and the field 'data' is a int8\n"},
+        Row{"receive event bump as std_msgs/Bool on \"t\" when date == true",
+            "RC-R05 2:49 the message std_msgs/Bool has no field 'date'; did you mean 'data'?\n"},
+        Row{"receive event bump as std_msgs/Bool on \"t\" when data = true",
+            "RC-R01 2:54 expected '==', '!=', '<', '<=', '>' or '>=', found '='\n"},
+        Row{"receive event bump as std_msgs/Bool on \"t\"",
+            "RC-R12 2:15 every std_msgs/Bool raises 'bump', regardless "
+            "of the contents of 'data'\n"},
+        Row{"receive event bump as deadline 0.5 on \"t\"", "RC-R02 2:39 the mapping has no received topic 't'\n"},
+        Row{"receive event bump as deadline 0 on \"t\"",
+            "RC-R04 2:32 '0' is not a valid name of a deadline: it must be from 0.001 to 3600 seconds\n"},
+        Row{"receive event obstacle as deadline 1 on \"t\"",
+            "RC-R02 2:15 'C' has no event without a value to receive 'obstacle'\n"},
+        Row{"on deactivate publish geometry_msgs/Twist on \"t\" { linear.x = lv }",
+            "RC-R02 2:63 operation 'deactivate' has no parameter 'lv'\n"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Topics, WrongMapping,
@@ -225,8 +247,8 @@ INSTANTIATE_TEST_SUITE_P(
             "\"t\" "
             "{ data = value }",
             "RC-R09 3:40 'done' cannot be on topic 't' with 'stop': they differ in quality of service\n"},
-        Row{"publish operation stop as std_msgs/Empty on \"/C/state\"",
-            "RC-R09 2:45 'stop' cannot be on topic '/C/state' with 'state': one is std_msgs/String and the other "
+        Row{"publish operation stop as std_msgs/Empty on \"/c/state\"",
+            "RC-R09 2:45 'stop' cannot be on topic '/c/state' with 'state': one is std_msgs/String and the other "
             "std_msgs/Empty\n"}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -237,6 +259,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"publish operation lamp as std_msgs/UInt8 on \"t\" { data = l }", ""},
         Row{"receive event obstacle as std_msgs/msg/Int32 on \"t\" { value = data }", ""},
         Row{"publish operation stop as std_msgs/Int8 on \"t\" { data = -128 }", ""},
+        Row{"receive event bump as std_msgs/Bool on \"t\" when data == true", ""},
+        Row{"receive event bump as std_msgs/String on \"t\" when data != \"x\" and data != \"y\"", ""},
+        Row{"on deactivate publish geometry_msgs/Twist on \"t\"", ""},
         Row{"publish operation stop as geometry_msgs/TwistStamped on \"~/t\" with best_effort volatile depth 3 "
             "{ header.stamp = now header.frame_id = \"x\" twist.linear.x = -0.5 }",
             ""}));
@@ -256,7 +281,7 @@ TEST(HostileMapping, DoesNotReachTheCode) {
         "ros2 for M { publish operation stop as std_msgs/String on \"t\" { data = \"a\nb?\?/\x01*/\\\" @CLASS@\" } }");
     std::string code;
     for (const OutputFile& file : planned.emission.files)
-        if (file.path == "src/M_messages.hpp") code = file.text;
+        if (file.path == "include/robot_m/M_messages.hpp") code = file.text;
     EXPECT_NE(code.find("message.data = \"a\\012b\\077\\077/\\001*/\\134\\042 @CLASS@\";"), std::string::npos) << code;
 }
 
@@ -320,7 +345,10 @@ TEST(Names, OfRosAreThoseOfRosidl) {
     EXPECT_EQ(package_name("M", {}), "robot_m");
     EXPECT_EQ(package_name("GeometryMsgs", {"geometry_msgs"}), "geometry_msgs_controller");
     EXPECT_EQ(package_name("_", {}), "robot");
-    EXPECT_EQ(topic_part("a__b_"), "a_b");
+    EXPECT_EQ(topic_part("a__b_", NameStyle::snake), "a_b");
+    EXPECT_EQ(topic_part("callHelp", NameStyle::snake), "call_help");
+    EXPECT_EQ(topic_part("callHelp", NameStyle::model), "callHelp");
+    EXPECT_EQ(topic_part("goTo__Goal2", NameStyle::snake), "go_to_goal2");
 }
 
 /// The package's name differs from those of the packages that it needs.

@@ -9,6 +9,24 @@
 namespace robochart::cpp_emit::ros2 {
 namespace {
 
+/// Two operations on two topics, which one cycle calls.
+const char* const two_topics = R"(package order
+interface Acts { go(w : nat) halt() horn() }
+interface Ins { event clear event obstacle }
+stm M { requires Acts uses Ins initial i
+    state Driving { entry go(1) }
+    state Held { entry halt(); horn() }
+    transition t0 { from i to Driving }
+    transition t1 { from Driving to Held trigger obstacle }
+    transition t2 { from Held to Driving trigger clear } }
+)";
+const char* const two_topics_mapping = R"(ros2 for M {
+    publish operation go as std_msgs/Int64 on "waypoint_goal" { data = w }
+    publish operation halt as geometry_msgs/Twist on "cmd_vel" { }
+    receive event obstacle as std_msgs/Empty on "obstacle"
+    receive event clear as std_msgs/Empty on "clear"
+})";
+
 TEST_F(Package, WithoutAMappingHasTopicsOfStdMsgs) {
     emit(testing::load_corpus("swarm_taxis"), "SwarmTaxis");
     drive("SwarmTaxisFSM_node.hpp", R"(
@@ -18,22 +36,22 @@ int main() {
     EXPECT(started(node));
     EXPECT(network.running().size() == 1 && network.running()[0]->period == 0.1);
     network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").size() == 1);
-    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").back().data == "Forward");
+    EXPECT(taken<std_msgs::msg::Empty>("/swarm_taxis/out/move_forward").size() == 1);
+    EXPECT(taken<std_msgs::msg::String>("/swarm_taxis/state").back().data == "Forward");
     network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/MoveForward").empty());
-    EXPECT(taken<std_msgs::msg::String>("/SwarmTaxis/state").empty());
-    network.send("/SwarmTaxis/in/illumination", std_msgs::msg::Bool{true});
+    EXPECT(taken<std_msgs::msg::Empty>("/swarm_taxis/out/move_forward").empty());
+    EXPECT(taken<std_msgs::msg::String>("/swarm_taxis/state").empty());
+    network.send("/swarm_taxis/in/illumination", std_msgs::msg::Bool{true});
     network.tick();
-    EXPECT(taken<std_msgs::msg::Bool>("/SwarmTaxis/variable/illuminated").back().data);
-    EXPECT(taken<std_msgs::msg::Float64>("/SwarmTaxis/variable/avoidanceRadius").back().data == 0.2);
+    EXPECT(taken<std_msgs::msg::Bool>("/swarm_taxis/variable/illuminated").back().data);
+    EXPECT(taken<std_msgs::msg::Float64>("/swarm_taxis/variable/avoidance_radius").back().data == 0.2);
     for (int i = 0; i < 3; ++i) network.tick();
-    network.send("/SwarmTaxis/in/robotDetected", std_msgs::msg::Empty{});
+    network.send("/swarm_taxis/in/robot_detected", std_msgs::msg::Empty{});
     network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/SwarmTaxis/out/CalcAvoidanceHeading").size() == 1);
-    network.send("/SwarmTaxis/in/heading", std_msgs::msg::Float64{0.5});
+    EXPECT(taken<std_msgs::msg::Empty>("/swarm_taxis/out/calc_avoidance_heading").size() == 1);
+    network.send("/swarm_taxis/in/heading", std_msgs::msg::Float64{0.5});
     network.tick();
-    const auto turns = taken<std_msgs::msg::Float64>("/SwarmTaxis/out/StartTurning");
+    const auto turns = taken<std_msgs::msg::Float64>("/swarm_taxis/out/start_turning");
     EXPECT(turns.size() == 1 && turns[0].data == 0.5);
     return 0;
 })");
@@ -47,19 +65,19 @@ int main() {
     Network& network = Network::get();
     EXPECT(started(node));
     network.tick();
-    const auto went = taken<std_msgs::msg::Float64MultiArray>("/Mod/out/go");
+    const auto went = taken<std_msgs::msg::Float64MultiArray>("/mod/out/go");
     EXPECT(went.size() == 1 && went[0].data == (std::vector<double>{0.5, 3}));
-    network.send("/Mod/in/see", std_msgs::msg::Int64{2});   // no light
-    network.send("/Mod/in/count", std_msgs::msg::Int64{-1});  // no natural number
+    network.send("/mod/in/see", std_msgs::msg::Int64{2});   // no light
+    network.send("/mod/in/count", std_msgs::msg::Int64{-1});  // no natural number
     network.tick();
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").empty());
-    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+    EXPECT(taken<std_msgs::msg::Int64>("/mod/out/lamp").empty());
+    network.send("/mod/in/see", std_msgs::msg::Int64{1});
     network.tick();
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").back().data == 1);
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/variable/level").back().data == 7);
-    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
+    EXPECT(taken<std_msgs::msg::Int64>("/mod/out/lamp").back().data == 1);
+    EXPECT(taken<std_msgs::msg::Int64>("/mod/variable/level").back().data == 7);
+    network.send("/mod/in/count", std_msgs::msg::Int64{4});
     network.tick();
-    EXPECT(taken<std_msgs::msg::Int64>("/Mod/sent/done").back().data == 4);
+    EXPECT(taken<std_msgs::msg::Int64>("/mod/sent/done").back().data == 4);
     EXPECT(network.running().empty());
     // It has ended: it runs again only from the beginning.
     EXPECT(node.deactivate().label() == "inactive");
@@ -67,7 +85,7 @@ int main() {
     EXPECT(node.cleanup().label() == "unconfigured");
     EXPECT(started(node));
     network.tick();
-    EXPECT(taken<std_msgs::msg::Float64MultiArray>("/Mod/out/go").size() == 2);  // with that of the cycle of see
+    EXPECT(taken<std_msgs::msg::Float64MultiArray>("/mod/out/go").size() == 2);  // with that of the cycle of see
     return 0;
 })");
 }
@@ -84,9 +102,9 @@ int main() {
     p::MNode node;
     EXPECT(started(node));
     network.tick();
-    network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+    network.send("/mod/in/see", std_msgs::msg::Int64{1});
     network.tick();
-    network.send("/Mod/in/count", std_msgs::msg::Int64{4});
+    network.send("/mod/in/count", std_msgs::msg::Int64{4});
     network.tick();
     std::ostringstream log;
     log << std::ifstream("run.trace").rdbuf();
@@ -134,6 +152,119 @@ const char* const wheels = R"(ros2 for Mod {
 }
 )";
 
+/// Conditions of items: a message whose field does not compare so has no effect. NaN compares with nothing.
+TEST_F(Package, TakesMessagesUnderConditions) {
+    emit(testing::load_model(two_topics), "M", R"(ros2 for M {
+    receive event obstacle as sensor_msgs/Range on "range" when range < 0.3 and radiation_type == 1
+    receive event clear as my_msgs/Lamp on "lamp" with depth 1 when on == true and colour != 2
+    publish operation halt as std_msgs/Empty on "halt"
+})");
+    drive("M_node.hpp", R"(
+#include <limits>
+std::string state_after(float range, std::uint8_t kind) {
+    sensor_msgs::msg::Range message;
+    message.range = range;
+    message.radiation_type = kind;
+    Network::get().send("/range", message);
+    Network::get().tick();
+    const auto states = taken<std_msgs::msg::String>("/m/state");
+    return states.empty() ? "" : states.back().data;
+}
+std::string state_after(const my_msgs::msg::Lamp& lamp) {
+    Network::get().send("/lamp", lamp);
+    Network::get().tick();
+    const auto states = taken<std_msgs::msg::String>("/m/state");
+    return states.empty() ? "" : states.back().data;
+}
+int main() {
+    order::MNode node;
+    EXPECT(started(node));
+    Network::get().tick();
+    EXPECT(taken<std_msgs::msg::String>("/m/state").back().data == "Driving");
+    EXPECT(state_after(0.3F, 1).empty());  // not less than the float32 of 0.3
+    EXPECT(state_after(0.29F, 0).empty());
+    EXPECT(state_after(std::numeric_limits<float>::quiet_NaN(), 1).empty());
+    EXPECT(state_after(0.29F, 1) == "Held");
+    EXPECT(state_after(my_msgs::msg::Lamp{2, true}).empty());
+    EXPECT(state_after(my_msgs::msg::Lamp{1, false}).empty());
+    EXPECT(state_after(my_msgs::msg::Lamp{1, true}) == "Driving");
+    return 0;
+})");
+}
+
+/// An event is raised once when a topic falls silent; every message counts, also one without effect. The stop command
+/// is published when an active node is deactivated or shut down, when the program ends, and when the controller ends.
+TEST_F(Package, KnowsWhenATopicIsSilentAndStopsTheRobot) {
+    emit(testing::load_model(R"(package p
+interface Acts { go() horn() }
+interface Ins { event near event lost event quit }
+stm M { requires Acts uses Ins initial i
+    state A { entry go() } final f
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger lost action horn() }
+    transition t2 { from A to f trigger quit } transition t3 { from A to A trigger near } }
+)"),
+         "M", R"(ros2 for M {
+    publish operation go as geometry_msgs/Twist on "cmd_vel" with best_effort { linear.x = 1 }
+    receive event near as sensor_msgs/Range on "range" when range < 0.3
+    receive event lost as deadline 0.5 on "range"
+    on deactivate publish geometry_msgs/Twist on "cmd_vel" { linear.x = 0 angular.z = 0.5 }
+    on deactivate publish std_msgs/Bool on "brake" { data = true }
+})");
+    drive("M_node.hpp", R"(
+using geometry_msgs::msg::Twist;
+/// One stop command for each topic.
+bool stopped() {
+    const auto twists = taken<Twist>("/cmd_vel");
+    const auto brakes = taken<std_msgs::msg::Bool>("/brake");
+    return twists.size() == 1 && twists[0].linear.x == 0 && twists[0].angular.z == 0.5 && brakes.size() == 1 &&
+           brakes[0].data;
+}
+std::size_t horns() {
+    Network::get().tick();
+    taken<Twist>("/cmd_vel");
+    return taken<std_msgs::msg::Empty>("/m/out/horn").size();
+}
+int main() {
+    Network& network = Network::get();
+    {
+        p::MNode node;
+        EXPECT(node.configure().label() == "inactive");
+        EXPECT(network.quality["/cmd_vel"] == "best_effort, volatile, 10");
+        network.shut_down();
+        EXPECT(taken<Twist>("/cmd_vel").empty());  // it is not active
+        EXPECT(node.activate().label() == "active");
+        EXPECT(horns() == 0);
+        network.nanoseconds += 400'000'000;
+        EXPECT(horns() == 0);
+        network.send("/range", sensor_msgs::msg::Range{});
+        network.nanoseconds += 400'000'000;
+        EXPECT(horns() == 0);
+        network.nanoseconds += 100'000'000;
+        EXPECT(horns() == 1);
+        network.nanoseconds += 900'000'000;
+        EXPECT(horns() == 0);  // once
+        EXPECT(node.deactivate().label() == "inactive" && stopped());
+        network.nanoseconds += 900'000'000;
+        EXPECT(node.activate().label() == "active" && horns() == 0);  // the pause does not count
+        network.nanoseconds += 500'000'000;
+        EXPECT(horns() == 1);
+        network.shut_down();
+        EXPECT(stopped());
+        EXPECT(node.shutdown().label() == "finalized" && stopped());
+    }
+    EXPECT(network.pre_shutdown.empty());
+    network.order.clear();
+    p::MNode node;
+    EXPECT(started(node));
+    (void)horns();
+    network.send("/m/in/quit", std_msgs::msg::Empty{});
+    network.tick();
+    EXPECT(stopped() && network.running().empty());
+    return 0;
+})");
+}
+
 /// A list is received whole or not at all: a message with more items than the capacity, or with an item that is not a
 /// value of the model, is logged and raises no event. The controller goes on.
 TEST_F(Package, RefusesArraysThatDoNotFit) {
@@ -179,6 +310,157 @@ ir::InstantiationOptions chosen_constants() {
     return options;
 }
 
+/// In one cycle the model calls halt, horn and go(1), so their messages are published in this order. An operation of
+/// one's own begins when the messages of earlier calls have been published. An exception of a publisher does not end
+/// the program.
+TEST_F(Package, PublishesInTheOrderOfTheCalls) {
+    emit(testing::load_model(two_topics), "M", two_topics_mapping);
+    drive("M_node.hpp", R"(
+class Robot : public order::MMessages {
+public:
+    void horn() override { before = Network::get().order; }
+    std::vector<std::string> before;
+};
+void both() {
+    Network& network = Network::get();
+    network.order.clear();
+    network.send("/clear", std_msgs::msg::Empty{});
+    network.send("/obstacle", std_msgs::msg::Empty{});
+    network.tick();
+}
+int main() {
+    using Topics = std::vector<std::string>;
+    Network& network = Network::get();
+    auto robot = std::make_unique<Robot>();
+    Robot& mine = *robot;
+    {
+        order::MNode node(rclcpp::NodeOptions(), std::move(robot));
+        EXPECT(started(node));
+        network.tick();
+        EXPECT(network.order == (Topics{"/waypoint_goal", "/m/state"}));
+        both();
+        EXPECT(mine.before == Topics{"/cmd_vel"});
+        EXPECT(network.order == (Topics{"/cmd_vel", "/waypoint_goal"}));
+    }
+    order::MNode node;
+    EXPECT(started(node));
+    network.tick();
+    network.log.clear();
+    network.broken.insert("/cmd_vel");
+    both();
+    EXPECT(network.order == (Topics{"/m/out/horn", "/waypoint_goal"}));
+    EXPECT(logged("/cmd_vel: not published: the publisher is broken"));
+    return 0;
+})");
+}
+
+/// A variable holds its value, so the node takes it whenever it is configured. Events are taken only while it is
+/// active.
+TEST_F(Package, TakesVariablesWheneverItIsConfigured) {
+    emit(testing::load_model(R"(package latch
+interface Acts { drive(v : real) }
+interface Sh { var limit : real = 0 }
+interface Ins { event tick }
+stm M { requires Acts requires Sh uses Ins initial i state S { entry drive(limit) }
+    transition t0 { from i to S } transition t1 { from S to S trigger tick } }
+)"),
+         "M", R"(ros2 for M {
+    publish operation drive as std_msgs/Float64 on "drive" { data = v }
+    receive variable limit as std_msgs/Float64 on "limit" with transient_local { value = data }
+    receive event tick as std_msgs/Float64 on "limit" with transient_local
+})");
+    drive("M_node.hpp", R"(
+int main() {
+    using Number = std_msgs::msg::Float64;
+    latch::MNode node;
+    Network& network = Network::get();
+    EXPECT(node.configure().label() == "inactive");
+    network.send("/limit", Number{0.5});
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    auto driven = taken<Number>("/drive");
+    EXPECT(driven.size() == 1 && driven[0].data == 0.5);
+    EXPECT(node.deactivate().label() == "inactive");
+    network.send("/limit", Number{0.25});
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    EXPECT(taken<Number>("/drive").empty());  // no event tick
+    network.send("/limit", Number{0.125});
+    network.tick();
+    driven = taken<Number>("/drive");
+    EXPECT(driven.size() == 1 && driven[0].data == 0.125);
+    // Cleaned up, it forgets the value.
+    EXPECT(node.deactivate().label() == "inactive" && node.cleanup().label() == "unconfigured" && started(node));
+    network.tick();
+    driven = taken<Number>("/drive");
+    EXPECT(driven.size() == 1 && driven[0].data == 0);
+    return 0;
+})");
+}
+
+/// The log has the constants of the generated code, and what is no event of the model as comments: messages that were
+/// not published, cycles that were lost, pauses. A configuration without cycles has no run.
+TEST_F(Package, LogsWhatTheModelDoesNotKnow) {
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
+    drive("M_node.hpp", R"(
+#include <fstream>
+#include <sstream>
+std::string text_of(const char* file) {
+    std::ostringstream log;
+    log << std::ifstream(file).rdbuf();
+    return log.str();
+}
+int main() {
+    Network& network = Network::get();
+    network.parameters["log"] = std::string("run.trace");
+    p::MNode node;
+    EXPECT(started(node));
+    network.tick();
+    sensor_msgs::msg::Range range;
+    range.range = 0.25F;
+    network.send("/scan", range);
+    network.nanoseconds += 140'000'000;  // not one and a half cycles
+    network.tick();
+    EXPECT(network.log.empty());
+    network.send("/mod/in/tell", std_msgs::msg::Int64{256});
+    network.nanoseconds += 1'000'000'000;
+    network.tick();
+    EXPECT(logged("9 control cycles are lost"));
+    EXPECT(node.deactivate().label() == "inactive");
+    network.nanoseconds += 2'500'000'000;
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    EXPECT(node.deactivate().label() == "inactive" && node.cleanup().label() == "unconfigured");
+    EXPECT(started(node));
+    EXPECT(node.shutdown().label() == "finalized");
+    EXPECT(network.log.empty());
+    EXPECT(text_of("run.trace") ==
+           "robochart-trace 1\ncomponent p::Mod\ncycle 1\n"
+           "const p::C::m::LIMIT=7\nconst p::C::m::MODE=slow\nconst p::C::m::ON=true\nconst p::C::m::SPEED=1.5\n"
+           "run 1\nmove!1.5!0.25 tock\nobstacle?0.25 stop! tock\n"
+           "// lost cycles: 9\ntell?256 done!256 stop! tock\n// not published, unfit: done\n"
+           "// pause of 2.500000 s\ntock\n");
+    return 0;
+})",
+          true);
+}
+
+/// Without its log the node is not configured, whether the file cannot be written or the build has no trace hook.
+TEST_F(Package, IsNotConfiguredWithoutItsLog) {
+    emit(testing::load_model(two_topics), "M", two_topics_mapping);
+    for (const bool traced : {true, false})
+        drive("M_node.hpp", R"(
+int main() {
+    Network& network = Network::get();
+    network.parameters["log"] = std::string("no/such/folder/run.trace");
+    order::MNode node;
+    EXPECT(node.configure().label() == "unconfigured");
+    EXPECT(logged("parameter log: "));
+    return 0;
+})",
+              traced);
+}
+
 TEST_F(Package, PublishesAndReceivesWhatTheMappingSays) {
     emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(
@@ -208,7 +490,7 @@ int main() {
     twists = taken<Twist>("/cmd_vel");
     EXPECT(twists.size() == 1 && twists[0].linear.y == -2 && twists[0].linear.x == 0);
     // Two operations of one cycle on one topic: in the order in which the model calls them.
-    network.send("/Mod/in/bump", std_msgs::msg::Empty{});
+    network.send("/mod/in/bump", std_msgs::msg::Empty{});
     network.tick();
     twists = taken<Twist>("/cmd_vel");
     EXPECT(twists.size() == 2 && twists[0].linear.y == -2 && twists[1].linear.x == 1.5);
@@ -219,7 +501,7 @@ int main() {
     geometry_msgs::msg::Point point;
     point.x = 3;
     point.y = 4;
-    network.send("/Mod/seen", point);
+    network.send("/mod/seen", point);
     network.tick();
     const auto goals = taken<geometry_msgs::msg::PoseStamped>("/goal_pose");
     EXPECT(goals.size() == 1 && goals[0].pose.position.x == 4 && goals[0].pose.position.y == 3);
@@ -228,10 +510,10 @@ int main() {
     EXPECT(taken<std_msgs::msg::Int16>("/level").back().data == 7);
     // What the field cannot hold is not published, and not cut off.
     network.log.clear();
-    network.send("/Mod/in/tell", std_msgs::msg::Int64{256});
+    network.send("/mod/in/tell", std_msgs::msg::Int64{256});
     network.tick();
     EXPECT(taken<std_msgs::msg::UInt8>("/done").empty() && logged("done has a value that its message cannot hold"));
-    network.send("/Mod/in/tell", std_msgs::msg::Int64{255});
+    network.send("/mod/in/tell", std_msgs::msg::Int64{255});
     network.tick();
     EXPECT(taken<std_msgs::msg::UInt8>("/done").back().data == 255);
     return 0;
@@ -247,10 +529,10 @@ int main() {
     EXPECT(started(node));
     EXPECT(network.quality["/cmd_vel"] == "reliable, volatile, 10");
     EXPECT(network.quality["/level"] == "reliable, transient_local, 1");
-    EXPECT(network.quality["/Mod/state"] == "reliable, transient_local, 1");
+    EXPECT(network.quality["/mod/state"] == "reliable, transient_local, 1");
     EXPECT(network.quality["/scan"] == "best_effort, volatile, 5");
-    EXPECT(network.quality["/Mod/in/bump"] == "reliable, volatile, 10");
-    EXPECT(network.quality["/Mod/seen"] == "best_effort, volatile, 1");
+    EXPECT(network.quality["/mod/in/bump"] == "reliable, volatile, 10");
+    EXPECT(network.quality["/mod/seen"] == "best_effort, volatile, 1");
     EXPECT(network.quality["/done"] == "reliable, transient_local, 10");
     EXPECT(network.policies.size() == network.quality.size());
     for (const auto& [topic, policies] : network.policies) EXPECT(policies == 4);
@@ -284,11 +566,11 @@ int main() {
     near.range = 0.25F;
     network.send("/scan", near);  // not taken
     network.tick();
-    EXPECT(taken<Twist>("/cmd_vel").empty() && taken<std_msgs::msg::String>("/Mod/state").empty());
+    EXPECT(taken<Twist>("/cmd_vel").empty() && taken<std_msgs::msg::String>("/mod/state").empty());
     EXPECT(node.activate().label() == "active");
     EXPECT(network.running().size() == 1 && network.running()[0]->period == 0.02);
     network.tick();
-    EXPECT(taken<Twist>("/cmd_vel").size() == 1 && taken<std_msgs::msg::String>("/Mod/state").back().data == "A");
+    EXPECT(taken<Twist>("/cmd_vel").size() == 1 && taken<std_msgs::msg::String>("/mod/state").back().data == "A");
     network.tick();
     EXPECT(taken<Twist>("/cmd_vel").empty());
     // A message that no cycle has seen is forgotten, and those that come meanwhile too; the state stays.
@@ -298,17 +580,17 @@ int main() {
     network.tick();
     EXPECT(node.activate().label() == "active");
     network.tick();
-    EXPECT(taken<Twist>("/cmd_vel").empty() && taken<std_msgs::msg::String>("/Mod/state").empty());
+    EXPECT(taken<Twist>("/cmd_vel").empty() && taken<std_msgs::msg::String>("/mod/state").empty());
     network.send("/scan", near);
     network.tick();
-    EXPECT(taken<Twist>("/cmd_vel").size() == 1 && taken<std_msgs::msg::String>("/Mod/state").back().data == "B");
+    EXPECT(taken<Twist>("/cmd_vel").size() == 1 && taken<std_msgs::msg::String>("/mod/state").back().data == "B");
     // Cleaned up and configured, it begins anew.
     EXPECT(node.deactivate().label() == "inactive" && node.cleanup().label() == "unconfigured");
     EXPECT(network.listeners["/scan"].empty());
     EXPECT(started(node));
     network.tick();
     EXPECT(taken<Twist>("/cmd_vel").back().linear.x == 1.5);
-    EXPECT(taken<std_msgs::msg::String>("/Mod/state").back().data == "A");
+    EXPECT(taken<std_msgs::msg::String>("/mod/state").back().data == "A");
     EXPECT(node.shutdown().label() == "finalized" && network.running().empty());
     EXPECT(network.log.empty());
     return 0;
@@ -344,6 +626,25 @@ int main() {
         return __LINE__;
     } catch (const std::invalid_argument&) {
     }
+    // A whole number in a file of parameters is a number, too; a text is not.
+    network.parameters = {{"cycle", std::int64_t{2}}};
+    {
+        p::MNode node;
+        EXPECT(started(node));
+        EXPECT(network.running().size() == 1 && network.running()[0]->period == 2.0);
+    }
+    for (const std::any& wrong : {std::any(std::int64_t{0}), std::any(std::int64_t{3601}), std::any(std::string("1"))}) {
+        network.parameters = {{"cycle", wrong}};
+        p::MNode node;
+        EXPECT(node.configure().label() == "unconfigured");
+        EXPECT(logged("parameter cycle: "));
+    }
+    network.parameters = {{"constants.SPEED", std::int64_t{1}}};
+    {
+        p::MNode node;
+        EXPECT(node.configure().label() == "unconfigured");
+        EXPECT(logged("constants.SPEED"));
+    }
     return 0;
 })");
 }
@@ -361,7 +662,7 @@ int main() {
     Network& network = Network::get();
     const auto run = [&](p::MNode& node) {
         for (int i = 0; i < 2; ++i) {
-            network.send("/Mod/in/see", std_msgs::msg::Int64{1});
+            network.send("/mod/in/see", std_msgs::msg::Int64{1});
             network.tick();
         }
         (void)node;
@@ -373,15 +674,15 @@ int main() {
         EXPECT(started(node));
         run(node);
         EXPECT(mine.shown == p::Mod_core::Light::Green && network.log.empty());
-        EXPECT(taken<std_msgs::msg::Int64>("/Mod/out/lamp").empty());
+        EXPECT(taken<std_msgs::msg::Int64>("/mod/out/lamp").empty());
     }
     {
         p::MNode node;
-        network.listeners["/Mod/out/lamp"].push_back([](const std::any&) {});
+        network.listeners["/mod/out/lamp"].push_back([](const std::any&) {});
         EXPECT(started(node));
         run(node);
         EXPECT(network.log.empty());
-        network.listeners.erase("/Mod/out/lamp");
+        network.listeners.erase("/mod/out/lamp");
         run(node);
         EXPECT(logged("operation lamp is called and nobody does it"));
         EXPECT(taken<geometry_msgs::msg::Vector3>("/go").back().y == 3);
@@ -414,15 +715,15 @@ int main() {
     network.tick();
     network.send("/lamp", my_msgs::msg::Lamp{4, true});
     network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/Two/out/beep").empty());  // the clock is at 1
+    EXPECT(taken<std_msgs::msg::Empty>("/two/out/beep").empty());  // the clock is at 1
     std::size_t states = 0;
     for (auto& [topic, messages] : network.published)
-        if (topic.find("/Two/state") == 0 && !messages.empty()) ++states;
+        if (topic.find("/two/state") == 0 && !messages.empty()) ++states;
     EXPECT(states == 2);
     network.tick();
     network.send("/lamp", my_msgs::msg::Lamp{4, true});
     network.tick();
-    EXPECT(taken<std_msgs::msg::Empty>("/Two/out/beep").size() == 1);
+    EXPECT(taken<std_msgs::msg::Empty>("/two/out/beep").size() == 1);
     return 0;
 })");
 }
@@ -434,7 +735,7 @@ int main() {
     robot::MNode node;
     EXPECT(started(node));
     Network::get().tick();
-    EXPECT(taken<std_msgs::msg::String>("/M/state").back().data == "A");
+    EXPECT(taken<std_msgs::msg::String>("/m/state").back().data == "A");
     return 0;
 })");
 }
@@ -473,28 +774,78 @@ import runpy
 from launch.actions import DeclareLaunchArgument, EmitEvent, RegisterEventHandler
 from launch_ros.actions import LifecycleNode
 
-made = runpy.run_path('launch/M.launch.py')['generate_launch_description']().entities
+made = runpy.run_path('launch/mod.launch.py')['generate_launch_description']().entities
 of = lambda kind: [each for each in made if isinstance(each, kind)]
 [node] = of(LifecycleNode)
-assert (node.package, node.executable, node.name, node.namespace) == ('mod', 'run_mod', 'Mod', '')
+assert (node.package, node.executable, node.name, node.namespace) == ('mod', 'run_mod', 'mod', '')
 assert node.parameters[0].variable_name == 'parameters'
 assert node.parameters[1]['use_sim_time'].variable_name == 'use_sim_time'
 values = {each.name: each.default_value for each in of(DeclareLaunchArgument)}
-assert values == {'parameters': '/share/mod/config/M.yaml', 'autostart': 'true', 'use_sim_time': 'false'}
+assert values == {'parameters': '/share/mod/config/mod.yaml', 'autostart': 'true', 'use_sim_time': 'false'}
 [configure] = of(EmitEvent)
 assert configure.event.transition_id == 1 and configure.event.matches(node) and not configure.event.matches(made[0])
 assert configure.condition.predicate_expression.variable_name == 'autostart'
 [handler] = [each.event_handler for each in of(RegisterEventHandler)]
 assert (handler.start_state, handler.goal_state, handler.node) == ('configuring', 'inactive', node)
+assert handler.handle_once  # a later configuration does not activate the node
 [activate] = handler.entities
 assert activate.event.transition_id == 3 and activate.event.matches(node)
 )");
     folder_.run("PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=" + stub() + "/python python3 check.py");
 }
 
+/// Another package finds the installed one, inherits its class and uses its node, as docs/ros2.md describes. The
+/// package's own test passes, and sources in `own` belong to it.
+TEST_F(Package, IsUsedByAnotherPackage) {
+    emit(testing::load_model(two_topics), "M", two_topics_mapping);
+    folder_.run(
+        "echo 'int main() { return 0; }' > own/mine.cpp && "
+        "echo 'add_executable(mine own/mine.cpp)' >> own/own.cmake");
+    build("-DBUILD_TESTING=ON -DCMAKE_INSTALL_PREFIX=$PWD/installed");
+    folder_.run("test -x build/mine && ctest --test-dir build --output-on-failure && cmake --install build");
+    folder_.run("mkdir -p derived/src");
+    write("derived/CMakeLists.txt", R"(cmake_minimum_required(VERSION 3.16)
+project(my_robot LANGUAGES CXX)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+find_package(robot_m REQUIRED)
+add_executable(robot src/robot.cpp)
+target_link_libraries(robot robot_m::robot_m_node)
+ament_package()
+)");
+    write("derived/src/robot.cpp", R"(#include <robot_m/M_node.hpp>
+class Robot : public order::MMessages {
+public:
+    void horn() override {}
+};
+int main() {
+    order::MNode node(rclcpp::NodeOptions(), std::make_unique<Robot>());
+    if (node.configure().label() != "inactive" || node.activate().label() != "active") return 1;
+    rclcpp::Network::get().tick();
+    return rclcpp::Network::get().order.front() == "/waypoint_goal" ? 0 : 2;
+}
+)");
+    folder_.run("cmake -S derived -B derived/build -DCMAKE_PREFIX_PATH='" + stub() +
+                "/cmake;'$PWD/installed && cmake --build derived/build && derived/build/robot");
+}
+
+/// With --model-names, nodes, topics and files have the names that they had before snake_case.
+TEST_F(Package, MayHaveTheNamesOfTheModel) {
+    Options options;
+    options.model_names = true;
+    options.package = {"1.20.3", "Apache-2.0 OR MIT", "Ada & <co>", "ada@example.org"};
+    emit(testing::load_corpus("swarm_taxis"), "SwarmTaxis", "", {}, options);
+    folder_.run("test -f launch/SwarmTaxisFSM.launch.py && test -f config/SwarmTaxisFSM.yaml");
+    folder_.run("grep -q \"name='SwarmTaxis'\" launch/SwarmTaxisFSM.launch.py");
+    folder_.run("grep -q '\"~/out/MoveForward\"' src/SwarmTaxisFSM_node.cpp");
+    folder_.run(
+        "grep -q '<version>1.20.3</version>' package.xml && grep -q '<license>Apache-2.0 OR MIT</license>' package.xml "
+        "&& grep -q '<maintainer email=\"ada@example.org\">Ada &amp; &lt;co&gt;</maintainer>' package.xml");
+}
+
 TEST_F(Package, NamesWhatItNeeds) {
     emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
-    folder_.run("grep -q '^    cycle: 0.1$' config/M.yaml && grep -q '^    # constants.SPEED: 1.5$' config/M.yaml");
+    folder_.run("grep -q '^    cycle: 0.1$' config/mod.yaml && grep -q '^    # constants.SPEED: 1.5$' config/mod.yaml");
     for (const char* const name : {"builtin_interfaces", "geometry_msgs", "rcl_interfaces", "sensor_msgs", "std_msgs"})
         folder_.run(
             fmt::format("grep -q '<depend>{0}</depend>' package.xml && "
@@ -536,7 +887,7 @@ int main() {
     network.tick();
     const auto targets = taken<Goal>("/target");
     EXPECT(!targets.empty() && targets.back().x == 2.5F && targets.back().kind == 1 && targets.back().count == 3);
-    EXPECT(taken<std_msgs::msg::String>("/M/state").back().data == "B");
+    EXPECT(taken<std_msgs::msg::String>("/m/state").back().data == "B");
     return 0;
 })");
 }

@@ -12,13 +12,13 @@
 namespace robochart::cpp_emit::ros2 {
 
 Planned emit_package(const ir::System& system, const std::string& component, const std::string& text,
-                     const ir::InstantiationOptions& values) {
+                     const ir::InstantiationOptions& values, const Options& given) {
     diagnostics::SourceManager sources;
     const diagnostics::SourceId source = sources.add("robot.ros2", text);
     diagnostics::Diagnostics diagnostics;
     Mapping mapping;
     if (!text.empty()) mapping = read_mapping(sources, source, diagnostics);
-    Options options;
+    Options options = given;
     options.target = Target::ros2;
     options.mapping = text.empty() ? nullptr : &mapping;
     Planned planned;
@@ -37,8 +37,8 @@ Planned emit_package(const ir::System& system, const std::string& component, con
 }
 
 void Package::emit(const ir::System& system, const std::string& component, const std::string& mapping,
-                   const ir::InstantiationOptions& values) {
-    const Planned planned = emit_package(system, component, mapping, values);
+                   const ir::InstantiationOptions& values, const Options& options) {
+    const Planned planned = emit_package(system, component, mapping, values, options);
     ASSERT_FALSE(planned.emission.files.empty()) << planned.findings;
     folder_.write(planned.emission);
 }
@@ -80,7 +80,8 @@ void Package::drive(const std::string& node_header, const std::string& text, boo
     folder_.run(
         "for f in controller/*.cpp src/*_node.cpp drive.cpp; do echo \"#include \\\"$PWD/$f\\\"\"; done > whole.cpp; "
         "c++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -DROBOCHART_TRACE=" +
-        std::to_string(traced) + " -I " + stub() + "/include -I src -I controller whole.cpp -o drive");
+        std::to_string(traced) + " -I " + stub() +
+        "/include -I include $(printf ' -I %s' include/*) -I controller whole.cpp -o drive");
     folder_.run("./drive; code=$?; test $code = 0 || { sed -n ${code}p drive.cpp; exit 1; }");
 }
 

@@ -19,13 +19,13 @@ struct Planned {
 
 /// Generates the package of a component with the text of a mapping; "" means no mapping.
 [[nodiscard]] Planned emit_package(const ir::System&, const std::string& component, const std::string& mapping,
-                                   const ir::InstantiationOptions& = {});
+                                   const ir::InstantiationOptions& = {}, const Options& = {});
 
 class Package : public ::testing::Test {
 protected:
     /// Generates the package; findings other than notes fail the test.
     void emit(const ir::System&, const std::string& component, const std::string& mapping = "",
-              const ir::InstantiationOptions& = {});
+              const ir::InstantiationOptions& = {}, const Options& = {});
     /// Builds the package with CMake, with all warnings as errors.
     void build(const std::string& options = "") const;
     /// Compiles the node with a program as one source, and runs it. The program returns 0, or the line of the first

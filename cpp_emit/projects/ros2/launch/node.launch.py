@@ -30,21 +30,24 @@ def generate_launch_description():
 
     def change(transition):
         return EmitEvent(
-            event=ChangeState(lifecycle_node_matcher=matches_action(node), transition_id=transition),
+            event=ChangeState(lifecycle_node_matcher=matches_action(node),
+                              transition_id=transition),
             condition=autostart,
         )
 
-    # Activated when it has been configured, but not after it has been deactivated.
+    # Activated when it has been configured for the first time; later transitions are the user's.
     activate = RegisterEventHandler(
         OnStateTransition(
             target_lifecycle_node=node,
             start_state='configuring',
             goal_state='inactive',
             entities=[change(Transition.TRANSITION_ACTIVATE)],
+            handle_once=True,
         )
     )
     return LaunchDescription([
-        DeclareLaunchArgument('parameters', default_value=os.path.join(share, 'config', '@CLASS@.yaml'),
+        DeclareLaunchArgument('parameters',
+                              default_value=os.path.join(share, 'config', '@FILES@.yaml'),
                               description='file with the parameters of the node'),
         DeclareLaunchArgument('autostart', default_value='true',
                               description='configure and activate the node when it has started'),

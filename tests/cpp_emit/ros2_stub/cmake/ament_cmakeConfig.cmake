@@ -1,5 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-# A test stub of ament_cmake with the last command of a generated package.
+# The commands of ament_cmake that a generated package uses, for tests. Exported targets and the file with which another
+# package finds them are those of CMake.
+macro(ament_export_targets name)
+  install(EXPORT ${name} NAMESPACE ${PROJECT_NAME}:: DESTINATION share/${PROJECT_NAME}/cmake)
+  set(STUB_EXPORTED ${name})
+endmacro()
+macro(ament_export_dependencies)
+  set(STUB_DEPENDENCIES ${ARGN})
+endmacro()
 macro(ament_package)
   set_property(GLOBAL PROPERTY STUB_AMENT_PACKAGE ON)
+  set(stub_config "include(CMakeFindDependencyMacro)\n")
+  foreach(dependency IN LISTS STUB_DEPENDENCIES)
+    string(APPEND stub_config "find_dependency(${dependency})\n")
+  endforeach()
+  if(STUB_EXPORTED)
+    string(APPEND stub_config "include(\${CMAKE_CURRENT_LIST_DIR}/${STUB_EXPORTED}.cmake)\n")
+  endif()
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}Config.cmake "${stub_config}")
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}Config.cmake DESTINATION share/${PROJECT_NAME}/cmake)
 endmacro()

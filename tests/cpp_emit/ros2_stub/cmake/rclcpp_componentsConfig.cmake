@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The target and command of rclcpp_components, for tests. The real command generates a program with the node and builds
 # it.
+if(TARGET rclcpp_components::component)
+  return()
+endif()
 add_library(rclcpp_components::component INTERFACE IMPORTED)
 set_target_properties(rclcpp_components::component PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_CURRENT_LIST_DIR}/../include)

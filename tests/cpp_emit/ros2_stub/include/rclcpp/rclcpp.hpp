@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -61,19 +62,27 @@ private:
 struct Network {
     std::map<std::string, std::vector<std::function<void(const std::any&)>>> listeners;
     std::map<std::string, std::vector<std::any>> published;
+    std::vector<std::string> order;               ///< the topic of each published message
     std::map<std::string, std::string> quality;   ///< of publishers and subscriptions
     std::map<std::string, std::size_t> policies;  ///< number of policies that parameters may override
     std::map<std::string, std::any> parameters;   ///< as given on the command line
     std::map<std::string, rcl_interfaces::msg::ParameterDescriptor> declared;
+    std::set<std::string> broken;  ///< topics whose publishers throw
     std::vector<std::string> log;  ///< warnings and errors
     std::int32_t seconds = 0;      ///< of the clock
+    std::int64_t nanoseconds = 0;  ///< added to the seconds
     struct Timer {
         double period = 0;
         bool cancelled = false;
         std::function<void()> callback;
     };
     std::vector<std::weak_ptr<Timer>> timers;
+    std::map<int, std::function<void()>> pre_shutdown;  ///< callbacks of the context, by number
 
+    /// The program ends.
+    void shut_down() const {
+        for (const auto& [number, callback] : pre_shutdown) callback();
+    }
     static Network& get() {
         static Network network;
         return network;
@@ -95,6 +104,31 @@ struct Network {
 };
 
 class NodeOptions {};
+
+struct PreShutdownCallbackHandle {
+    int number = 0;
+};
+
+class Context {
+public:
+    PreShutdownCallbackHandle add_pre_shutdown_callback(std::function<void()> callback) {
+        static int last = 0;
+        Network::get().pre_shutdown[++last] = std::move(callback);
+        return {last};
+    }
+    bool remove_pre_shutdown_callback(const PreShutdownCallbackHandle& handle) {
+        return Network::get().pre_shutdown.erase(handle.number) == 1;
+    }
+};
+
+namespace node_interfaces {
+
+class NodeBaseInterface {
+public:
+    [[nodiscard]] std::shared_ptr<Context> get_context() const { return std::make_shared<Context>(); }
+};
+
+}  // namespace node_interfaces
 
 struct PublisherOptions {
     QosOverridingOptions qos_overriding_options;
@@ -123,7 +157,12 @@ public:
     Publisher(std::string topic, const QoS& qos) : topic_(std::move(topic)), qos_(qos) {}
     virtual ~Publisher() = default;
     [[nodiscard]] QoS get_actual_qos() const { return qos_; }
-    virtual void publish(const Message& message) { Network::get().published[topic_].push_back(message); }
+    virtual void publish(const Message& message) {
+        if (Network::get().broken.count(topic_) != 0) throw std::runtime_error("the publisher is broken");
+        Network::get().order.push_back(topic_);
+        Network::get().published[topic_].push_back(message);
+    }
+    [[nodiscard]] const char* get_topic_name() const { return topic_.c_str(); }
     [[nodiscard]] std::size_t get_subscription_count() const { return Network::get().listeners[topic_].size(); }
 
 private:
@@ -147,11 +186,6 @@ public:
     using SharedPtr = std::shared_ptr<Clock>;
 };
 
-class Time {
-public:
-    operator builtin_interfaces::msg::Time() const { return {Network::get().seconds, 0}; }
-};
-
 class Duration {
 public:
     static Duration from_seconds(double seconds) { return Duration(seconds); }
@@ -162,7 +196,48 @@ private:
     double seconds_;
 };
 
+class Time {
+public:
+    Time() : nanoseconds_(Network::get().seconds * std::int64_t{1'000'000'000} + Network::get().nanoseconds) {}
+    operator builtin_interfaces::msg::Time() const {
+        return {static_cast<std::int32_t>(nanoseconds_ / 1'000'000'000),
+                static_cast<std::uint32_t>(nanoseconds_ % 1'000'000'000)};
+    }
+    Duration operator-(const Time& other) const {
+        return Duration::from_seconds(static_cast<double>(nanoseconds_ - other.nanoseconds_) * 1e-9);
+    }
+
+private:
+    std::int64_t nanoseconds_;
+};
+
 class Logger {};
+
+inline void init(int, const char* const*) {}
+inline bool shutdown() {
+    return true;
+}
+
+enum class ParameterType { PARAMETER_NOT_SET, PARAMETER_BOOL, PARAMETER_INTEGER, PARAMETER_DOUBLE, PARAMETER_STRING };
+
+class ParameterValue {
+public:
+    explicit ParameterValue(double value) : ParameterValue(std::any(value)) {}
+    explicit ParameterValue(std::any value) : value_(std::move(value)) {}
+    [[nodiscard]] ParameterType get_type() const {
+        if (value_.type() == typeid(double)) return ParameterType::PARAMETER_DOUBLE;
+        return value_.type() == typeid(std::int64_t) ? ParameterType::PARAMETER_INTEGER
+                                                     : ParameterType::PARAMETER_STRING;
+    }
+    template <class Value>
+    [[nodiscard]] Value get() const {
+        return std::any_cast<Value>(value_);
+    }
+    [[nodiscard]] const std::any& any() const { return value_; }
+
+private:
+    std::any value_;
+};
 
 class CallbackGroup {
 public:
@@ -208,3 +283,4 @@ void stub_log(const Logger&, const char* format, const Arguments&... arguments) 
         static_assert((milliseconds) > 0, "a duration");       \
         RCLCPP_WARN(logger, __VA_ARGS__);                      \
     } while (false)
+#define RCLCPP_ERROR_THROTTLE(...) RCLCPP_WARN_THROTTLE(__VA_ARGS__)

@@ -76,6 +76,23 @@ public:
                 if (result < range.from_value || result > range.to_value) throw std::invalid_argument(name);
         return result;
     }
+    /// A parameter that may have a value of another type (dynamic_typing). The range applies to doubles.
+    rclcpp::ParameterValue declare_parameter(const std::string& name, const rclcpp::ParameterValue& value,
+                                             const rcl_interfaces::msg::ParameterDescriptor& descriptor) {
+        rclcpp::Network::get().declared[name] = descriptor;
+        const auto& given = rclcpp::Network::get().parameters;
+        const auto found = given.find(name);
+        rclcpp::ParameterValue result = found == given.end() ? value : rclcpp::ParameterValue(found->second);
+        if (result.any().type() != value.any().type() && !descriptor.dynamic_typing) throw std::invalid_argument(name);
+        if (result.get_type() == rclcpp::ParameterType::PARAMETER_DOUBLE)
+            for (const auto& range : descriptor.floating_point_range)
+                if (result.get<double>() < range.from_value || result.get<double>() > range.to_value)
+                    throw std::invalid_argument(name);
+        return result;
+    }
+    [[nodiscard]] std::shared_ptr<rclcpp::node_interfaces::NodeBaseInterface> get_node_base_interface() const {
+        return std::make_shared<rclcpp::node_interfaces::NodeBaseInterface>();
+    }
     [[nodiscard]] rclcpp::Clock::SharedPtr get_clock() { return std::make_shared<rclcpp::Clock>(); }
     [[nodiscard]] rclcpp::Time now() const { return {}; }
     [[nodiscard]] rclcpp::Logger get_logger() const { return {}; }

@@ -17,6 +17,7 @@ struct ParameterDescriptor {
     std::string name{};
     std::string description{};
     bool read_only{};
+    bool dynamic_typing{};
     std::vector<FloatingPointRange> floating_point_range{};
 };
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adds numbers between the constants with which reals are compared.
+#include "conformance/traces/more_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "base/diagnostics/containers.hpp"
+#include "conformance/model/model_interface.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::conformance {
+
+namespace {
+
+/// A unit of the model is divided into so many units.
+constexpr std::int64_t fineness = 1000;
+/// The number of further numbers between two neighbours.
+constexpr std::int64_t further = 7;
+/// Numbers stay exact in double, and their products by small factors stay in 64 bits.
+constexpr double greatest = 1e14;
+
+/// The same value in finer units. Recursion depth: the depth of the type.
+ir::Value in_finer_units(const ir::System& system, ir::TypeId id, ir::Value value) {
+    const ir::Type& type = system.type(id);
+    if (type.kind == ir::TypeKind::real) value.number *= fineness;
+    const bool pairs = type.kind == ir::TypeKind::function || type.kind == ir::TypeKind::relation;
+    for (std::size_t i = 0; i < value.parts.size(); ++i) {
+        ir::Value& part = value.parts[i];
+        if (type.kind == ir::TypeKind::enumeration) {
+            const auto& arguments = type.literal_args.at(static_cast<std::size_t>(value.number));
+            part = in_finer_units(system, arguments.at(i), std::move(part));
+        } else if (type.kind == ir::TypeKind::record || type.kind == ir::TypeKind::product) {
+            part = in_finer_units(system, type.args.at(i), std::move(part));
+        } else if (pairs || type.kind == ir::TypeKind::matrix) {
+            for (std::size_t j = 0; j < part.parts.size(); ++j)
+                part.parts[j] = in_finer_units(system, type.args.at(pairs ? j : 0), std::move(part.parts[j]));
+        } else if (!type.args.empty()) {
+            part = in_finer_units(system, type.args[0], std::move(part));
+        }
+    }
+    return value;
+}
+
+/// Numbers between each two neighbours of `ends`, and beyond the first and the last.
+std::vector<std::int64_t> numbers_among(const std::vector<std::int64_t>& ends, std::int64_t unit) {
+    std::vector<std::int64_t> result;
+    for (std::int64_t j = 1; j <= further; ++j) {
+        result.push_back(ends.front() - j * unit);
+        result.push_back(ends.back() + j * unit);
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+            result.push_back(ends[i] + (ends[i + 1] - ends[i]) * j / (further + 1));
+    }
+    return result;
+}
+
+}  // namespace
+
+ir::Instantiation with_more_numbers(const ir::System& system, const ir::Instantiation& instantiation,
+                                    const ir::ComponentRef& component) {
+    const auto numbers = compared_numbers(system, instantiation, component);
+    if (!numbers || numbers->uses.real != NumberUse::compared || instantiation.real.empty()) return instantiation;
+    const auto found = numbers->constants.find(ir::TypeKind::real);
+    if (found == numbers->constants.end()) return instantiation;
+    const double units = static_cast<double>(instantiation.scale) * static_cast<double>(fineness);
+    const auto fits = [&](double number) { return std::abs(number * units) < greatest; };
+    const double last = static_cast<double>(std::max(std::abs(instantiation.real.front()), instantiation.real.back()));
+    if (!std::ranges::all_of(found->second.all, fits) || !fits(last / static_cast<double>(instantiation.scale)))
+        return instantiation;
+    ir::Instantiation result = instantiation;
+    result.scale *= fineness;
+    for (std::int64_t& number : result.real) number *= fineness;
+    std::vector<std::int64_t> ends;
+    for (const double constant : found->second.all) ends.push_back(std::llround(constant * units));
+    diagnostics::sort_unique(ends);
+    for (const std::int64_t number : numbers_among(ends, result.scale)) result.real.push_back(number);
+    diagnostics::sort_unique(result.real);
+    for (const ir::NamedConstant& constant : ir::named_constants(system)) {
+        const auto value = result.constants.find(constant.name);
+        if (value != result.constants.end()) value->second = in_finer_units(system, constant.type, value->second);
+    }
+    return result;
+}
+
+}  // namespace robochart::conformance

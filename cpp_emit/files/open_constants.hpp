@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the constants of a component whose values come from options of the generator and not from the model. Generated
+// code contains these values, so logs and parameters name them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cpp_emit/expressions/generation.hpp"
+
+namespace robochart::cpp_emit {
+
+/// A constant whose value the model does not give, or an option replaces.
+struct OpenConstant {
+    std::string path;  ///< path in the model: "M::C::S::SPEED"
+    ir::TypeId type;
+    ir::Value value;
+    std::string literal;  ///< the value as RoboChart text, as for `--const`
+};
+
+/// The open constants of the component's machines that an option can set: truth values, numbers, and literals without
+/// arguments. Ordered by their names in CSP.
+[[nodiscard]] std::vector<OpenConstant> open_constants(const Generation&);
+
+}  // namespace robochart::cpp_emit
