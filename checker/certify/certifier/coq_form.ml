@@ -1,0 +1,173 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* A certificate as a file for Coq: the definitions, the proofs, the evidence, and a theorem that Coq's virtual machine
+   decides. It needs neither this program nor OCaml. *)
+open Verified
+
+type 'a array = 'a Array.t
+
+let number x = string_of_int x
+let pair a b = Printf.sprintf "(%s, %s)" a b
+let list f l = "[" ^ String.concat "; " (List.map f l) ^ "]"
+let nat x = Printf.sprintf "%d%%nat" x
+
+(* A primitive array; its last entry is the value outside of its bounds. *)
+let array ~default f values =
+  Printf.sprintf "[| %s | %s |]%%array" (String.concat "; " (Array.to_list (Array.map f values))) default
+
+let define out name kind text = Printf.bprintf out "Definition %s : %s :=\n  %s.\n" name kind text
+let words = list number
+
+let rec region (Region (inside, rules)) =
+  let participant = function Slot k -> "Slot " ^ nat k | Inner r -> Printf.sprintf "Inner (%s)" (region r) in
+  let rule r =
+    Printf.sprintf "{| does := %d; level := %s; asks := %s; puts := %s |}" r.does
+      (match r.level with None -> "None" | Some l -> Printf.sprintf "Some %d" l)
+      (list (fun (i, e) -> pair (nat i) (number e)) r.asks)
+      (list (fun (k, x) -> pair (nat k) (number x)) r.puts)
+  in
+  Printf.sprintf "Region %s\n    %s" (list participant inside) (list rule rules)
+
+let system out name (process : Formats.process) layout =
+  let row edges = list (fun (e, target) -> pair (number e) (number target)) edges in
+  let component rows = array ~default:"[]" row rows in
+  define out (name ^ "_rows") "array (array (list (ev * int)))"
+    (array ~default:"make 0 []" component process.component_edges);
+  define out name "system"
+    (Printf.sprintf
+       "{| edges := fun k v => get (get %s_rows (of_Z (Z.of_nat k))) v;\n   start := %s;\n   whole := %s |}" name
+       (words process.system.start) (region process.system.whole));
+  define out (name ^ "_layout") "layout"
+    (Printf.sprintf "{| groups := %s; event_count := %d |}" (list words layout.groups) layout.event_count)
+
+let origin o = Printf.sprintf "{| by_event := %b; from := %d; depth := %d |}" o.by_event o.from o.depth
+let no_origin = "{| by_event := true; from := 0; depth := 0 |}"
+
+(* The normal form, and why its members are reached. *)
+let normal_form out (nodes : Search.node array) (evidence : int list evidence) =
+  let count = Array.length nodes in
+  let by_node name kind ~default f = define out name ("array (" ^ kind ^ ")") (array ~default f (Array.init count Fun.id)) in
+  let size n = evidence.size0 n in
+  let origins source members = array ~default:no_origin origin (Array.init members source) in
+  by_node "node_arcs" "array (ev * int)" ~default:"make 0 (0, 0)" (fun n ->
+      array ~default:"(0, 0)" (fun (a, k) -> pair (number a) (number k)) nodes.(n).arcs);
+  by_node "node_acceptances" "array (list ev)" ~default:"make 0 []" (fun n ->
+      array ~default:"[]" (fun set -> words (Array.to_list set)) nodes.(n).acceptances);
+  by_node "node_diverges" "bool" ~default:"false" (fun n -> string_of_bool nodes.(n).node_diverges);
+  by_node "node_members" "array (list int)" ~default:"make 0 []" (fun n ->
+      array ~default:"[]" words (Array.init (size n) (evidence.member n)));
+  define out "root_origins" "array origin" (origins evidence.origin_in_root (size 0));
+  by_node "arc_origins" "array (array origin)" ~default:("make 0 (make 0 " ^ no_origin ^ ")") (fun n ->
+      array
+        ~default:("make 0 " ^ no_origin)
+        (fun i -> origins (evidence.origin_after n i) (size (snd nodes.(n).arcs.(i))))
+        (Array.init (Array.length nodes.(n).arcs) Fun.id));
+  by_node "node_witnesses" "array int" ~default:"make 0 0" (fun n -> array ~default:"0" number nodes.(n).witnesses);
+  by_node "node_loops" "int * int" ~default:"(0, 0)" (fun n ->
+      if nodes.(n).node_diverges then pair (number (evidence.diverging_member n)) (number (evidence.loop_entry n))
+      else "(0, 0)");
+  let loop f = Array.init evidence.loop_size f in
+  define out "loop_states" "array (list int)" (array ~default:"[]" words (loop evidence.loop));
+  define out "loop_nexts" "array int" (array ~default:"0" number (loop evidence.loop_next));
+  define out "normal" "normal_form"
+    (Printf.sprintf
+       "{| nodes := %d; root := 0;\n\
+       \   arc_count := fun n => length (get node_arcs n);\n\
+       \   arc := fun n i => get (get node_arcs n) i;\n\
+       \   where_is := fun n a => first_place (fun arc => fst arc =? a) (get node_arcs n);\n\
+       \   acceptance_count := fun n => length (get node_acceptances n);\n\
+       \   acceptance := fun n i => get (get node_acceptances n) i;\n\
+       \   divergent := get node_diverges |}"
+       count);
+  define out "reasons" "evidence (list int)"
+    "{| size := fun n => length (get node_members n);\n\
+    \   member := fun n i => get (get node_members n) i;\n\
+    \   origin_in_root := get root_origins;\n\
+    \   origin_after := fun n i j => get (get (get arc_origins n) i) j;\n\
+    \   witness := fun n i => get (get node_witnesses n) i;\n\
+    \   loop_size := length loop_states; loop := get loop_states; loop_next := get loop_nexts;\n\
+    \   diverging_member := fun n => fst (get node_loops n); loop_entry := fun n => snd (get node_loops n) |}"
+
+(* The pairs, in ascending order of nodes and words, so that a pair is found by halving. *)
+let pairs_of out (found : Search.found) ~choose =
+  let store = found.store in
+  let order = Array.init store.filled Fun.id in
+  let key j = (Search.node_at store j, Search.words_at store j) in
+  Array.stable_sort (fun i j -> compare (key i) (key j)) order;
+  let column name kind ~default f = define out name ("array (" ^ kind ^ ")") (array ~default f order) in
+  column "pair_states" "list int" ~default:"[]" (fun j -> words (Search.words_at store j));
+  column "pair_nodes" "int" ~default:"0" (fun j -> number (Search.node_at store j));
+  column "pair_ranks" "int" ~default:"0" (fun j -> number (Search.rank_at store j));
+  define out "found" "pairs (list int)"
+    (Printf.sprintf
+       "{| count := %d; state_of := get pair_states; node_of := get pair_nodes; rank_of := get pair_ranks;\n\
+       \   locate := fun s n => seek pair_states pair_nodes 64 s n 0 %d;\n\
+       \   choose := %s |}"
+       store.filled store.filled choose)
+
+let preamble =
+  "(* How the evidence is found; nothing here has to be believed. *)\n\
+   Fixpoint first_from {A} (chk : A -> bool) (fuel : nat) (t : array A) (i : int) : int :=\n\
+  \  match fuel with O => i | S f => if i <? length t then if chk (get t i) then i else first_from chk f t (i + 1) else i end.\n\
+   Definition first_place {A} (chk : A -> bool) (t : array A) : int :=\n\
+  \  first_from chk (Z.to_nat (to_Z (length t))) t 0.\n\
+   Fixpoint less (c d : list int) : bool :=\n\
+  \  match c, d with v :: c', w :: d' => if v <? w then true else if v =? w then less c' d' else false | _, _ => false end.\n\
+   Fixpoint seek (states : array (list int)) (node_numbers : array int) (fuel : nat) (s : list int) (n lo hi : int) : int :=\n\
+  \  match fuel with\n\
+  \  | O => lo\n\
+  \  | S f =>\n\
+  \      if hi - lo <=? 1 then lo\n\
+  \      else\n\
+  \        let mid := (lo + hi) >> 1 in\n\
+  \        let m := get node_numbers mid in\n\
+  \        if (n <? m) || ((n =? m) && less s (get states mid)) then seek states node_numbers f s n lo mid\n\
+  \        else seek states node_numbers f s n mid hi\n\
+  \  end.\n\
+   Definition fitting (sets : array (list ev)) (moves : list (ev * list int)) : int :=\n\
+  \  first_place (fun A => if offers moves tick then forallb (fun a => a =? tick) A else forallb (offers moves) A) sets.\n\n"
+
+(* Text inside a comment: it neither ends the comment nor begins a string or another comment. *)
+let comment text =
+  String.mapi (fun i c -> if c = '"' || (c = '*' && i > 0 && text.[i - 1] = '(') || (c = ')' && i > 0 && text.[i - 1] = '*') then '_' else c) text
+
+let model_name = function T -> "T" | F -> "F" | FD -> "FD"
+
+let property_name = function
+  | Deadlock_free -> "Deadlock_free"
+  | Deadlock_and_divergence_free -> "Deadlock_and_divergence_free"
+  | Divergence_free -> "Divergence_free"
+
+let prove out statement lemma =
+  Printf.bprintf out "\nTheorem holds : %s.\nProof. apply (%s). vm_cast_no_check (eq_refl true). Qed.\nPrint Assumptions holds.\n"
+    statement lemma
+
+(* Names of events, for readers. *)
+let event_list (claim : Formats.claim) =
+  String.concat "" (List.init (claim.event_count - 2) (fun i -> Printf.sprintf "   %d: %s\n" (i + 2) (comment (claim.event_name (i + 2)))))
+
+let theorem (claim : Formats.claim) ~most =
+  let out = Buffer.create 1_000_000 in
+  let proof, _, nodes, found = Certificate_check.prove claim ~most in
+  Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   Product level, unreduced: the theorem is about the compiled processes below.\n\n   Events: 0: tau, 1: tick\n%s*)\n"
+    (comment claim.assertion) (comment claim.source) claim.question_text (event_list claim);
+  Buffer.add_string out Proofs.text;
+  Buffer.add_string out preamble;
+  (match proof with
+  | Certificate_check.Of_refinement (model, spec_layout, _, layout, _, _, evidence, _) ->
+      system out "specification" (Option.get claim.specification) spec_layout;
+      system out "implementation" claim.implementation layout;
+      normal_form out nodes evidence;
+      pairs_of out found ~choose:"fun n moves => fitting (get node_acceptances n) moves";
+      let m = model_name model in
+      prove out
+        (Printf.sprintf "refines %s (system_lts specification) (system_lts implementation)" m)
+        (Printf.sprintf
+           "refinement_sound %s specification_layout specification implementation_layout implementation normal reasons found" m)
+  | Of_property (property, layout, _, _) ->
+      system out "implementation" claim.implementation layout;
+      pairs_of out found ~choose:"fun _ _ => 0";
+      let p = property_name property in
+      prove out
+        (Printf.sprintf "satisfies %s (system_lts implementation)" p)
+        (Printf.sprintf "property_sound %s implementation_layout implementation found" p));
+  Buffer.contents out

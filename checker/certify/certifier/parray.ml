@@ -1,0 +1,33 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* Coq's primitive arrays: a value never changes. The newest version of an array is a native array, an older one a
+   difference from a newer one. Part of what has to be believed. *)
+type 'a t = 'a version ref
+and 'a version = Newest of 'a array * 'a | Older of int * 'a * 'a t
+
+let max_length = Sys.max_array_length
+let make n default = ref (Newest (Array.make (if n >= 0 && n <= max_length then n else max_length) default, default))
+
+let rec content t = match !t with Newest (values, default) -> (values, default) | Older (_, _, newer) -> content newer
+let length t = Array.length (fst (content t))
+let default t = snd (content t)
+
+let rec get t i =
+  match !t with
+  | Newest (values, default) -> if i >= 0 && i < Array.length values then Array.unsafe_get values i else default
+  | Older (j, value, newer) -> if i = j then value else get newer i
+
+let copy t =
+  let _, default = content t in
+  ref (Newest (Array.init (length t) (get t), default))
+
+let rec set t i x =
+  match !t with
+  | Older _ -> set (copy t) i x
+  | Newest (values, default) ->
+      if i < 0 || i >= Array.length values then t
+      else begin
+        let newest = ref (Newest (values, default)) in
+        t := Older (i, values.(i), newest);
+        values.(i) <- x;
+        newest
+      end

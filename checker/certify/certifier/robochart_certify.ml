@@ -1,0 +1,96 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* robochart-certify: accepts or refuses certificates (docs/certificates.md). *)
+let usage =
+  "usage: robochart-certify [--quiet] [--max-pairs N] FOLDER...\n\
+  \       robochart-certify --coq CERTIFICATE > File.v\n\
+   Checks the certificates in the folders. Exit code 0: all are certified; 1: some are refused; 2: wrong use.\n"
+
+let trusted =
+  "Trusted: that the processes in the certificates are those of the assertions (robochart-verify compiled them), Coq and \
+   its extraction, OCaml, and this program's reader of files."
+
+let wrong_use why =
+  prerr_string ("robochart-certify: " ^ why ^ "\n" ^ usage);
+  exit 2
+
+(* No control characters reach a terminal. *)
+let printable text = String.map (fun c -> if c < ' ' || c = '\127' then '?' else c) text
+
+let is_certificate folder = Sys.file_exists (Filename.concat folder "claim.txt")
+
+(* Folders whose names begin with a dot are unfinished and no certificates. *)
+let certificates_in path =
+  if is_certificate path then [ path ]
+  else
+    let entries = try Sys.readdir path with Sys_error why -> wrong_use why in
+    let folders = List.filter (fun e -> e.[0] <> '.') (Array.to_list entries) in
+    let folders = List.map (Filename.concat path) folders in
+    let folders = List.filter Sys.is_directory folders in
+    let key folder = (try Scanf.sscanf (Filename.basename folder) "%d" Fun.id with _ -> max_int), folder in
+    List.sort (fun a b -> compare (key a) (key b)) folders
+
+let grouped n =
+  let digits = string_of_int n in
+  let length = String.length digits in
+  String.concat "" (List.init length (fun i -> (if i > 0 && (length - i) mod 3 = 0 then "," else "") ^ String.make 1 digits.[i]))
+
+let plural n word = Printf.sprintf "%s %s%s" (grouped n) word (if n = 1 then "" else "s")
+
+let show ~most ~quiet folder =
+  let assertion, answer =
+    match Formats.read_claim folder with
+    | exception Formats.Unreadable why -> ("", Certificate_check.Refused why)
+    | claim -> (claim.assertion, Certificate_check.certify claim ~most)
+  in
+  match answer with
+  | Certificate_check.Certified figures ->
+      if not quiet then
+        Printf.printf "CERTIFIED  %s: %s (product level, unreduced, %s, %s)\n%!" (printable folder) (printable assertion)
+          (plural figures.pairs "pair") (plural figures.components "component");
+      true
+  | Refused why ->
+      Printf.printf "REFUSED    %s: %s%s\n%!" (printable folder)
+        (if assertion = "" then "" else printable assertion ^ ": ")
+        (printable why);
+      false
+
+let check_all paths ~most ~quiet =
+  let folders = List.concat_map certificates_in paths in
+  if folders = [] then wrong_use "there are no certificates";
+  let refused = List.length (List.filter not (List.map (show ~most ~quiet) folders)) in
+  Printf.printf "%s certified, %d refused\n" (grouped (List.length folders - refused)) refused;
+  if not quiet then print_endline trusted;
+  exit (if refused = 0 then 0 else 1)
+
+let print_theorem folder ~most =
+  match
+    let claim = Formats.read_claim folder in
+    Coq_form.theorem claim ~most
+  with
+  | text -> print_string text
+  | exception Formats.Unreadable why | exception Search.Refuted why | exception Search.Limit why ->
+      prerr_endline ("robochart-certify: " ^ printable why);
+      exit 1
+
+let () =
+  let rec read paths coq quiet most = function
+    | [] -> (List.rev paths, coq, quiet, most)
+    | "--coq" :: rest -> read paths true quiet most rest
+    | "--quiet" :: rest -> read paths coq true most rest
+    | "--max-pairs" :: n :: rest -> (
+        match int_of_string_opt n with
+        | Some n when n > 0 -> read paths coq quiet n rest
+        | _ -> wrong_use "--max-pairs needs a number")
+    | "--help" :: _ ->
+        print_string usage;
+        exit 0
+    | word :: _ when word <> "" && word.[0] = '-' -> wrong_use (word ^ " is not an option")
+    | "" :: _ -> wrong_use "a folder has a name"
+    | path :: rest -> read (path :: paths) coq quiet most rest
+  in
+  let paths, coq, quiet, most = read [] false false 20_000_000 (List.tl (Array.to_list Sys.argv)) in
+  match (paths, coq) with
+  | [], _ -> wrong_use "which certificates?"
+  | [ folder ], true -> print_theorem folder ~most
+  | _, true -> wrong_use "--coq takes one certificate"
+  | _, false -> check_all paths ~most ~quiet

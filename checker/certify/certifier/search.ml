@@ -1,0 +1,483 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* Finds what the verified checks need: the normal form of the specification, the pairs and their ranks. Nothing here
+   has to be believed: if it is wrong, the checks refuse. *)
+open Verified
+
+type 'a array = 'a Array.t
+
+exception Limit of string
+
+(* A violation in words. *)
+exception Refuted of string
+
+type words = int list
+
+let mix a b =
+  let h = (a lxor (b * 0x1E3779B97F4A7C15)) * 0x2545F4914F6CDD1D in
+  h lxor (h lsr 29)
+
+let hash_words words node = List.fold_left mix node words land max_int
+
+(* Pairs in arrays, found by a hash table. Of each pair: its words, its node, its rank. *)
+type store = {
+  width : int;
+  mutable data : int array;
+  mutable filled : int;
+  mutable slots : int array;
+  mutable mask : int;
+}
+
+let new_store width = { width; data = Array.make (1024 * (width + 2)) 0; filled = 0; slots = Array.make 4096 (-1); mask = 4095 }
+let row store j = j * (store.width + 2)
+let node_at store j = store.data.(row store j + store.width)
+let rank_at store j = store.data.(row store j + store.width + 1)
+let set_rank store j rank = store.data.(row store j + store.width + 1) <- rank
+
+let words_at store j =
+  let first = row store j in
+  if store.width = 1 then [ store.data.(first) ]
+  else
+    let rec from i rest = if i < first then rest else from (i - 1) (store.data.(i) :: rest) in
+    from (first + store.width - 1) []
+
+let is_at store words node j =
+  let rec same i = function [] -> true | w :: rest -> store.data.(i) = w && same (i + 1) rest in
+  node_at store j = node && same (row store j) words
+
+let slot_of store words node =
+  let rec probe i =
+    let j = store.slots.(i) in
+    if j < 0 || is_at store words node j then i else probe ((i + 1) land store.mask)
+  in
+  probe (hash_words words node land store.mask)
+
+let grow_slots store =
+  store.mask <- (2 * store.mask) + 1;
+  store.slots <- Array.make (store.mask + 1) (-1);
+  for j = 0 to store.filled - 1 do
+    store.slots.(slot_of store (words_at store j) (node_at store j)) <- j
+  done
+
+(* The number of the pair, and whether it is new. *)
+let insert store words node =
+  let slot = slot_of store words node in
+  let j = store.slots.(slot) in
+  if j >= 0 then (j, false)
+  else begin
+    let j = store.filled in
+    let first = row store j in
+    if first + store.width + 2 > Array.length store.data then begin
+      let larger = Array.make (2 * Array.length store.data) 0 in
+      Array.blit store.data 0 larger 0 first;
+      store.data <- larger
+    end;
+    List.iteri (fun i w -> store.data.(first + i) <- w) words;
+    store.data.(first + store.width) <- node;
+    store.data.(first + store.width + 1) <- 0;
+    store.filled <- j + 1;
+    store.slots.(slot) <- j;
+    if 2 * store.filled > store.mask then grow_slots store;
+    (j, true)
+  end
+
+let find store words node =
+  let j = store.slots.(slot_of store words node) in
+  if j < 0 then store.filled else j
+
+(* A growing array of numbers. *)
+type row = { mutable values : int array; mutable used : int }
+
+let new_row () = { values = Array.make 1024 0; used = 0 }
+
+let push row x =
+  if row.used = Array.length row.values then begin
+    let larger = Array.make (2 * row.used) 0 in
+    Array.blit row.values 0 larger 0 row.used;
+    row.values <- larger
+  end;
+  row.values.(row.used) <- x;
+  row.used <- row.used + 1
+
+(* The specification as an explicit graph, explored on demand. *)
+type graph = {
+  succ : words -> (int * words) list;
+  ids : (words, int) Hashtbl.t;
+  mutable states : words array;
+  mutable edges : (int * int) list option array;
+  mutable colour : Bytes.t;  (** divergence: '0' unknown, '1' on the stack, 'n' no, 'y' yes *)
+  mutable marks : int array;
+  mutable mark : int;
+}
+
+let id_of graph words =
+  match Hashtbl.find_opt graph.ids words with
+  | Some id -> id
+  | None ->
+      let id = Hashtbl.length graph.ids in
+      Hashtbl.add graph.ids words id;
+      let size = Array.length graph.states in
+      if id = size then begin
+        let larger a filler = Array.append a (Array.make size filler) in
+        graph.states <- larger graph.states [];
+        graph.edges <- larger graph.edges None;
+        graph.marks <- larger graph.marks 0;
+        graph.colour <- Bytes.cat graph.colour (Bytes.make size '0')
+      end;
+      graph.states.(id) <- words;
+      id
+
+let new_graph succ =
+  { succ; ids = Hashtbl.create 1000; states = Array.make 64 []; edges = Array.make 64 None; colour = Bytes.make 64 '0';
+    marks = Array.make 64 0; mark = 0 }
+
+let edges_of graph id =
+  match graph.edges.(id) with
+  | Some edges -> edges
+  | None ->
+      let edges = List.map (fun (a, u) -> (a, id_of graph u)) (graph.succ graph.states.(id)) in
+      let edges = List.sort_uniq compare edges in
+      graph.edges.(id) <- Some edges;
+      edges
+
+let taus_of graph id = List.filter_map (fun (a, u) -> if a = 0 then Some u else None) (edges_of graph id)
+
+(* Whether taus can go on for ever. All states on a stack of a depth-first search reach its top. *)
+let diverges graph id =
+  let stack = ref [ (id, ref (taus_of graph id)) ] in
+  let colour s = Bytes.get graph.colour s in
+  let all_diverge () =
+    List.iter (fun (s, _) -> Bytes.set graph.colour s 'y') !stack;
+    stack := []
+  in
+  if colour id = '0' then begin
+    Bytes.set graph.colour id '1';
+    while !stack <> [] do
+      let s, rest = List.hd !stack in
+      match !rest with
+      | [] ->
+          Bytes.set graph.colour s 'n';
+          stack := List.tl !stack
+      | u :: later -> (
+          rest := later;
+          match colour u with
+          | 'n' -> ()
+          | '0' ->
+              Bytes.set graph.colour u '1';
+              stack := (u, ref (taus_of graph u)) :: !stack
+          | _ -> all_diverge ())
+    done
+  end;
+  colour id = 'y'
+
+(* The states that taus reach from the seeds, sorted. *)
+let close graph seeds =
+  graph.mark <- graph.mark + 1;
+  let found = ref [] in
+  let rec add = function
+    | [] -> ()
+    | s :: rest ->
+        if graph.marks.(s) = graph.mark then add rest
+        else begin
+          let taus = taus_of graph s in
+          graph.marks.(s) <- graph.mark;
+          found := s :: !found;
+          add (List.rev_append taus rest)
+        end
+  in
+  add seeds;
+  let members = Array.of_list !found in
+  Array.sort compare members;
+  members
+
+type node = {
+  members : int array;
+  arcs : (int * int) array;
+  acceptances : int array array;
+  witnesses : int array;  (** by acceptance: the place of a member *)
+  node_diverges : bool;
+}
+
+module Sets = Hashtbl.Make (struct
+  type t = int array
+
+  let equal (a : t) b = a = b
+  let hash a = Array.fold_left mix 0 a land max_int
+end)
+
+let includes large small = Array.for_all (fun x -> Array.exists (fun y -> y = x) large) small
+
+(* The minimal acceptances of the members, each with a witness. *)
+let acceptances_of graph members =
+  let distinct = Hashtbl.create 16 in
+  Array.iteri
+    (fun place s ->
+      let events = List.sort_uniq compare (List.map fst (edges_of graph s)) in
+      let add set = if not (Hashtbl.mem distinct set) then Hashtbl.add distinct set place in
+      if List.mem 1 events then add [| 1 |] else if not (List.mem 0 events) then add (Array.of_list events))
+    members;
+  let all = Hashtbl.fold (fun set place l -> (set, place) :: l) distinct [] in
+  let all = List.sort (fun (a, _) (b, _) -> compare (Array.length a, a) (Array.length b, b)) all in
+  let minimal =
+    List.fold_left (fun kept (set, place) -> if List.exists (fun (k, _) -> includes set k) kept then kept else (set, place) :: kept) [] all
+  in
+  let minimal = List.rev minimal in
+  (Array.of_list (List.map fst minimal), Array.of_list (List.map snd minimal))
+
+let normalise graph start model ~most =
+  let ids = Sets.create 1000 and waiting = Queue.create () and nodes = ref [] in
+  let node_of members =
+    match Sets.find_opt ids members with
+    | Some n -> n
+    | None ->
+        let n = Sets.length ids in
+        if n >= most then raise (Limit "the normal form of the specification has too many nodes");
+        Sets.add ids members n;
+        Queue.add members waiting;
+        n
+  in
+  ignore (node_of (close graph [ id_of graph start ]));
+  while not (Queue.is_empty waiting) do
+    let members = Queue.pop waiting in
+    let node_diverges = model = FD && Array.exists (diverges graph) members in
+    if node_diverges then nodes := { members; arcs = [||]; acceptances = [||]; witnesses = [||]; node_diverges } :: !nodes
+    else begin
+      let after = Hashtbl.create 16 in
+      Array.iter
+        (fun s ->
+          List.iter
+            (fun (a, u) -> if a <> 0 then Hashtbl.replace after a (u :: Option.value ~default:[] (Hashtbl.find_opt after a)))
+            (edges_of graph s))
+        members;
+      let events = List.sort compare (Hashtbl.fold (fun a _ l -> a :: l) after []) in
+      let arcs = Array.of_list (List.map (fun a -> (a, node_of (close graph (Hashtbl.find after a)))) events) in
+      let acceptances, witnesses = if model = T then ([||], [||]) else acceptances_of graph members in
+      nodes := { members; arcs; acceptances; witnesses; node_diverges } :: !nodes
+    end
+  done;
+  Array.of_list (List.rev !nodes)
+
+(* The place of a number in a sorted array; its length if it is not there. *)
+let place_of key_of (sorted : 'a array) (key : int) =
+  let rec between low high =
+    if low >= high then Array.length sorted
+    else
+      let middle = (low + high) / 2 in
+      let found = key_of sorted.(middle) in
+      if found = key then middle else if found < key then between (middle + 1) high else between low middle
+  in
+  between 0 (Array.length sorted)
+
+let normal_form_of nodes =
+  let at n = nodes.(n) in
+  { nodes = Array.length nodes;
+    root = 0;
+    arc_count = (fun n -> Array.length (at n).arcs);
+    arc = (fun n i -> (at n).arcs.(i));
+    where_is = (fun n a -> place_of fst (at n).arcs a);
+    acceptance_count = (fun n -> Array.length (at n).acceptances);
+    acceptance = (fun n i -> Array.to_list (at n).acceptances.(i));
+    divergent = (fun n -> (at n).node_diverges) }
+
+(* Why the members of a node are reached, from seeds each with a place from which an event led to it. *)
+let origins graph seeds members =
+  let found = Array.make (Array.length members) { by_event = true; from = 0; depth = 0 } in
+  let known = Array.make (Array.length members) false in
+  let waiting = Queue.create () in
+  let add origin s =
+    let place = place_of Fun.id members s in
+    if place < Array.length members && not known.(place) then begin
+      known.(place) <- true;
+      found.(place) <- origin;
+      Queue.add place waiting
+    end
+  in
+  List.iter (fun (from, s) -> add { by_event = true; from; depth = 0 } s) seeds;
+  while not (Queue.is_empty waiting) do
+    let place = Queue.pop waiting in
+    let depth = found.(place).depth + 1 in
+    List.iter (add { by_event = false; from = place; depth }) (taus_of graph members.(place))
+  done;
+  found
+
+let evidence_of graph start nodes =
+  let members n = nodes.(n).members in
+  let in_root = lazy (origins graph [ (0, id_of graph start) ] (members 0)) in
+  let last = ref (-1, -1, [||]) in
+  let after n i =
+    let n', i', known = !last in
+    if n = n' && i = i' then known
+    else begin
+      let a, k = nodes.(n).arcs.(i) in
+      let seeds = ref [] in
+      Array.iteri (fun f s -> List.iter (fun (b, u) -> if b = a then seeds := (f, u) :: !seeds) (edges_of graph s)) (members n);
+      let known = origins graph !seeds (members k) in
+      last := (n, i, known);
+      known
+    end
+  in
+  let loop = ref [] in
+  Hashtbl.iter (fun _ id -> if Bytes.get graph.colour id = 'y' then loop := id :: !loop) graph.ids;
+  let loop = Array.of_list (List.sort compare !loop) in
+  let in_loop id = place_of Fun.id loop id in
+  let first_diverging n =
+    let rec from i = if i >= Array.length (members n) || in_loop (members n).(i) < Array.length loop then i else from (i + 1) in
+    from 0
+  in
+  { size0 = (fun n -> Array.length (members n));
+    member = (fun n j -> graph.states.((members n).(j)));
+    origin_in_root = (fun j -> (Lazy.force in_root).(j));
+    origin_after = (fun n i j -> (after n i).(j));
+    witness = (fun n i -> nodes.(n).witnesses.(i));
+    loop_size = Array.length loop;
+    loop = (fun j -> graph.states.(loop.(j)));
+    loop_next =
+      (fun j ->
+        match List.find_opt (fun u -> in_loop u < Array.length loop) (taus_of graph loop.(j)) with
+        | Some u -> in_loop u
+        | None -> Array.length loop);
+    diverging_member = first_diverging;
+    loop_entry = (fun n -> in_loop (members n).(first_diverging n)) }
+
+(* Which acceptance of a node the moves offer. *)
+let chooser nodes event_count =
+  let stamps = Array.make (event_count + 2) 0 and stamp = ref 0 in
+  fun n moves ->
+    incr stamp;
+    List.iter (fun (a, _) -> stamps.(a) <- !stamp) moves;
+    let tick = stamps.(1) = !stamp in
+    let offered a = if tick then a = 1 else stamps.(a) = !stamp in
+    let acceptances = nodes.(n).acceptances in
+    let rec first i = if i >= Array.length acceptances || Array.for_all offered acceptances.(i) then i else first (i + 1) in
+    first 0
+
+(* What is asked of the pairs, and how violations are told. *)
+type task = {
+  next : int -> int -> int option;  (** node, event: the node after it *)
+  stopped : int -> bool;  (** what follows a divergence of the specification does not matter *)
+  state_fault : int -> (int * words) list -> string option;
+  forbid_cycles : bool;
+  event_fault : int -> int -> string;
+}
+
+type found = {
+  store : store;
+  tau_first : row;  (** by pair: its first tau in `tau_targets` *)
+  tau_targets : row;
+  parents : row option;  (** by pair: the pair before it, and the event *)
+  mutable transitions : int;
+}
+
+let run_to name found j =
+  match found.parents with
+  | None -> ""
+  | Some parents ->
+      let rec back j events =
+        if j = 0 then events
+        else
+          let event = parents.values.((2 * j) + 1) in
+          back parents.values.(2 * j) (if event = 0 then events else name event :: events)
+      in
+      Printf.sprintf "after <%s>" (String.concat ", " (back j []))
+
+exception Violation_at of int * string
+
+let new_found width with_parents =
+  { store = new_store width; tau_first = new_row (); tau_targets = new_row ();
+    parents = (if with_parents then Some (new_row ()) else None); transitions = 0 }
+
+let explore (impl : words lts) task found ~most ~lenient =
+  let store = found.store in
+  let note_parent j a = Option.iter (fun parents -> push parents j; push parents a) found.parents in
+  ignore (insert store impl.init 0);
+  note_parent 0 0;
+  let add i a words node =
+    let j, fresh = insert store words node in
+    if fresh then begin
+      note_parent i a;
+      if store.filled > most then raise (Limit (Printf.sprintf "there are more than %d pairs" most))
+    end;
+    j
+  in
+  let i = ref 0 in
+  while !i < store.filled do
+    let node = node_at store !i in
+    push found.tau_first found.tau_targets.used;
+    if not (task.stopped node) then begin
+      let moves = impl.succ0 (words_at store !i) in
+      let report fault = if not lenient then raise (Violation_at (!i, fault)) in
+      Option.iter report (task.state_fault node moves);
+      List.iter
+        (fun (a, u) ->
+          found.transitions <- found.transitions + 1;
+          if a = 0 then push found.tau_targets (add !i a u node)
+          else
+            match task.next node a with
+            | None -> report (task.event_fault node a)
+            | Some k -> if not (task.stopped k) then ignore (add !i a u k))
+        moves
+    end;
+    incr i
+  done;
+  push found.tau_first found.tau_targets.used
+
+(* The rank of a pair is the length of the longest row of taus from it. *)
+let set_ranks found ~lenient =
+  let store = found.store in
+  let colour = Bytes.make store.filled '0' in
+  let first = found.tau_first.values and targets = found.tau_targets.values in
+  let finish j =
+    let rank = ref 0 in
+    for t = first.(j) to first.(j + 1) - 1 do
+      rank := max !rank (rank_at store targets.(t) + 1)
+    done;
+    set_rank store j !rank;
+    Bytes.set colour j 'n'
+  in
+  for start = 0 to store.filled - 1 do
+    let stack = ref (if Bytes.get colour start = '0' then [ start ] else []) in
+    while !stack <> [] do
+      let j = List.hd !stack in
+      if Bytes.get colour j <> '0' then begin
+        stack := List.tl !stack;
+        if Bytes.get colour j = '1' then finish j
+      end
+      else begin
+        Bytes.set colour j '1';
+        for t = first.(j) to first.(j + 1) - 1 do
+          let u = targets.(t) in
+          match Bytes.get colour u with
+          | '0' -> stack := u :: !stack
+          | '1' -> if not lenient then raise (Violation_at (u, "it can perform taus for ever"))
+          | _ -> ()
+        done
+      end
+    done
+  done
+
+(* Finds the pairs. If there is a violation, searches again to tell the run to it. *)
+let pairs_for ?(lenient = false) impl width task ~most ~name ~state_name =
+  let attempt with_parents =
+    let found = new_found width with_parents in
+    try
+      explore impl task found ~most ~lenient;
+      if task.forbid_cycles then set_ranks found ~lenient;
+      Ok found
+    with Violation_at (j, fault) -> Error (found, j, fault)
+  in
+  match attempt false with
+  | Ok found -> found
+  | Error _ -> (
+      match attempt true with
+      | Ok found -> found
+      | Error (found, j, fault) ->
+          let state = state_name (words_at found.store j) in
+          raise (Refuted (Printf.sprintf "%s, in the state %s, %s" (run_to name found j) state fault)))
+
+let pairs_record found choose =
+  let store = found.store in
+  { count = store.filled;
+    state_of = words_at store;
+    node_of = node_at store;
+    rank_of = rank_at store;
+    locate = find store;
+    choose }

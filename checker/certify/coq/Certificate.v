@@ -1,0 +1,536 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* The checks and their soundness. Everything that a certificate contains is a variable here: the theorems hold for
+   all functions. So files, packing, hash tables and the search that finds them need not be trusted. *)
+From Coq Require Import List Bool ZArith Lia Uint63.
+From Certify Require Import Claims Loops.
+Import ListNotations.
+Open Scope uint63_scope.
+
+Definition memb (a : ev) (A : list ev) : bool := existsb (fun b => a =? b) A.
+Lemma memb_in : forall a A, memb a A = true -> In a A.
+Proof.
+  intros a A H. apply existsb_exists in H. destruct H as (b & Hb & E). apply eqb_true in E. subst. exact Hb.
+Qed.
+
+Definition offers {S : Type} (moves : list (ev * S)) (a : ev) : bool := existsb (fun m => fst m =? a) moves.
+Lemma offers_can : forall S (P : lts S) s a, offers (succ P s) a = true <-> can P s a.
+Proof.
+  intros S P s a. unfold offers, can, step. rewrite existsb_exists. split.
+  - intros ([b u] & H & E). cbn in E. apply eqb_true in E. subst. exists u. exact H.
+  - intros (u & H). exists (a, u). split; [ exact H | apply eqb_refl ].
+Qed.
+
+(* The specification's normal form: after a trace, the specification is in a node. `where_is n a` is a place at which
+   the arc of a may be found. *)
+Record normal_form := {
+  nodes : int;
+  root : int;
+  arc_count : int -> int;
+  arc : int -> int -> ev * int;
+  where_is : int -> ev -> int;
+  acceptance_count : int -> int;
+  acceptance : int -> int -> list ev;
+  divergent : int -> bool }.
+
+Definition after (N : normal_form) (n : int) (a : ev) : option int :=
+  let i := where_is N n a in
+  if i <? arc_count N n then let (b, k) := arc N n i in if b =? a then Some k else None else None.
+
+Lemma after_arc : forall N n a m, after N n a = Some m -> exists i, (i <? arc_count N n) = true /\ arc N n i = (a, m).
+Proof.
+  unfold after. intros N n a m H. destruct (where_is N n a <? arc_count N n) eqn:L; [| discriminate].
+  destruct (arc N n (where_is N n a)) as [b k] eqn:A. destruct (b =? a) eqn:E; [| discriminate].
+  apply eqb_true in E. inversion H. subst. eauto.
+Qed.
+
+Inductive nrun (N : normal_form) : int -> list ev -> int -> Prop :=
+| nrun_nil : forall n, nrun N n [] n
+| nrun_step : forall n a m t k, a <> tau -> after N n a = Some m -> nrun N m t k -> nrun N n (a :: t) k.
+
+(* Why a member of a node is reached: by an event from a member of the node before (or as the initial state), or by a
+   tau from another member of the node, whose depth is smaller. *)
+Record origin := { by_event : bool; from : int; depth : int }.
+
+(* Evidence that the normal form has no more behaviour than the specification. *)
+Record evidence (S : Type) := {
+  size : int -> int;                        (* by node: the number of members *)
+  member : int -> int -> S;                 (* states of the specification *)
+  origin_in_root : int -> origin;
+  origin_after : int -> int -> int -> origin;  (* by node, arc, member of the arc's target *)
+  witness : int -> int -> int;              (* by node, acceptance: a member that accepts no more *)
+  loop_size : int;
+  loop : int -> S;                          (* states, each with a tau to another of them *)
+  loop_next : int -> int;
+  diverging_member : int -> int;            (* by divergent node *)
+  loop_entry : int -> int }.
+Arguments size {S}. Arguments member {S}. Arguments origin_in_root {S}. Arguments origin_after {S}.
+Arguments witness {S}. Arguments loop_size {S}. Arguments loop {S}. Arguments loop_next {S}.
+Arguments diverging_member {S}. Arguments loop_entry {S}.
+
+(** 1. The normal form has no more behaviour than the specification. *)
+Section Specification.
+  Context {S : Type}.
+  Variable spec : lts S.
+  Variable eqs : S -> S -> bool.
+  Hypothesis eqs_ok : forall x y, eqs x y = true -> x = y.
+  Variable N : normal_form.
+  Variable E : evidence S.
+
+  Definition steps_to (s : S) (a : ev) (u : S) : bool :=
+    existsb (fun m : ev * S => if fst m =? a then eqs (snd m) u else false) (succ spec s).
+  Lemma steps_to_step : forall s a u, steps_to s a u = true -> step spec s a u.
+  Proof.
+    unfold steps_to, step. intros s a u H. apply existsb_exists in H. destruct H as ([b v] & H & K). cbn in K.
+    destruct (b =? a) eqn:B; [| discriminate]. apply eqb_true in B. apply eqs_ok in K. subst. exact H.
+  Qed.
+
+  Definition derived (seed : int -> S -> bool) (source : int -> origin) (k : int) : bool :=
+    all_below (fun j =>
+      let o := source j in
+      if by_event o then seed (from o) (member E k j)
+      else if from o <? size E k then
+             if depth (source (from o)) <? depth o then steps_to (member E k (from o)) tau (member E k j) else false
+           else false) (size E k).
+  Lemma derived_sound : forall (Q : S -> Prop) seed source k,
+    (forall s u, Q s -> step spec s tau u -> Q u) -> (forall f s, seed f s = true -> Q s) ->
+    derived seed source k = true -> forall j, (j <? size E k) = true -> Q (member E k j).
+  Proof.
+    intros Q seed source k HQ Hs H.
+    assert (G : forall z j, (to_Z (depth (source j)) < Z.of_nat z)%Z -> (j <? size E k) = true -> Q (member E k j)).
+    { induction z as [| z IH]; intros j Hz Hj; [ pose proof (to_Z_bounded (depth (source j))); lia |].
+      pose proof (all_below_spec _ _ H j Hj) as C. cbn beta zeta in C.
+      destruct (by_event (source j)); [ exact (Hs _ _ C) |].
+      destruct (from (source j) <? size E k) eqn:F; [| discriminate].
+      destruct (depth (source (from (source j))) <? depth (source j)) eqn:D; [| discriminate].
+      apply ltb_spec in D. apply (HQ (member E k (from (source j)))); [| apply steps_to_step; exact C ].
+      apply IH; [ lia | exact F ]. }
+    intros j Hj. pose proof (to_Z_bounded (depth (source j))).
+    apply (G (Datatypes.S (Z.to_nat (to_Z (depth (source j)))))); [ lia | exact Hj ].
+  Qed.
+
+  (* The state accepts no event that is not in A. *)
+  Definition accepts (A : list ev) (s : S) : bool :=
+    let moves := succ spec s in
+    if offers moves tick then memb tick A
+    else negb (offers moves tau) && forallb (fun m => memb (fst m) A) moves.
+  Definition check_arc (n i : int) : bool :=
+    let (a, k) := arc N n i in
+    if a =? tau then false
+    else if k <? nodes N then
+           derived (fun f u => if f <? size E n then steps_to (member E n f) a u else false) (origin_after E n i) k
+         else false.
+  Definition check_acceptance (n i : int) : bool :=
+    let j := witness E n i in
+    if j <? size E n then accepts (acceptance N n i) (member E n j) else false.
+  Definition check_divergence (n : int) : bool :=
+    if divergent N n then
+      if diverging_member E n <? size E n then
+        if loop_entry E n <? loop_size E then eqs (member E n (diverging_member E n)) (loop E (loop_entry E n)) else false
+      else false
+    else true.
+  Definition check_node (m : model) (n : int) : bool :=
+    (0 <? size E n) && all_below (check_arc n) (arc_count N n) &&
+    (match m with T => true | _ => all_below (check_acceptance n) (acceptance_count N n) end) &&
+    (match m with FD => check_divergence n | _ => true end).
+  Definition check_root : bool :=
+    (root N <? nodes N) && derived (fun _ u => eqs (init spec) u) (origin_in_root E) (root N).
+  Definition check_loop : bool :=
+    all_below (fun j => if loop_next E j <? loop_size E then steps_to (loop E j) tau (loop E (loop_next E j)) else false)
+      (loop_size E).
+  Definition check_specification (m : model) : bool :=
+    check_root && check_loop && all_below (check_node m) (nodes N).
+
+  Lemma reach_app_tau : forall s t u v, reach spec s t u -> step spec u tau v -> reach spec s t v.
+  Proof.
+    induction 1; intros Hs.
+    - apply (reach_tau spec s v []); [ exact Hs | constructor ].
+    - apply (reach_tau spec s u); auto.
+    - apply (reach_vis spec s a u); auto.
+  Qed.
+  Lemma reach_app : forall s t u, reach spec s t u -> forall t' v, reach spec u t' v -> reach spec s (t ++ t') v.
+  Proof.
+    induction 1; intros t' w Hw; cbn; [ exact Hw | apply (reach_tau spec s u); auto | apply (reach_vis spec s a u); auto ].
+  Qed.
+
+  Lemma loop_diverges : check_loop = true -> forall j, (j <? loop_size E) = true -> diverges spec (loop E j).
+  Proof.
+    intros H. cofix self. intros j Hj. pose proof (all_below_spec _ _ H j Hj) as C. cbn beta in C.
+    destruct (loop_next E j <? loop_size E) eqn:K; [| discriminate].
+    apply (diverges_step spec (loop E j) (loop E (loop_next E j))); [ apply steps_to_step; exact C | apply self; exact K ].
+  Qed.
+
+  Variable m : model.
+  Hypothesis checked : check_specification m = true.
+
+  Lemma node_checked : forall n, (n <? nodes N) = true -> check_node m n = true.
+  Proof.
+    unfold check_specification in checked. rewrite !andb_true_iff in checked. apply all_below_spec. apply checked.
+  Qed.
+
+  Definition all_members (n : int) (Q : S -> Prop) : Prop := forall j, (j <? size E n) = true -> Q (member E n j).
+
+  Lemma node_reached : forall n t k, nrun N n t k -> (n <? nodes N) = true -> forall t0,
+    all_members n (reach spec (init spec) t0) ->
+    (k <? nodes N) = true /\ all_members k (reach spec (init spec) (t0 ++ t)).
+  Proof.
+    induction 1 as [n | n a k t k2 Ha Hk Hr IH]; intros Hn t0 Ht.
+    - rewrite app_nil_r. auto.
+    - apply after_arc in Hk. destruct Hk as (i & Hi & Hk). pose proof (node_checked n Hn) as C. unfold check_node in C.
+      rewrite !andb_true_iff in C. destruct C as [[[_ C] _] _].
+      pose proof (all_below_spec _ _ C i Hi) as C1. unfold check_arc in C1. rewrite Hk in C1.
+      destruct (a =? tau) eqn:Ea; [ discriminate |]. destruct (k <? nodes N) eqn:Hkn; [| discriminate].
+      replace (t0 ++ a :: t) with ((t0 ++ [a]) ++ t) by (rewrite <- app_assoc; reflexivity).
+      apply IH; [ reflexivity |]. intros j Hj.
+      apply (derived_sound (reach spec (init spec) (t0 ++ [a])) _ _ _) with (3 := C1); [| | exact Hj ].
+      + intros x y Hx Hy. exact (reach_app_tau _ _ _ _ Hx Hy).
+      + intros f s Hs. destruct (f <? size E n) eqn:F; [| discriminate]. apply steps_to_step in Hs.
+        apply (reach_app _ t0 (member E n f)); [ apply Ht; exact F |].
+        apply (reach_vis spec (member E n f) a s); [ exact Ha | exact Hs | constructor ].
+  Qed.
+
+  Lemma root_ok : (root N <? nodes N) = true /\ all_members (root N) (reach spec (init spec) []).
+  Proof.
+    unfold check_specification, check_root in checked. rewrite !andb_true_iff in checked.
+    destruct checked as [[[Hr Hm] _] _]. split; [ exact Hr |]. intros j Hj.
+    apply (derived_sound (reach spec (init spec) []) _ _ _) with (3 := Hm); [| | exact Hj ].
+    - intros x y Hx Hy. exact (reach_app_tau _ _ _ _ Hx Hy).
+    - intros _ s Hs. apply eqs_ok in Hs. subst. constructor.
+  Qed.
+
+  Lemma run_ok : forall t n, nrun N (root N) t n ->
+    (n <? nodes N) = true /\ all_members n (reach spec (init spec) t).
+  Proof. intros t n H. destruct root_ok as [Hr Hm]. exact (node_reached _ _ _ H Hr [] Hm). Qed.
+
+  Lemma run_trace : forall t n, nrun N (root N) t n -> traces spec t.
+  Proof.
+    intros t n H. destruct (run_ok t n H) as [Hn Hm]. pose proof (node_checked n Hn) as C.
+    unfold check_node in C. rewrite !andb_true_iff in C. destruct C as [[[C _] _] _].
+    exists (member E n 0). apply Hm. exact C.
+  Qed.
+
+  Lemma run_failure : forall t n i (X : ev -> Prop), m <> T -> nrun N (root N) t n ->
+    (i <? acceptance_count N n) = true -> (forall a, In a (acceptance N n i) -> ~ X a) -> failures spec t X.
+  Proof.
+    intros t n i X Hm0 H Hi HX. destruct (run_ok t n H) as [Hn Hm]. pose proof (node_checked n Hn) as C.
+    unfold check_node in C. rewrite !andb_true_iff in C. destruct C as [[_ C] _].
+    assert (C' : all_below (check_acceptance n) (acceptance_count N n) = true)
+      by (destruct m; [ congruence | exact C | exact C ]).
+    pose proof (all_below_spec _ _ C' i Hi) as Ac. unfold check_acceptance in Ac.
+    destruct (witness E n i <? size E n) eqn:W; [| discriminate].
+    exists (member E n (witness E n i)). split; [ apply Hm; exact W |]. unfold accepts in Ac.
+    destruct (offers (succ spec (member E n (witness E n i))) tick) eqn:Ot.
+    - left. split; [ apply offers_can; exact Ot | apply HX, memb_in; exact Ac ].
+    - right. apply andb_true_iff in Ac. destruct Ac as [Au Ac]. apply negb_true_iff in Au.
+      rewrite forallb_forall in Ac. repeat split.
+      + intros K. apply offers_can in K. congruence.
+      + intros K. apply offers_can in K. congruence.
+      + intros a Xa (u & Hu). specialize (Ac (a, u) Hu). apply memb_in in Ac. exact (HX a Ac Xa).
+  Qed.
+
+  Lemma run_divergence : forall t t2 n, m = FD -> nrun N (root N) t n -> divergent N n = true ->
+    divergences spec (t ++ t2).
+  Proof.
+    intros t t2 n Em H Hd. destruct (run_ok t n H) as [Hn Hm]. pose proof (node_checked n Hn) as C.
+    unfold check_node in C. rewrite !andb_true_iff in C. destruct C as [_ C]. rewrite Em in C.
+    unfold check_divergence in C. rewrite Hd in C.
+    destruct (diverging_member E n <? size E n) eqn:D; [| discriminate].
+    destruct (loop_entry E n <? loop_size E) eqn:L; [| discriminate]. apply eqs_ok in C.
+    exists t, t2, (member E n (diverging_member E n)). split; [ reflexivity |]. split; [ apply Hm; exact D |].
+    rewrite C. unfold check_specification in checked. rewrite !andb_true_iff in checked.
+    apply loop_diverges; [ apply checked | exact L ].
+  Qed.
+End Specification.
+
+(* The pairs: a state of the implementation, a node, and a rank that taus decrease. `locate` says where a pair may be
+   found, and `choose` which acceptance of a node may be offered. *)
+Record pairs (S : Type) := {
+  count : int;
+  state_of : int -> S;
+  node_of : int -> int;
+  rank_of : int -> int;
+  locate : S -> int -> int;
+  choose : int -> list (ev * S) -> int }.
+Arguments count {S}. Arguments state_of {S}. Arguments node_of {S}. Arguments rank_of {S}.
+Arguments locate {S}. Arguments choose {S}.
+
+Section Covered.
+  Context {S : Type}.
+  Variable eqi : S -> S -> bool.
+  Hypothesis eqi_ok : forall x y, eqi x y = true -> x = y.
+  Variable P : pairs S.
+
+  Definition within (bound : option int) (r : int) : bool := match bound with Some b => r <? b | None => true end.
+  Definition covered (u : S) (k : int) (bound : option int) : bool :=
+    let j := locate P u k in
+    if j <? count P then
+      if node_of P j =? k then if eqi (state_of P j) u then within bound (rank_of P j) else false else false
+    else false.
+  Definition is_pair (u : S) (k r : int) : Prop :=
+    exists j, (j <? count P) = true /\ state_of P j = u /\ node_of P j = k /\ rank_of P j = r.
+  Lemma covered_pair : forall u k b, covered u k b = true -> exists r, is_pair u k r /\ within b r = true.
+  Proof.
+    unfold covered, is_pair. intros u k b H. destruct (locate P u k <? count P) eqn:L; [| discriminate].
+    destruct (node_of P (locate P u k) =? k) eqn:Ek; [| discriminate]. apply eqb_true in Ek.
+    destruct (eqi (state_of P (locate P u k)) u) eqn:Ev; [| discriminate]. apply eqi_ok in Ev.
+    exists (rank_of P (locate P u k)). split; [| exact H ]. exists (locate P u k). auto.
+  Qed.
+End Covered.
+
+(** 2. The implementation has no more behaviour than the normal form. *)
+Section Implementation.
+  Context {S : Type}.
+  Variable impl : lts S.
+  Variable eqi : S -> S -> bool.
+  Hypothesis eqi_ok : forall x y, eqi x y = true -> x = y.
+  Variable N : normal_form.
+  Variable m : model.
+  Variable P : pairs S.
+
+  Definition stop (n : int) : bool := match m with FD => divergent N n | _ => false end.
+  Definition ranked : bool := match m with FD => true | _ => false end.
+
+  (* Some acceptance of the node is offered. *)
+  Definition refusals_ok (n : int) (moves : list (ev * S)) : bool :=
+    let fits (offered : ev -> bool) :=
+      let i := choose P n moves in
+      if i <? acceptance_count N n then forallb offered (acceptance N n i) else false in
+    if offers moves tick then fits (fun a => a =? tick)
+    else if offers moves tau then true
+    else fits (offers moves).
+
+  Definition check_move (n r : int) (mv : ev * S) : bool :=
+    let (a, u) := mv in
+    if a =? tau then covered eqi P u n (if ranked then Some r else None)
+    else match after N n a with
+         | None => false
+         | Some k => if stop k then true else covered eqi P u k None
+         end.
+
+  Definition check_pair (i : int) : bool :=
+    let n := node_of P i in
+    if stop n then true else
+    let r := rank_of P i in
+    let moves := succ impl (state_of P i) in
+    if forallb (check_move n r) moves
+    then match m with T => true | _ => refusals_ok n moves end
+    else false.
+
+  Definition check_implementation : bool :=
+    if stop (root N) then true
+    else if covered eqi P (init impl) (root N) None then all_below check_pair (count P) else false.
+
+  Hypothesis checked : check_implementation = true.
+
+  Definition inv (s : S) (n : int) : Prop := stop n = false /\ exists r, is_pair P s n r.
+
+  Hypothesis live : stop (root N) = false.
+
+  Lemma pair_checked : forall s n r, is_pair P s n r -> stop n = false ->
+    forallb (check_move n r) (succ impl s) = true /\ (m <> T -> refusals_ok n (succ impl s) = true).
+  Proof.
+    intros s n r (i & Hi & Es & En & Er) Hs. unfold check_implementation in checked. rewrite live in checked.
+    destruct (covered _ _ _ _ _); [| discriminate]. pose proof (all_below_spec _ _ checked i Hi) as C.
+    unfold check_pair in C. rewrite Es, En, Er, Hs in C. destruct (forallb _ _); [| discriminate].
+    split; [ reflexivity |]. intros Hm. destruct m; [ congruence | exact C | exact C ].
+  Qed.
+
+  Lemma inv_step : forall s n a u, inv s n -> step impl s a u ->
+    (a = tau /\ inv u n) \/
+    (a <> tau /\ exists k, after N n a = Some k /\ (stop k = true \/ inv u k)).
+  Proof.
+    intros s n a u (Hs & r & Hp) Hst. destruct (pair_checked s n r Hp Hs) as [C _].
+    rewrite forallb_forall in C. specialize (C (a, u) Hst). cbn in C.
+    destruct (a =? tau) eqn:Ea.
+    - left. split; [ apply eqb_true; exact Ea |]. apply (covered_pair eqi eqi_ok) in C.
+      destruct C as (r' & C & _). split; [ exact Hs | eauto ].
+    - right. split; [ apply eqb_false_neq; exact Ea |].
+      destruct (after N n a) as [k |]; [| discriminate]. exists k. split; [ reflexivity |].
+      destruct (stop k) eqn:Hk; [ left; reflexivity | right ]. apply (covered_pair eqi eqi_ok) in C.
+      destruct C as (r' & C & _). split; [ exact Hk | eauto ].
+  Qed.
+
+  Lemma inv_reach : forall s t u, reach impl s t u -> forall n, inv s n ->
+    (exists k, nrun N n t k /\ inv u k) \/
+    (exists t1 t2 k, t = t1 ++ t2 /\ nrun N n t1 k /\ stop k = true).
+  Proof.
+    induction 1 as [s | s u t v Hst Hr IH | s a u t v Ha Hst Hr IH]; intros n Hn.
+    - left. exists n. split; [ constructor | exact Hn ].
+    - destruct (inv_step _ _ _ _ Hn Hst) as [[_ Hu] | [K _]]; [| congruence]. exact (IH n Hu).
+    - destruct (inv_step _ _ _ _ Hn Hst) as [[K _] | (_ & k & Hk & [Hs | Hu])]; [ congruence | |].
+      + right. exists [a], t, k. split; [ reflexivity |]. split; [| exact Hs ].
+        apply (nrun_step N n a k); [ exact Ha | exact Hk | constructor ].
+      + destruct (IH k Hu) as [(k2 & R & I2) | (t1 & t2 & k2 & E & R & S2)].
+        * left. exists k2. split; [| exact I2 ]. apply (nrun_step N n a k); assumption.
+        * right. exists (a :: t1), t2, k2. subst. split; [ reflexivity |]. split; [| exact S2 ].
+          apply (nrun_step N n a k); assumption.
+  Qed.
+
+  Lemma inv_refuses : forall s n (X : ev -> Prop), m <> T -> inv s n -> refuses impl s X ->
+    exists i, (i <? acceptance_count N n) = true /\ forall a, In a (acceptance N n i) -> ~ X a.
+  Proof.
+    intros s n X Hm (Hs & r & Hp) HX. destruct (pair_checked s n r Hp Hs) as [_ C].
+    specialize (C Hm). unfold refusals_ok in C. cbn zeta in C.
+    set (i := choose P n (succ impl s)) in C. destruct (offers (succ impl s) tick) eqn:Ot.
+    - destruct (i <? acceptance_count N n) eqn:Hi; [| discriminate]. rewrite forallb_forall in C.
+      exists i. split; [ exact Hi |]. intros a Ha Xa. specialize (C a Ha). apply eqb_true in C. subst.
+      apply offers_can in Ot. destruct HX as [[_ K] | (_ & K & _)]; auto.
+    - destruct HX as [[K _] | (Hu & _ & HX)]; [ apply offers_can in K; congruence |].
+      destruct (offers (succ impl s) tau) eqn:Ou; [ apply offers_can in Ou; contradiction |].
+      destruct (i <? acceptance_count N n) eqn:Hi; [| discriminate]. rewrite forallb_forall in C.
+      exists i. split; [ exact Hi |]. intros a Ha Xa. specialize (C a Ha). apply offers_can in C. exact (HX a Xa C).
+  Qed.
+
+  Lemma ranked_no_divergence : m = FD -> forall z s n r, (Z.to_nat (to_Z r) < z)%nat ->
+    is_pair P s n r -> stop n = false -> ~ diverges impl s.
+  Proof.
+    intros Em. induction z as [| z IH]; intros s n r Hz Hp Hs D; [ lia |].
+    destruct D as [s u Hst D]. destruct (pair_checked s n r Hp Hs) as [C _].
+    rewrite forallb_forall in C. specialize (C (tau, u) Hst). cbn in C. unfold ranked in C. rewrite Em in C.
+    apply (covered_pair eqi eqi_ok) in C. destruct C as (r' & C & Hr). cbn in Hr. apply ltb_spec in Hr.
+    assert (0 <= to_Z r')%Z by (apply to_Z_bounded).
+    apply (IH u n r'); auto. lia.
+  Qed.
+
+  Lemma inv_no_divergence : m = FD -> forall s n, inv s n -> ~ diverges impl s.
+  Proof.
+    intros Em s n (Hs & r & Hp).
+    apply (ranked_no_divergence Em (Datatypes.S (Z.to_nat (to_Z r))) s n r); auto.
+  Qed.
+
+  Lemma inv_init : inv (init impl) (root N).
+  Proof.
+    unfold check_implementation in checked. rewrite live in checked.
+    destruct (covered eqi P (init impl) (root N) None) eqn:C; [| discriminate].
+    apply (covered_pair eqi eqi_ok) in C. destruct C as (r & C & _). split; [ exact live | eauto ].
+  Qed.
+End Implementation.
+
+(** 3. Both together. *)
+Section Both.
+  Context {A B : Type}.
+  Variable spec : lts A.
+  Variable impl : lts B.
+  Variable eqs : A -> A -> bool.
+  Hypothesis eqs_ok : forall x y, eqs x y = true -> x = y.
+  Variable eqi : B -> B -> bool.
+  Hypothesis eqi_ok : forall x y, eqi x y = true -> x = y.
+
+  Definition check (m : model) N E P : bool :=
+    check_specification spec eqs N E m && check_implementation impl eqi N m P.
+
+  Theorem check_sound : forall m N E P, check m N E P = true -> refines m spec impl.
+  Proof.
+    intros m N E P H. unfold check in H. apply andb_true_iff in H. destruct H as [HS HI].
+    pose proof (run_trace spec eqs eqs_ok N E m HS) as RT.
+    pose proof (run_failure spec eqs eqs_ok N E m HS) as RF.
+    pose proof (run_divergence spec eqs eqs_ok N E m HS) as RD.
+    assert (Plain : m <> FD -> forall n, stop N m n = false) by (destruct m; cbn; congruence).
+    assert (TR : m <> FD -> forall t u, reach impl (init impl) t u ->
+              exists k, nrun N (root N) t k /\ inv N m P u k).
+    { intros Hm t u R. assert (L := Plain Hm (root N)).
+      destruct (inv_reach impl eqi eqi_ok N m P HI L _ _ _ R _
+                  (inv_init impl eqi eqi_ok N m P HI L)) as [K | (t1 & t2 & k & _ & _ & K)];
+        [ exact K | rewrite Plain in K by exact Hm; discriminate ]. }
+    destruct m; cbn.
+    - intros t (u & R). destruct (TR ltac:(congruence) t u R) as (k & K & _). exact (RT t k K).
+    - split.
+      + intros t (u & R). destruct (TR ltac:(congruence) t u R) as (k & K & _). exact (RT t k K).
+      + intros t X (u & R & HX). destruct (TR ltac:(congruence) t u R) as (k & K & Iu).
+        destruct (inv_refuses impl eqi N F P HI (Plain ltac:(congruence) (root N)) u k X
+                    ltac:(congruence) Iu HX) as (i & Hi & HAX).
+        exact (RF t k i X ltac:(congruence) K Hi HAX).
+    - destruct (stop N FD (root N)) eqn:L.
+      { assert (D : forall t, divergences spec t)
+          by (intros t; exact (RD [] t (root N) eq_refl (nrun_nil N (root N)) L)).
+        split; intros; [ apply D | right; apply D ]. }
+      assert (RR : forall t u, reach impl (init impl) t u ->
+                (exists k, nrun N (root N) t k /\ inv N FD P u k) \/ divergences spec t).
+      { intros t u R.
+        destruct (inv_reach impl eqi eqi_ok N FD P HI L _ _ _ R _
+                    (inv_init impl eqi eqi_ok N FD P HI L)) as [K | (t1 & t2 & k & Et & K & D)];
+          [ left; exact K | right; subst; exact (RD t1 t2 k eq_refl K D) ]. }
+      assert (DV : forall t, divergences impl t -> divergences spec t).
+      { intros t (t1 & t2 & u & Et & R & D). destruct (RR t1 u R) as [(k & K & Iu) | (x & y & s & E2 & R2 & D2)].
+        - exfalso. exact (inv_no_divergence impl eqi eqi_ok N FD P HI L eq_refl u k Iu D).
+        - exists x, (y ++ t2), s. subst. rewrite app_assoc. auto. }
+      split; [ exact DV |]. intros t X [(u & R & HX) | D]; [| right; exact (DV t D) ].
+      destruct (RR t u R) as [(k & K & Iu) | D]; [| right; exact D ].
+      destruct (inv_refuses impl eqi N FD P HI L u k X ltac:(congruence) Iu HX) as (i & Hi & HAX).
+      left. exact (RF t k i X ltac:(congruence) K Hi HAX).
+  Qed.
+End Both.
+
+(** 4. Properties of one process: all nodes are 0. *)
+Section Property.
+  Context {S : Type}.
+  Variable impl : lts S.
+  Variable eqi : S -> S -> bool.
+  Hypothesis eqi_ok : forall x y, eqi x y = true -> x = y.
+  Variable p : property.
+  Variable P : pairs S.
+
+  Definition no_deadlock : bool := match p with Divergence_free => false | _ => true end.
+  Definition no_divergence : bool := match p with Deadlock_free => false | _ => true end.
+  Definition check_state (i : int) : bool :=
+    let r := rank_of P i in
+    let moves := succ impl (state_of P i) in
+    if (if no_deadlock then match moves with [] => false | _ => true end else true) then
+      forallb (fun mv : ev * S =>
+        covered eqi P (snd mv) 0 (if no_divergence then if fst mv =? tau then Some r else None else None)) moves
+    else false.
+  Definition check_property : bool :=
+    if covered eqi P (init impl) 0 None then all_below (fun i => if node_of P i =? 0 then check_state i else true) (count P)
+    else false.
+
+  Hypothesis checked : check_property = true.
+
+  Lemma state_checked : forall s r, is_pair P s 0 r ->
+    (no_deadlock = true -> succ impl s <> []) /\
+    forall a u, step impl s a u -> exists r', is_pair P u 0 r' /\
+      (no_divergence = true -> a = tau -> (r' <? r) = true).
+  Proof.
+    intros s r (i & Hi & Es & En & Er). unfold check_property in checked.
+    destruct (covered _ _ _ _ _); [| discriminate]. pose proof (all_below_spec _ _ checked i Hi) as C.
+    cbn beta in C. rewrite En, eqb_refl in C. unfold check_state in C. rewrite Es, Er in C. cbn zeta in C.
+    split.
+    - intros D K. rewrite D, K in C. discriminate.
+    - intros a u Hst. destruct (if no_deadlock then _ else _); [| discriminate].
+      rewrite forallb_forall in C. specialize (C (a, u) Hst). cbn [fst snd] in C.
+      apply (covered_pair eqi eqi_ok) in C. destruct C as (r' & C & W). exists r'. split; [ exact C |].
+      intros D Ea. rewrite D, Ea in W. exact W.
+  Qed.
+  Lemma reached_is_pair : forall s t u, reach impl s t u -> forall r, is_pair P s 0 r -> exists r', is_pair P u 0 r'.
+  Proof.
+    induction 1 as [s | s u t v Hst Hr IH | s a u t v Ha Hst Hr IH]; intros r Hp; [ eauto | |];
+      destruct (state_checked s r Hp) as [_ K]; destruct (K _ u Hst) as (r' & Hu & _); exact (IH r' Hu).
+  Qed.
+  Lemma init_is_pair : exists r, is_pair P (init impl) 0 r.
+  Proof.
+    unfold check_property in checked. destruct (covered eqi P (init impl) 0 None) eqn:C; [| discriminate].
+    apply (covered_pair eqi eqi_ok) in C. destruct C as (r & C & _). eauto.
+  Qed.
+  Lemma property_deadlock : no_deadlock = true -> deadlock_free impl.
+  Proof.
+    intros D t s R. destruct init_is_pair as (r & H0). destruct (reached_is_pair _ _ _ R r H0) as (r' & Hs).
+    destruct (state_checked s r' Hs) as [K _]. specialize (K D). unfold can, step.
+    destruct (succ impl s) as [| [a u] l]; [ congruence |]. exists a, u. left. reflexivity.
+  Qed.
+  Lemma pair_no_divergence : no_divergence = true -> forall z s r, (Z.to_nat (to_Z r) < z)%nat ->
+    is_pair P s 0 r -> ~ diverges impl s.
+  Proof.
+    intros D. induction z as [| z IH]; intros s r Hz Hp V; [ lia |].
+    destruct V as [s u Hst V]. destruct (state_checked s r Hp) as [_ K]. destruct (K tau u Hst) as (r' & Hu & Hr).
+    specialize (Hr D eq_refl). apply ltb_spec in Hr. assert (0 <= to_Z r')%Z by (apply to_Z_bounded).
+    apply (IH u r'); auto. lia.
+  Qed.
+  Lemma property_divergence : no_divergence = true -> divergence_free impl.
+  Proof.
+    intros D t s R. destruct init_is_pair as (r & H0). destruct (reached_is_pair _ _ _ R r H0) as (r' & Hs).
+    exact (pair_no_divergence D (Datatypes.S (Z.to_nat (to_Z r'))) s r' ltac:(lia) Hs).
+  Qed.
+  Theorem check_property_sound : satisfies p impl.
+  Proof.
+    assert (A := property_deadlock). assert (B := property_divergence). unfold no_deadlock, no_divergence in A, B.
+    destruct p; cbn; auto.
+  Qed.
+End Property.

@@ -1,0 +1,296 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* Attacks on the certifier. Random processes, an oracle that is independent of the certifier, and certificates of claims
+   that fail: made by a search that overlooks violations, with forged normal forms, with functions that lie, with damaged
+   files. None of them may be accepted; every true claim must be. attack SEED TRIALS *)
+open Verified
+
+type 'a array = 'a Array.t
+
+let pick l = List.nth l (Random.int (List.length l))
+let times n f = List.init n (fun _ -> f ())
+
+(** Random processes, as data of their own. *)
+type participant = S of int | R of part
+and part = { inside : participant list; rules : (int * int option * (int * int) list * (int * int) list) list }
+type random = { components : (int * int) list array array; initial : int list; whole : part }
+
+(* Events: 0 tau, 1 tick, 2 to 4 of components, 5 and 6 of the whole. *)
+let inner = [ 0; 2; 3; 4 ]
+let outer = [ 0; 1; 5; 6 ]
+
+let random_process () =
+  let size () = 1 + Random.int 3 in
+  let component () =
+    let states = size () in
+    Array.init states (fun _ -> times (Random.int 4) (fun () -> (pick inner, Random.int states)))
+  in
+  let components = Array.init (1 + Random.int 3) (fun _ -> component ()) in
+  let rec region slots depth =
+    let split = depth > 0 && List.length slots > 1 && Random.bool () in
+    let nested, direct = if split then List.partition (fun _ -> Random.bool ()) slots else ([], slots) in
+    let inside = (if nested = [] then [] else [ R (region nested (depth - 1)) ]) @ List.map (fun k -> S k) direct in
+    let count = List.length inside in
+    let rule () =
+      let first = Random.int count in
+      let second = Random.int count in
+      let who = if second <> first && Random.bool () then [ first; second ] else [ first ] in
+      let slot = pick slots in
+      let puts = if Random.int 7 = 0 then [ (slot, Random.int (Array.length components.(slot))) ] else [] in
+      let level = if Random.bool () then None else Some (Random.int 3) in
+      (pick (if depth = 1 then outer else inner), level, List.map (fun i -> (i, pick inner)) who, puts)
+    in
+    { inside; rules = times (2 + Random.int 5) rule }
+  in
+  let whole = region (List.init (Array.length components) Fun.id) 1 in
+  { components; initial = Array.to_list (Array.map (fun c -> Random.int (Array.length c)) components); whole }
+
+let mutated process =
+  let components = Array.map Array.copy process.components in
+  let rec part p = { p with inside = List.map (function R r when Random.int 3 = 0 -> R (part r) | other -> other) p.inside;
+                     rules = (let at = Random.int (List.length p.rules) in
+                       List.mapi (fun i ((d, l, a, pu) as rule) -> if i <> at then rule else
+                         match Random.int 4 with 0 -> ((if List.mem d [ 1; 5; 6 ] then pick outer else d), l, a, pu) | 1 -> (d, (if Random.bool () then None else Some (Random.int 3)), a, pu)
+                           | 2 -> (d, l, [ List.hd a ], pu) | _ -> (d, l, a, [])) p.rules) } in
+  if Random.bool () then begin
+    let k = Random.int (Array.length components) in
+    let rows = components.(k) in
+    let s = Random.int (Array.length rows) in
+    rows.(s) <- (match rows.(s) with _ :: rest when Random.bool () -> rest | row -> (pick inner, Random.int (Array.length rows)) :: row);
+    { process with components }
+  end
+  else { process with whole = part process.whole }
+
+(** The text of a process. *)
+let text process =
+  let b = Buffer.create 1000 in
+  let add format = Printf.bprintf b format in
+  add "robochart-verify process 1\nevents 5\na\nb\nc\nx\ny\ncomponents %d\n" (Array.length process.components);
+  let row l = String.concat " " (List.map (fun (x, y) -> Printf.sprintf "%d %d" x y) l) in
+  Array.iteri
+    (fun k c ->
+      add "component %d %d C%d\n" (Array.length c) (List.nth process.initial k) k;
+      Array.iter (fun edges -> add "%s\n" (row edges)) c)
+    process.components;
+  let rec part p =
+    add "region %d %d\n" (List.length p.inside) (List.length p.rules);
+    List.iter (function S k -> add "slot %d\n" k | R r -> part r) p.inside;
+    List.iter
+      (fun (d, l, a, pu) ->
+        add "rule %d %s %d%s\n" d (match l with None -> "-" | Some l -> string_of_int l) (List.length a)
+          (match row (a @ pu) with "" -> "" | r -> " " ^ r))
+      p.rules
+  in
+  part process.whole;
+  add "end\n";
+  Buffer.contents b
+
+(** The oracle. *)
+let successors process =
+  let rec product = function
+    | [] -> [ [] ]
+    | options :: rest -> List.concat_map (fun tail -> List.map (fun o -> o @ tail) options) (product rest)
+  in
+  let rec moves state p =
+    let by = List.map (function
+      | S k -> List.map (fun (e, t) -> (e, [ (k, t) ])) (let rows = if k < Array.length process.components then process.components.(k) else [||] in match List.nth_opt state k with Some s when s < Array.length rows -> rows.(s) | _ -> [])
+      | R r -> moves state r) p.inside in
+    let ways (_, _, asks, _) =
+      product (List.map (fun (i, e) -> List.filter_map (fun (e', change) -> if e = e' then Some change else None) (Option.value ~default:[] (List.nth_opt by i))) asks) in
+    let able = List.filter (fun (_, w) -> w <> []) (List.map (fun rule -> (rule, ways rule)) p.rules) in
+    let levels = List.filter_map (fun ((_, l, _, _), _) -> l) able in
+    let best = List.fold_left min max_int levels in
+    List.concat_map (fun ((d, l, _, puts), w) ->
+      match l with Some l when l > best -> [] | _ -> List.map (fun change -> (d, change @ puts)) w) able
+  in
+  fun state ->
+    List.sort_uniq compare
+      (List.map
+         (fun (e, changes) -> (e, List.fold_left (fun s (k, v) -> List.mapi (fun i x -> if i = k then v else x) s) state changes))
+         (moves state process.whole))
+
+let memo f = let t = Hashtbl.create 50 in fun x -> match Hashtbl.find_opt t x with Some y -> y | None -> let y = f x in Hashtbl.add t x y; y
+
+let reachable succ start edges =
+  let seen = Hashtbl.create 50 in
+  let rec go s = if not (Hashtbl.mem seen s) then (Hashtbl.add seen s (); List.iter (fun (e, u) -> if edges e then go u) (succ s)) in
+  List.iter go start;
+  List.sort compare (Hashtbl.fold (fun s () l -> s :: l) seen [])
+
+(* A state diverges if some state reached by taus is reached again from itself by at least one tau. *)
+let diverges succ s =
+  let taus u = List.filter_map (fun (e, v) -> if e = 0 then Some v else None) (succ u) in
+  List.exists (fun u -> List.mem u (reachable succ (taus u) (fun e -> e = 0))) (reachable succ [ s ] (fun e -> e = 0))
+
+let stable_offer succ s =
+  let events = List.sort_uniq compare (List.map fst (succ s)) in
+  if List.mem 1 events then Some [ 1 ] else if List.mem 0 events then None else Some events
+
+let subset a b = List.for_all (fun x -> List.mem x b) a
+
+let refinement_holds model spec impl =
+  let ss = memo (successors spec) and si = memo (successors impl) in
+  let close l = reachable ss l (fun e -> e = 0) in
+  let divergent_spec = memo (List.exists (diverges ss)) and divergent_impl = memo (diverges si) in
+  let seen = Hashtbl.create 50 in
+  let rec check s set =
+    Hashtbl.mem seen (s, set)
+    || begin
+         Hashtbl.add seen (s, set) ();
+         (model = FD && divergent_spec set)
+         || (not (model = FD && divergent_impl s))
+            && (model = T
+               || (match stable_offer si s with
+                  | None -> true
+                  | Some offer -> List.exists (fun u -> match stable_offer ss u with Some o -> subset o offer | None -> false) set))
+            && List.for_all
+                 (fun (e, u) ->
+                   if e = 0 then check u set
+                   else
+                     let next = close (List.concat_map (fun v -> List.filter_map (fun (e', w) -> if e = e' then Some w else None) (ss v)) set) in
+                     next <> [] && check u next)
+                 (si s)
+       end
+  in
+  check impl.initial (close [ spec.initial ])
+
+let property_holds property impl =
+  let si = memo (successors impl) in
+  let all = reachable si [ impl.initial ] (fun _ -> true) in
+  (property = Divergence_free || List.for_all (fun s -> si s <> []) all)
+  && (property = Deadlock_free || not (List.exists (diverges si) all))
+
+(** Attacks. *)
+let claim_of question specification implementation : Formats.claim =
+  let names = Formats.no_names () in
+  let read text = Formats.read_process names "process" text in
+  let specification = Option.map read specification in
+  let implementation = read implementation in
+  { question; question_text = ""; assertion = ""; source = ""; specification; implementation;
+    event_name = Formats.name_of names; event_count = names.next }
+
+let most = 100_000
+
+(* Normal forms that allow too much. *)
+let forge_arcs (nodes : Search.node array) =
+  Array.mapi (fun n (node : Search.node) ->
+    let more = List.filter_map (fun a -> if Array.exists (fun (b, _) -> a = b) node.arcs then None else Some (a, Random.int (n + 1))) [ 1; 2; 3; 4; 5; 6 ] in
+    { node with arcs = (let a = Array.append node.arcs (Array.of_list more) in Array.sort compare a; a) }) nodes
+let forge_acceptances = Array.map (fun (node : Search.node) -> { node with acceptances = [| [||] |]; witnesses = [| 0 |] })
+let forge_divergence = Array.map (fun (node : Search.node) -> { node with node_diverges = true })
+let forge_empty (nodes : Search.node array) =
+  let extra = Array.length nodes in
+  let all = Array.of_list (List.map (fun a -> (a, extra)) [ 1; 2; 3; 4; 5; 6 ]) in
+  Array.append (Array.map (fun (node : Search.node) -> { node with arcs = all }) nodes)
+    [| { Search.members = [||]; arcs = all; acceptances = [| [||] |]; witnesses = [| 0 |]; node_diverges = false } |]
+let forge_targets (nodes : Search.node array) =
+  Array.map (fun (node : Search.node) -> { node with arcs = Array.map (fun (a, _) -> (a, Random.int (Array.length nodes))) node.arcs }) nodes
+let forge_root (nodes : Search.node array) =
+  let at = Random.int (Array.length nodes) in
+  Array.mapi (fun i node -> if i = 0 then nodes.(at) else if i = at then nodes.(0) else node) nodes
+
+let forges = [ Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
+
+(* Functions that lie in some places, always in the same way. *)
+let lying proof =
+  let salt = Random.bits () and rate = 1 + Random.int 6 in
+  let lie kind key honest other =
+    if Hashtbl.hash (salt, kind) mod 3 = 0 && Hashtbl.hash (salt, kind, key) mod rate = 0 then other (abs (Hashtbl.hash (salt, key, kind, 1))) else honest in
+  let pairs (p : int list pairs) =
+    { count = p.count;
+      state_of = (fun j -> lie 1 j (p.state_of j) (fun r -> if p.count = 0 then [] else p.state_of (r mod p.count)));
+      node_of = (fun j -> lie 2 j (p.node_of j) (fun r -> r mod 4));
+      rank_of = (fun j -> lie 3 j (p.rank_of j) (fun r -> r mod 5));
+      locate = (fun s n -> lie 4 (s, n) (p.locate s n) (fun r -> r mod (p.count + 1)));
+      choose = (fun n moves -> lie 5 (n, List.map fst moves) (p.choose n moves) (fun r -> r mod 4)) }
+  in
+  match proof with
+  | Certificate_check.Of_property (q, l, s, p) -> Certificate_check.Of_property (q, l, s, pairs p)
+  | Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let normal = { n with where_is = (fun k a -> lie 6 (k, a) (n.where_is k a) (fun r -> r mod 4));
+                     divergent = (fun k -> lie 7 k (n.divergent k) (fun r -> r mod 2 = 0)) } in
+      let source kind o = { by_event = lie kind (o, 0) o.by_event (fun r -> r mod 2 = 0); from = lie kind (o, 1) o.from (fun r -> r mod 4); depth = lie kind (o, 2) o.depth (fun r -> r mod 4) } in
+      let evidence =
+        { e with member = (fun k j -> lie 8 (k, j) (e.member k j) (fun r -> e.member (r mod max 1 n.nodes) 0));
+          origin_in_root = (fun j -> source 9 (e.origin_in_root j));
+          origin_after = (fun k i j -> source 10 (e.origin_after k i j));
+          witness = (fun k i -> lie 11 (k, i) (e.witness k i) (fun r -> r mod 4));
+          loop_next = (fun j -> lie 12 j (e.loop_next j) (fun r -> r mod 4));
+          diverging_member = (fun k -> lie 13 k (e.diverging_member k) (fun r -> r mod 4));
+          loop_entry = (fun k -> lie 14 k (e.loop_entry k) (fun r -> r mod 4)) } in
+      Of_refinement (m, ls, s, li, i, normal, evidence, pairs p)
+
+let attacks = ref 0 and wrong = ref 0 and lost = ref 0 and held = ref 0 and failed = ref 0 and unreadable = ref 0
+let lies_accepted = ref 0 and files_accepted = ref 0
+
+let accepted_attack attempt =
+  incr attacks;
+  match Certificate_check.guarded (fun () -> if attempt () then Certified { pairs = 0; nodes = 0; transitions = 0; components = 0; rules = 0 } else Refused "") with
+  | Certificate_check.Certified _ -> true
+  | Refused "" -> false
+  | Refused _ -> incr unreadable; false
+
+let report_wrong what seed trial =
+  incr wrong;
+  Printf.printf "WRONGLY ACCEPTED: %s, seed %d, trial %d\n%!" what seed trial
+
+(* A damaged text: what it says decides, if it can be read. *)
+let damaged text =
+  let b = Bytes.of_string text in
+  for _ = 0 to Random.int 3 do
+    let at = Random.int (Bytes.length b) in
+    Bytes.set b at (match Random.int 3 with 0 -> Char.chr (Char.code (Bytes.get b at) lxor (1 lsl Random.int 7)) | 1 -> Char.chr (48 + Random.int 10) | _ -> Char.chr (Random.int 128))
+  done;
+  let text = Bytes.to_string b in
+  if Random.int 8 = 0 then String.sub text 0 (Random.int (String.length text)) else text
+
+(* The random process that a text says, as the oracle reads it: with the reader's data, but its own semantics. *)
+let process_of (p : Formats.process) =
+  let rec part (Region (inside, rules)) =
+    { inside = List.map (function Slot k -> S k | Inner r -> R (part r)) inside;
+      rules = List.map (fun r -> (r.does, r.level, r.asks, r.puts)) rules } in
+  { components = p.component_edges; initial = p.system.start; whole = part p.system.whole }
+
+let attack_question seed trial question spec impl truth =
+  let spec_text = Option.map text spec in
+  let claim = claim_of question spec_text (text impl) in
+  (match Certificate_check.certify claim ~most with
+  | Certified _ -> if truth then incr held else report_wrong "an honest search" seed trial
+  | Refused why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
+  let attempt forge tell () =
+    let proof, _, _, _ = Certificate_check.prove ~lenient:true ~forge claim ~most in
+    Certificate_check.accepted (tell proof) in
+  List.iter (fun forge ->
+    if accepted_attack (attempt forge Fun.id) && not truth then report_wrong "a forged normal form" seed trial;
+    for _ = 1 to 3 do
+      if accepted_attack (attempt forge lying) then (if truth then incr lies_accepted else report_wrong "a lie" seed trial)
+    done) forges;
+  for _ = 1 to 4 do
+    let spec_text = Option.map (fun t -> if Random.bool () then damaged t else t) spec_text in
+    let impl_text = damaged (text impl) in
+    match claim_of question spec_text impl_text with
+    | exception Formats.Unreadable _ -> incr attacks; incr unreadable
+    | claim ->
+        if accepted_attack (fun () -> match Certificate_check.certify claim ~most:2_000 with Certified _ -> true | Refused _ -> false) then begin
+          incr files_accepted;
+          let impl = process_of claim.implementation in
+          let holds = match (question, claim.specification) with
+            | Formats.Refinement m, Some s -> refinement_holds m (process_of s) impl
+            | Formats.Property p, _ -> property_holds p impl
+            | _ -> false in
+          if not holds then report_wrong "a damaged file" seed trial
+        end
+  done
+
+let () =
+  let seed = int_of_string Sys.argv.(1) and trials = int_of_string Sys.argv.(2) in
+  for trial = 1 to trials do
+    Random.init ((1_000_003 * seed) + trial);
+    let spec = random_process () in
+    let impl = if Random.int 7 = 0 then random_process () else mutated spec in
+    List.iter (fun m -> attack_question seed trial (Formats.Refinement m) (Some spec) impl (refinement_holds m spec impl)) [ T; F; FD ];
+    List.iter (fun p -> attack_question seed trial (Formats.Property p) None impl (property_holds p impl))
+      [ Deadlock_free; Deadlock_and_divergence_free; Divergence_free ]
+  done;
+  Printf.printf "%d trials: %d claims hold, %d fail; %d attacks (%d could not be read, %d lies and %d damaged files that still hold); %d wrongly accepted, %d wrongly refused\n"
+    trials !held !failed !attacks !unreadable !lies_accepted !files_accepted !wrong !lost;
+  exit (if !wrong = 0 && !lost = 0 && !held > 0 && !failed > 0 then 0 else 1)
