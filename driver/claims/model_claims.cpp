@@ -23,6 +23,7 @@
 #include "counterexample/interpreter.hpp"
 #include "driver/claims/bounds.hpp"
 #include "driver/claims/causes.hpp"
+#include "driver/claims/claim_answers.hpp"
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/probability_claims.hpp"
 #include "driver/claims/related_values.hpp"
@@ -30,6 +31,7 @@
 #include "driver/claims/sizes.hpp"
 #include "driver/claims/taken_guards.hpp"
 #include "driver/claims/turns.hpp"
+#include "driver/model/claim_scripts.hpp"
 #include "driver/model/preferences.hpp"
 #include "driver/rules/rule_claims.hpp"
 #include "frontend/syntax/print.hpp"
@@ -359,7 +361,8 @@ void announce_claims(const Context& context, ClaimResults& results) {
             one.region =
                 region_of(context.project.sources, declaration_span(context.project.system, obligation.component));
         const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
-        const bool decidable = obligation.firing || obligation.recurrence || of_rule || !obligation.assertions.empty();
+        const bool decidable = obligation.firing || obligation.recurrence || of_rule ||
+                               claim_of(context.project, obligation) || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
         one.reason = decidable ? undecided_at_limit : obligation.reason;
         results.assertions.push_back(std::move(one));
@@ -568,15 +571,20 @@ private:
     }
 
     void decide_whole(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& one) {
+        const std::optional<std::size_t> claim = claim_of(context.project, obligation);
         if (obligation.firing) {
             one.reason.clear();
             decide_firing(context, *obligation.firing, one);
         } else if (obligation.kind == ir::PropertyKind::conforms) {
             one.reason.clear();
             rules_.decide_property(project_.system.properties[obligation.property], context.search, one);
+        } else if (claim && obligation.assertions.empty()) {
+            one.reason = "not decided: " + obligation.reason;
         } else if (!obligation.assertions.empty()) {
             one.reason.clear();
             decide_claim(context, obligation, one);
+            if (claim)
+                complete_answer(context.project, reading_context(context), context.search, obligation, *claim, one);
             if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
         }
         if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {
@@ -780,7 +788,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         const std::size_t first = results.assertions.size();
         add(decided, Values::of_project);
         const bool open = !(decided.outputs_replaced.empty() && decided.related.empty());
-        if (classes.project && (has_observers(project.system) || (classes.small_carriers && open)))
+        if (classes.project && (has_observers(project) || (classes.small_carriers && open)))
             add(project, Values::of_carriers);
         if (times.back()->is_in_carriers()) divided.push_back({time, first, results.assertions.size()});
     }
