@@ -15,6 +15,7 @@
 #include "base/diagnostics/render.hpp"
 #include "counterexample/text.hpp"
 #include "driver/claims/model_claims.hpp"
+#include "driver/model/claim_files.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/settings/claim_selection.hpp"
 #include "driver/settings/rules.hpp"
@@ -254,7 +255,7 @@ void add_new(const Project& project, const std::vector<diagnostics::Diagnostic>&
 /// Lists the selected claims of a part as claims without an answer.
 void list_claims(const Project& project, const driver::ClaimSettings& settings, Verdict verdict,
                  const std::string& reason, std::vector<Answer>& answers) {
-    for (const driver::ClaimName& claim : driver::claims_of(*project.model)) {
+    for (const driver::ClaimName& claim : driver::all_claims_of(project)) {
         if (!is_selected(settings, claim.name)) continue;
         Answer& answer = answers.emplace_back();
         answer.title = project.label + claim.name;
@@ -276,7 +277,7 @@ struct Model::Impl {
     void list() {
         std::set<std::pair<std::string, std::uint32_t>> known;  // parts with broken claims have separate texts
         for (const Part& part : parts)
-            for (const driver::ClaimName& claim : driver::claims_of(*part.project->model)) {
+            for (const driver::ClaimName& claim : driver::all_claims_of(*part.project)) {
                 const std::string& path = part.project->sources.path(claim.span.source);
                 if (known.emplace(path, claim.span.begin).second)
                     claims.push_back({claim.name, place_of(part.project->sources, claim.span)});

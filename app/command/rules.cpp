@@ -8,6 +8,8 @@
 
 #include "checker/cspm/syntax/rules.hpp"
 #include "checker/cspm/types/rules.hpp"
+#include "claims/checks/rules.hpp"
+#include "claims/syntax/rules.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/ros2/rules.hpp"
@@ -54,6 +56,8 @@ std::vector<const diagnostics::Rule*> all_rules() {
     add(prism::rules::checks);
     add(prism::rules::explore);
     add(prism_emit::rules::all);
+    add(claims::rules::syntax);
+    add(claims::rules::checks);
     add(sleec::rules::syntax);
     add(sleec::rules::checks);
     add(simulation::rules::all);

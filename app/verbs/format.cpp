@@ -20,6 +20,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/fixes.hpp"
 #include "base/diagnostics/render.hpp"
+#include "claims/syntax/layout.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "sleec/syntax/format.hpp"
 
@@ -30,12 +31,13 @@ namespace fs = std::filesystem;
 namespace syntax = frontend::syntax;
 
 /// The language of a text.
-enum class Language { model, assertions, rules };
+enum class Language { model, assertions, rules, claims };
 
 std::optional<Language> language_of(const fs::path& path) {
     if (path.extension() == ".rct") return Language::model;
     if (path.extension() == ".assertions") return Language::assertions;
     if (path.extension() == ".sleec") return Language::rules;
+    if (path.extension() == ".claims") return Language::claims;
     return std::nullopt;
 }
 
@@ -80,9 +82,19 @@ void Formatting::report_failure(const diagnostics::Rule& rule, std::vector<std::
 std::optional<std::string> Formatting::format(diagnostics::SourceId source, Language language) {
     diagnostics::Diagnostics diagnostics;
     diagnostics.set_budget(&options_.run->budget());
-    auto result = language == Language::rules
-                      ? sleec::format(sources_, source, diagnostics)
-                      : frontend::format(sources_, source, language == Language::assertions, diagnostics);
+    const auto formatted = [&] {
+        switch (language) {
+            case Language::rules:
+                return sleec::format(sources_, source, diagnostics);
+            case Language::claims:
+                return claims::format(sources_, source, diagnostics);
+            case Language::model:
+            case Language::assertions:
+                break;
+        }
+        return frontend::format(sources_, source, language == Language::assertions, diagnostics);
+    };
+    auto result = formatted();
     if (result) return result;
     print_findings(diagnostics);
     failed_ = true;

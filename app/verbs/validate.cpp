@@ -16,22 +16,37 @@
 #include "base/diagnostics/render.hpp"
 #include "base/repair/repair.hpp"
 #include "checker/cspm/syntax/rules.hpp"
+#include "claims/syntax/rules.hpp"
 #include "csp_emit/blocks/check_blocks.hpp"
+#include "driver/model/claim_files.hpp"
+#include "driver/model/project_claims.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "semantics/lower/lower.hpp"
 
 namespace robochart::app {
 namespace {
 
 bool is_syntax(const diagnostics::Rule& rule) {
     return frontend::syntax::is_syntax(rule) ||
-           std::ranges::find(cspm::rules::all, &rule) != std::end(cspm::rules::all);
+           std::ranges::find(cspm::rules::all, &rule) != std::end(cspm::rules::all) ||
+           std::ranges::find(claims::rules::syntax, &rule) != std::end(claims::rules::syntax);
 }
 
-/// Reads the parts, including the findings in their CSP blocks.
+/// Adds the findings in the claims of a part. They are resolved in its IR, which a model with errors does not have.
+void check_claims(driver::Project& project) {
+    if (project.claims->files.empty() || !project.diagnostics.ok()) return;
+    diagnostics::Diagnostics of_lowering;  // `check` reports them
+    of_lowering.set_budget(project.diagnostics.budget());
+    const ir::System system = ir::lower(*project.model, project.sources, of_lowering);
+    if (of_lowering.ok()) driver::check_claim_files(project, system);
+}
+
+/// Reads the parts, including the findings in their claims and CSP blocks.
 std::vector<driver::Part> read_with_blocks(const Options& options) {
     std::vector<driver::Part> parts = driver::read_parts(options.load, options.run->budget());
     for (const driver::Part& part : parts) record_texts(part.project->sources, options);
+    for (const driver::Part& part : parts) check_claims(*part.project);
     for (const driver::Part& part : parts)
         csp_emit::check_blocks(*part.project->model, part.project->sources, part.project->diagnostics);
     return parts;

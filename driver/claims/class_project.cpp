@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "driver/model/project_claims.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::driver {
@@ -31,8 +32,9 @@ bool concerns(const csp_emit::Obligation& obligation, const std::set<std::string
 
 }  // namespace
 
-bool has_observers(const ir::System& system) {
-    return !system.csp_blocks.empty() ||
+bool has_observers(const Project& project) {
+    const ir::System& system = project.system;
+    return !system.csp_blocks.empty() || !project.claims->checked.claims.empty() ||
            std::ranges::any_of(system.properties, [](const auto& property) { return observes_values(property); });
 }
 
@@ -54,7 +56,7 @@ ClassProject class_project(const Project& project, const Settings& settings) {
     ir::ClassModel& replaced = *found.model;
     const bool unlimited =
         !replaced.small_carriers && std::ranges::any_of(replaced.data, &ir::ReplacedData::all_values);
-    if (!unlimited && has_observers(project.system)) {
+    if (!unlimited && has_observers(project)) {
         for (ir::ReplacedData& data : replaced.data)
             result.kept.push_back({std::move(data.places), {ir::KeepReason::observed, {}}});
         return result;

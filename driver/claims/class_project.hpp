@@ -43,8 +43,9 @@ struct FreeProject {
 /// that ask whether steps are possible from all states, do not carry over.
 [[nodiscard]] bool carries_over(const csp_emit::Obligation& obligation, Answer found);
 
-/// Whether some claim may observe values of events: comparisons of components, rules, and CSP blocks.
-[[nodiscard]] bool has_observers(const ir::System& system);
+/// Whether some claim may observe values of events: comparisons of components, rules, claims of claims files, and CSP
+/// blocks.
+[[nodiscard]] bool has_observers(const Project& project);
 /// True for a claim of determinism that this answer with classes leaves open: if it holds and outputs have names of
 /// classes; or, for both answers, if conditions relate variables (semantics/data/class_model.hpp).
 [[nodiscard]] bool is_open_in_classes(const Project& classes, const csp_emit::Obligation& obligation, Answer found);

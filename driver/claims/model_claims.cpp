@@ -103,7 +103,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         free.push_back(std::make_unique<FreeClaims>(*times.back(), free_data, search, time));
         free.back()->add_to(claims);
         const bool open = !(decided.outputs_replaced.empty() && decided.related.empty());
-        if (!classes.project || !(has_observers(project.system) || (classes.small_carriers && open))) continue;
+        if (!classes.project || !(has_observers(project) || (classes.small_carriers && open))) continue;
         add(project, Values::of_carriers);
         add_claims(*times.back(), claims);
         divided.push_back({time, first, results.assertions.size()});

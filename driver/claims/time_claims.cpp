@@ -14,9 +14,11 @@
 #include "counterexample/exercised.hpp"
 #include "counterexample/interpreter.hpp"
 #include "driver/claims/causes.hpp"
+#include "driver/claims/claim_answers.hpp"
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/related_values.hpp"
 #include "driver/claims/sizes.hpp"
+#include "driver/model/claim_scripts.hpp"
 
 namespace robochart::driver {
 namespace {
@@ -310,7 +312,8 @@ void announce_claims(const ClaimContext& context, ClaimResults& results) {
             one.region =
                 region_of(context.project.sources, declaration_span(context.project.system, obligation.component));
         const bool of_rule = obligation.kind == ir::PropertyKind::conforms;
-        const bool decidable = obligation.firing || obligation.recurrence || of_rule || !obligation.assertions.empty();
+        const bool decidable = obligation.firing || obligation.recurrence || of_rule ||
+                               claim_of(context.project, obligation) || !obligation.assertions.empty();
         one.answer = decidable ? Answer::inconclusive : Answer::no_check;
         one.reason = decidable ? undecided_at_limit : obligation.reason;
         results.assertions.push_back(std::move(one));
@@ -468,15 +471,19 @@ bool TimeClaims::store(AssertionReport report, const ListedClaim& claim) {
 
 void TimeClaims::decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,
                               AssertionReport& one) {
+    const std::optional<std::size_t> claim = claim_of(context.project, obligation);
     if (obligation.firing) {
         one.reason.clear();
         decide_firing(context, *obligation.firing, one);
     } else if (obligation.kind == ir::PropertyKind::conforms) {
         one.reason.clear();
         rules_.decide_property(project_.system.properties[obligation.property], context.search, one);
+    } else if (claim && obligation.assertions.empty()) {
+        one.reason = "not decided: " + obligation.reason;
     } else if (!obligation.assertions.empty()) {
         one.reason.clear();
         decide_claim(context, obligation, one);
+        if (claim) complete_answer(context.project, reading_context(context), context.search, obligation, *claim, one);
         if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
     }
     if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {

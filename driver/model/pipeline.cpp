@@ -23,6 +23,9 @@
 #include "csp_emit/swarm/compose.hpp"
 #include "csp_emit/swarm/read_swarm.hpp"
 #include "driver/model/broken_claims.hpp"
+#include "driver/model/claim_files.hpp"
+#include "driver/model/claim_scripts.hpp"
+#include "driver/model/project_claims.hpp"
 #include "driver/settings/claim_selection.hpp"
 #include "driver/settings/instantiation_options.hpp"
 #include "driver/settings/rules.hpp"
@@ -235,7 +238,8 @@ std::unique_ptr<Project> without_broken_assertions(std::unique_ptr<Project> proj
 /// The model that consists of these texts.
 std::unique_ptr<frontend::Model> load_given(Project& project, const std::vector<TextInput>& inputs) {
     std::vector<diagnostics::SourceId> texts;
-    for (const TextInput& input : inputs) texts.push_back(project.sources.add(input.path, input.text));
+    for (const TextInput& input : inputs)
+        if (!input.path.ends_with(".claims")) texts.push_back(project.sources.add(input.path, input.text));
     return frontend::load_texts(project.sources, texts, project.diagnostics);
 }
 
@@ -245,8 +249,9 @@ std::unique_ptr<Project> read(const LoadSettings& settings, diagnostics::Budget&
     prepare_project(*project, settings, &budget);
     const diagnostics::Budget::Phase phase(budget, "reading the model");
     project->model = settings.texts.empty()
-                         ? frontend::load_project(project->sources, settings.inputs, project->diagnostics)
+                         ? frontend::load_project(project->sources, model_inputs(settings.inputs), project->diagnostics)
                          : load_given(*project, settings.texts);
+    if (settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write) read_claim_files(*project, settings);
     return settings.claims == ClaimUse::ignore ? without_broken_assertions(std::move(project), settings)
                                                : std::move(project);
 }
@@ -279,11 +284,17 @@ std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettin
                                 const std::function<std::vector<frontend::Unit>(const frontend::Model&)>& units_of) {
     std::vector<Part> parts;
     std::vector<frontend::Unit> units;
+    const auto claim_files = whole->claims->files;
+    const diagnostics::Diagnostics& findings = whole->diagnostics;
     if (!cannot_be_read(whole->diagnostics)) units = units_of(*whole->model);
     if (units.size() > 1) {
         const std::vector<std::string> names = names_of(*whole, units);
         for (std::size_t i = 0; i < units.size(); ++i)
             parts.push_back({part_of(*whole, units[i], names[i], settings), units[i].again});
+        divide_claim_files(claim_files, parts);
+        std::set<diagnostics::SourceId> claims;
+        for (const auto& file : claim_files) claims.insert(file->source);
+        parts.front().project->diagnostics.add(findings.findings_in_texts(claims));
     }
     if (parts.empty()) parts.push_back({std::move(whole), false});
     return parts;
@@ -304,6 +315,10 @@ std::vector<ClaimName> claims_of(const frontend::Model& model) {
         for (const auto& [place, claim] : in_file) claims.push_back(claim);
     }
     return claims;
+}
+
+std::shared_ptr<ProjectClaims> make_project_claims() {
+    return std::make_shared<ProjectClaims>();
 }
 
 bool includes_time(Times times, csp_emit::Time time) {
@@ -332,11 +347,22 @@ std::unique_ptr<Project> with_carriers_of_robotool(const Project& project) {
     return with_data(project, project.system, std::move(other));
 }
 
+namespace {
+
+/// Resolves the claims of all parts without errors.
+void check_claims(const std::vector<Part>& parts) {
+    for (const Part& part : parts)
+        if (part.project->diagnostics.ok()) check_claim_files(*part.project);
+}
+
+}  // namespace
+
 std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Budget& budget) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<Part> parts;
     parts.push_back({read(settings.load, budget), false});
     instantiate_parts(parts, settings);
+    check_claims(parts);
     parts.front().project->seconds = seconds_since(start);
     return std::move(parts.front().project);
 }
@@ -383,7 +409,7 @@ std::vector<std::string> claim_names(const Project& whole, const SwarmSettings& 
         for (const csp_emit::SwarmClaim& claim : swarm_of(swarm, sources, errors).claims) add(claim.text);
         return names;
     }
-    for (const ClaimName& claim : claims_of(*whole.model)) add(claim.name);
+    for (const ClaimName& claim : all_claims_of(whole)) add(claim.name);
     return names;
 }
 
@@ -521,6 +547,7 @@ std::vector<Part> load_parts(Settings& settings, diagnostics::Budget& budget) {
     const OtherWords other = name_claims(*whole, settings);
     std::vector<Part> parts = split_project(std::move(whole), settings.load, frontend::split_into_units);
     instantiate_parts(parts, settings);
+    check_claims(parts);
     separate_broken_claims(parts, settings);
     name_core_claims(parts, other, settings);
     label_parts(parts);
@@ -554,7 +581,8 @@ bool core_wanted(const Part& part, const Settings& settings) {
         return !file->probabilistic_assertions.empty() ||
                std::ranges::any_of(file->kept, [](const auto& foreign_part) { return foreign_part.claims; });
     });
-    const bool instead = checks && !claims && settings.claims.names.empty() && !settings.claims.sizes;
+    const bool instead = checks && !claims && project.claims->checked.claims.empty() && settings.claims.names.empty() &&
+                         !settings.claims.sizes;
     return !part.again && (settings.claims.core || instead) && settings.swarm.file.empty();
 }
 
@@ -618,6 +646,8 @@ const csp_emit::Emission& emit_csp(Project& project, const ClaimSettings& claims
         throw std::logic_error(fmt::format("the script does not type check:\n{}",
                                            diagnostics::render_text(project.sources, project.diagnostics, style)));
     }
+    const bool claimed = time == csp_emit::Time::timed && swarm_settings.file.empty() && project.diagnostics.ok();
+    if (claimed) add_claims(project, project.scripts.at(time));
     return emission;
 }
 

@@ -20,6 +20,11 @@
 
 namespace robochart::driver {
 
+/// The claims of claims files (project_claims.hpp).
+struct ProjectClaims;
+/// An object without claims.
+[[nodiscard]] std::shared_ptr<ProjectClaims> make_project_claims();
+
 /// All data about one model.
 struct Project {
     explicit Project(
@@ -33,6 +38,7 @@ struct Project {
     diagnostics::SourceManager& sources;  ///< shared by all parts of a run
     diagnostics::Diagnostics diagnostics;
     std::unique_ptr<frontend::Model> model;
+    std::shared_ptr<ProjectClaims> claims = make_project_claims();  ///< of its claims files; never null
     ir::System system;
     ir::InstantiationOptions asked;  ///< options for its instantiation
     ir::Instantiation instantiation;
@@ -74,7 +80,7 @@ struct ClaimName {
     std::string name;
     diagnostics::Span span;
 };
-/// The claims of a model in the order of its files.
+/// The claims of a model's assertion files, in the order of the files.
 [[nodiscard]] std::vector<ClaimName> claims_of(const frontend::Model&);
 
 /// The name of a core property for --assertion: "P::S: deadlock-free".

@@ -37,6 +37,7 @@ std::string file_name(const diagnostics::Block& block, std::size_t number) {
     if (block.language == "assertions") return "claims" + suffix + ".assertions";
     if (block.language == "cspm") return "script" + suffix + ".csp";
     if (block.language == "prism" || block.language == "props") return "model" + suffix + "." + block.language;
+    if (block.language == "claims") return "claims" + suffix + ".claims";
     if (block.language == "sleec") return "rules" + suffix + ".sleec";
     return "model" + suffix + ".rct";
 }
@@ -212,7 +213,7 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
     std::string console;
     std::vector<std::string> scripts;
     std::vector<std::string> prism;
-    bool has_model = false;
+    bool has_model = false, claims = false;
     std::size_t number = 0;
     for (const diagnostics::Block& block : example) {
         if (block.language == "text") continue;
@@ -231,8 +232,10 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
             read_rules(path.string(), result);
             continue;
         }
+        if (block.language == "claims") claims = true;
         has_model = has_model || block.language != "cspm";
     }
+    if (claims && console.empty()) console = "$ robochart-verify check MODEL";
     if (!console.empty()) {
         run_command(console, folder.path(), result);
     } else {

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packages, units, components and forms of claims. See check.hpp.
+#include "claims/checks/check.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/diagnostics/spelling.hpp"
+#include "claims/checks/duration.hpp"
+#include "claims/checks/resolve_events.hpp"
+#include "claims/checks/rules.hpp"
+
+namespace robochart::claims {
+namespace {
+
+/// True if every event of the one set is in the other, as far as the text shows it: conditions are not compared, so a
+/// set with a condition contains nothing for certain.
+bool is_within(const Events& one, const Events& other) {
+    if ((one.start && !other.start) || (one.terminate && !other.terminate)) return false;
+    std::set<std::size_t> whole;
+    for (const EventMatch& match : other.any)
+        if (!match.condition) whole.insert(match.channels.begin(), match.channels.end());
+    return std::ranges::all_of(one.any, [&](const EventMatch& match) {
+        return std::ranges::all_of(match.channels, [&](std::size_t channel) { return whole.contains(channel); });
+    });
+}
+
+class Checker {
+public:
+    Checker(const ClaimedModel& model, const diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics)
+        : model_(model), sources_(sources), diagnostics_(diagnostics), components_(components_of(model.system)) {}
+
+    CheckedClaims check(const std::vector<std::shared_ptr<const ClaimFile>>& files) {
+        for (const auto& file : files) check_unit(*file);
+        std::set<std::string> names(model_.names.begin(), model_.names.end());
+        for (const auto& file : files) {
+            check_imports(*file);
+            for (const Claim& claim : file->claims) {
+                diagnostics_.poll();
+                if (!names.insert(claim.name.text).second)
+                    diagnostics_.report(rules::named_twice, claim.name.span, {claim.name.text});
+                try {
+                    result_.claims.push_back(check_claim(claim, *file));
+                } catch (const ClaimError&) {
+                }
+            }
+        }
+        return std::move(result_);
+    }
+
+private:
+    void check_unit(const ClaimFile& file) {
+        if (!file.unit) return;
+        const Duration& unit = *file.unit;
+        const bool time = unit.unit != TimeUnit::none && unit.unit != TimeUnit::units;
+        const auto length = time && !unit.negative ? nanoseconds_of(unit) : std::nullopt;
+        if (!length || *length == 0) {
+            diagnostics_.report(rules::wrong_duration, unit.span,
+                                {"the length of a time unit is a time above 0, such as `unit 0.1 s`"});
+            return;
+        }
+        if (result_.unit && *result_.unit != *length) {
+            const auto report = [&](Span here, std::int64_t length_here, Span there, std::int64_t length_there) {
+                diagnostics_.report(
+                    rules::units_differ, here,
+                    {duration_text(length_here), duration_text(length_there), sources_.path_and_line(there)});
+            };
+            report(unit.span, *length, unit_span_, *result_.unit);
+            report(unit_span_, *result_.unit, unit.span, *length);
+            return;
+        }
+        result_.unit = length;
+        unit_span_ = unit.span;
+    }
+
+    void check_imports(const ClaimFile& file) {
+        for (const Import& import : file.imports) {
+            const auto known = std::ranges::find(model_.packages, import.name.text);
+            if (known != model_.packages.end()) continue;
+            const std::string meant = diagnostics::nearest_spelling(import.name.text, model_.packages);
+            diagnostics_.report(rules::unknown_package, import.name.span,
+                                {import.name.text, meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant)});
+        }
+    }
+
+    // ------------------------------------------------------------ components
+
+    [[nodiscard]] static bool is_visible(const Component& component, const ClaimFile& file) {
+        if (file.imports.empty() && !file.package) return true;
+        if (component.package.empty() || (file.package && file.package->text == component.package)) return true;
+        return std::ranges::any_of(file.imports,
+                                   [&](const Import& import) { return import.name.text == component.package; });
+    }
+
+    [[nodiscard]] std::vector<const Component*> visible_components(const ClaimFile& file) const {
+        std::vector<const Component*> result;
+        for (const Component& component : components_)
+            if (is_visible(component, file)) result.push_back(&component);
+        return result;
+    }
+
+    static std::string list(const std::vector<const Component*>& components) {
+        std::vector<std::string> paths;
+        for (const Component* component : components) paths.push_back(component->path);
+        constexpr std::size_t shown = 5;
+        if (paths.size() > shown) {
+            paths.resize(shown);
+            paths.emplace_back("...");
+        }
+        return fmt::format("{}", fmt::join(paths, ", "));
+    }
+
+    /// The only module; without modules the only controller; without controllers the only machine.
+    [[nodiscard]] const Component& only_component(const Claim& claim, const ClaimFile& file) const {
+        for (const ir::ComponentKind kind :
+             {ir::ComponentKind::module, ir::ComponentKind::controller, ir::ComponentKind::machine}) {
+            std::vector<const Component*> found = visible_components(file);
+            std::erase_if(found, [&](const Component* one) { return one->kind != kind || one->part; });
+            if (found.size() == 1) return *found.front();
+            if (found.size() > 1)
+                refuse_component(claim.name.span,
+                                 fmt::format("which component is `{}` about? Write `claim {} of {} : ...`; "
+                                             "there are {}",
+                                             claim.name.text, claim.name.text, found.front()->path, list(found)));
+        }
+        refuse_component(claim.name.span, "the claim is about no component: no model is beside it");
+    }
+
+    [[noreturn]] void refuse_component(Span span, std::string text) const {
+        diagnostics_.report(rules::unknown_component, span, {std::move(text)});
+        throw ClaimError{};
+    }
+
+    [[nodiscard]] const Component& named_component(const Name& name, const ClaimFile& file) const {
+        const std::vector<const Component*> visible = visible_components(file);
+        std::vector<const Component*> found, exact;
+        for (const Component* component : visible) {
+            if (component->path != name.text && !component->path.ends_with("::" + name.text)) continue;
+            found.push_back(component);
+            if (!component->part) exact.push_back(component);
+        }
+        if (exact.size() == 1) return *exact.front();
+        if (found.size() == 1) return *found.front();
+        if (found.size() > 1)
+            refuse_component(name.span, fmt::format("`{}` is not unique: there are {}", name.text, list(found)));
+        std::vector<std::string> names;
+        for (const Component* component : visible) {
+            names.push_back(component->path);
+            names.push_back(component->path.substr(component->path.rfind(':') + 1));
+        }
+        const std::string meant = diagnostics::nearest_spelling(name.text, names);
+        refuse_component(name.span, fmt::format("no module, controller or machine is called `{}`{}", name.text,
+                                                meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant)));
+    }
+
+    // ------------------------------------------------------------ claims
+
+    CheckedClaim check_claim(const Claim& claim, const ClaimFile& file) {
+        CheckedClaim result;
+        result.name = claim.name.text;
+        result.wording = claim.wording;
+        result.span = claim.span;
+        result.component = claim.component ? named_component(*claim.component, file) : only_component(claim, file);
+        EventResolver events(model_.system, result, sources_, diagnostics_);
+        result.scope.kind = claim.scope.kind;
+        result.scope.first = events.resolve(claim.scope.first);
+        result.scope.last = events.resolve(claim.scope.last);
+        if (claim.scope.kind == ScopeKind::for_after) result.scope.units = count_units(claim.scope.duration);
+        const Body& body = claim.body;
+        result.body.kind = body.kind;
+        result.body.events = events.resolve(body.events);
+        result.body.others = events.resolve(body.others);
+        result.body.exceptions = events.resolve(body.exceptions);
+        if (body.duration) result.body.units = count_units(*body.duration);
+        if (!body.count.empty()) result.body.count = Fraction::of_decimal(body.count).numerator();
+        check_meaning(claim, result);
+        return result;
+    }
+
+    std::int64_t count_units(const Duration& duration) {
+        const UnitCount count = units_of(duration, result_.unit);
+        if (count.error.empty()) return count.units;
+        diagnostics_.report(rules::wrong_duration, duration.span, {count.error});
+        throw ClaimError{};
+    }
+
+    [[noreturn]] void says_nothing(Span span, std::string why) {
+        diagnostics_.report(rules::says_nothing, span, {std::move(why)});
+        throw ClaimError{};
+    }
+
+    void check_meaning(const Claim& claim, const CheckedClaim& checked) {
+        const CheckedBody& body = checked.body;
+        const bool counts = body.kind == BodyKind::at_most || body.kind == BodyKind::every;
+        if (counts && claim.scope.kind == ScopeKind::after && !claim.scope.only_first)
+            ask_first_or_each(claim, checked);
+        check_count(claim, body);
+        check_sets(claim, checked);
+    }
+
+    void ask_first_or_each(const Claim& claim, const CheckedClaim& checked) {
+        auto& finding = diagnostics_.report(rules::first_or_each, claim.scope.span, {checked.scope.first.text});
+        const Span at{claim.scope.first.span.source, claim.scope.first.span.begin, claim.scope.first.span.begin};
+        finding.fixes.push_back({at, "each ", "anew at each"});
+        finding.fixes.push_back({at, "first ", "once, at the first"});
+        throw ClaimError{};
+    }
+
+    void check_count(const Claim& claim, const CheckedBody& body) {
+        if (body.kind == BodyKind::at_most && body.count == 0)
+            says_nothing(claim.body.count_span, "write `never` for `at most 0`");
+        constexpr std::int64_t most = 1000;
+        if (body.count > most) {
+            diagnostics_.report(rules::wrong_duration, claim.body.count_span,
+                                {fmt::format("at most {} events are counted", most)});
+            throw ClaimError{};
+        }
+        if (body.kind == BodyKind::at_least && body.units == 0)
+            says_nothing(claim.body.duration->span, "every event comes at least 0 time units after another");
+    }
+
+    void check_sets(const Claim& claim, const CheckedClaim& checked) {
+        const CheckedBody& body = checked.body;
+        if (checked.scope.kind == ScopeKind::before && checked.scope.first.start)
+            says_nothing(claim.scope.span, "nothing comes before the start");
+        if (body.kind == BodyKind::only_after && body.events.text == body.others.text)
+            says_nothing(claim.body.span, "both events are the same");
+        if (body.kind == BodyKind::leads_before && !body.exceptions.empty() && is_within(body.exceptions, body.others))
+            says_nothing(claim.body.exceptions.span, "the answer is also the event before which it has to come");
+        const bool ends = checked.scope.kind == ScopeKind::before || checked.scope.kind == ScopeKind::after_each ||
+                          checked.scope.kind == ScopeKind::after_until;
+        if (!ends || body.kind != BodyKind::never) return;
+        const Events& end = checked.scope.kind == ScopeKind::after_until ? checked.scope.last : checked.scope.first;
+        if (is_within(body.events, end))
+            says_nothing(claim.body.events.span,
+                         "what is forbidden ends the scope, and a scope ends before its last event; `last E` compares "
+                         "with the value before");
+    }
+
+    const ClaimedModel& model_;
+    const diagnostics::SourceManager& sources_;
+    diagnostics::Diagnostics& diagnostics_;
+    std::vector<Component> components_;
+    CheckedClaims result_;
+    Span unit_span_;
+};
+
+}  // namespace
+
+CheckedClaims check_claims(const std::vector<std::shared_ptr<const ClaimFile>>& files, const ClaimedModel& model,
+                           const diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    return Checker(model, sources, diagnostics).check(files);
+}
+
+}  // namespace robochart::claims

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The components of a model, with the events and calls that are visible from outside.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::claims {
+
+enum class ChannelKind : std::uint8_t { input, output, call };
+
+/// An event in one direction, or the calls of an operation.
+struct Channel {
+    std::string name;
+    ChannelKind kind = ChannelKind::input;
+    std::vector<ir::TypeId> types;  ///< of the values that it carries
+
+    friend bool operator==(const Channel&, const Channel&) = default;
+};
+
+/// A module, a controller or a machine, alone or as a part of another component.
+struct Component {
+    ir::ComponentKind kind = ir::ComponentKind::module;
+    std::string path;     ///< as in the script: "warehouse::Warehouse::brain::patrol"
+    std::string package;  ///< "" if unnamed
+    bool part = false;    ///< a part of another component
+    std::vector<Channel> channels;
+    std::vector<std::string> defined;  ///< operations that the model defines for this component
+};
+
+/// The components of a system; each before its parts.
+[[nodiscard]] std::vector<Component> components_of(const ir::System& system);
+
+}  // namespace robochart::claims

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// A claim as processes and assertions in the timed script of its component (docs/claims.md, "How a claim is decided").
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checker/cspm/syntax/syntax.hpp"
+#include "claims/decide/automaton.hpp"
+#include "claims/decide/letters.hpp"
+
+namespace robochart::claims {
+
+/// The declarations of one claim. Let M be its monitor as a process, with `tock` and the events of its letters, which
+/// refuses what breaks the claim; P the timed process of the component, in which only these events are visible.
+///     holds:      M [T= P   (for `possible`: not)
+///     asked:      not M' [T= P, where M' is M without the states that ask something
+///     happens:    not SKIP [T= P |\ X, where X are the events that the claim restricts
+///     standstill: (P [| letters, tock |] M with `tock` added to the states that owe nothing), with outputs taken at
+///                 once, can always let time pass
+struct Decision {
+    std::vector<cspm::DeclPtr> declarations;  ///< processes
+    cspm::DeclPtr holds;
+    cspm::DeclPtr asked;       ///< null: something is asked from the start
+    cspm::DeclPtr happens;     ///< null: the claim restricts no events of its own
+    cspm::DeclPtr standstill;  ///< null: the claim owes nothing
+};
+
+/// `number`: of the claim, for the names of the processes. `outputs`: events that the environment takes at once.
+[[nodiscard]] Decision decide_by_processes(const CheckedClaim& claim, const std::vector<Letter>& letters,
+                                           const Automaton& automaton, std::size_t number, const cspm::ExprPtr& process,
+                                           const std::vector<cspm::ExprPtr>& outputs);
+
+/// The name of the channel that the processes of all claims share, and its declaration.
+[[nodiscard]] cspm::DeclPtr free_time_channel();
+
+}  // namespace robochart::claims

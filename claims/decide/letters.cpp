@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// See letters.hpp.
+#include "claims/decide/letters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/types.hpp"
+#include "semantics/ir/query.hpp"
+
+namespace robochart::claims {
+namespace {
+
+namespace build = cspm::build;
+
+constexpr std::size_t most_letters = 5000;
+
+/// A value of a condition with its text in the script.
+struct LetterValue {
+    Fraction value;
+    std::string text;
+    cspm::ExprPtr expression;
+};
+
+LetterValue number_value(std::int64_t number, std::int64_t scale) {
+    return {Fraction(number, scale), fmt::format("{}", number), build::number(number)};
+}
+
+std::vector<LetterValue> values_of(const ir::Type& type, const ir::Instantiation& instantiation) {
+    std::vector<LetterValue> result;
+    const auto add_numbers = [&](const std::vector<std::int64_t>& numbers, std::int64_t scale) {
+        for (const std::int64_t number : numbers) result.push_back(number_value(number, scale));
+    };
+    if (type.kind == ir::TypeKind::nat) add_numbers(instantiation.nat, 1);
+    if (type.kind == ir::TypeKind::integer) add_numbers(instantiation.integer, 1);
+    if (type.kind == ir::TypeKind::real) add_numbers(instantiation.real, instantiation.scale);
+    if (type.kind == ir::TypeKind::boolean)
+        for (const bool value : {false, true})
+            result.push_back({Fraction(value ? 1 : 0), value ? "true" : "false", build::boolean(value)});
+    if (type.kind == ir::TypeKind::enumeration)
+        for (std::size_t i = 0; i < type.labels.size(); ++i) {
+            if (!type.literal_args[i].empty()) return {};
+            const std::string name = csp_emit::literal_name(type, i);
+            result.push_back({Fraction(static_cast<std::int64_t>(i)), name, build::name(name)});
+        }
+    return result;
+}
+
+/// The channels whose values some condition reads.
+std::set<std::size_t> channels_with_values(const CheckedClaim& claim) {
+    std::set<std::size_t> result(claim.remembered.begin(), claim.remembered.end());
+    for (const Events* events : sets_of(claim))
+        for (const EventMatch& match : events->any)
+            if (match.condition) result.insert(match.channels.begin(), match.channels.end());
+    return result;
+}
+
+bool reads_last(const Condition& condition) {
+    return condition.operand == Operand::last || std::ranges::any_of(condition.parts, reads_last);
+}
+
+}  // namespace
+
+std::vector<const Events*> sets_of(const CheckedClaim& claim) {
+    return {&claim.scope.first, &claim.scope.last, &claim.body.events, &claim.body.others, &claim.body.exceptions};
+}
+
+namespace {
+
+class LetterMaker {
+public:
+    LetterMaker(const CheckedClaim& claim, const ir::System& system, const ir::Instantiation& instantiation)
+        : claim_(claim), system_(system), instantiation_(instantiation) {}
+
+    void add_channel(std::size_t channel, bool with_values) {
+        const Channel& of = claim_.component.channels[channel];
+        const std::string name = claim_.component.path + "::" + of.name + (of.kind == ChannelKind::call ? "Call" : "");
+        Letter letter{{channel, {}}, name, build::name(name), of.name};
+        if (of.kind != ChannelKind::call) extend(letter, of.kind == ChannelKind::input ? "in" : "out");
+        if (with_values)
+            add_values(letter, of, 0);
+        else
+            letters_.push_back(std::move(letter));
+    }
+    std::vector<Letter> take() { return std::move(letters_); }
+
+private:
+    static void extend(Letter& letter, const std::string& text) {
+        letter.event += "." + text;
+        letter.prefix = build::dot({letter.prefix, build::name(text)});
+    }
+
+    void add_values(const Letter& letter, const Channel& channel, std::size_t at) {
+        instantiation_.poll();
+        if (at == channel.types.size()) {
+            letters_.push_back(letter);
+            if (letters_.size() > most_letters)
+                throw NotDecided(fmt::format("`{}` has more than {} values", channel.name, most_letters));
+            return;
+        }
+        const ir::Type& type = system_.type(channel.types[at]);
+        const std::vector<LetterValue> values = values_of(type, instantiation_);
+        if (values.empty())
+            throw NotDecided(fmt::format("`{}` also carries values of the type {}, which conditions do not list",
+                                         channel.name, type.name));
+        for (const LetterValue& value : values) {
+            Letter next = letter;
+            next.event += "." + value.text;
+            next.prefix = build::dot({next.prefix, value.expression});
+            next.occurrence.values.push_back(value.value);
+            add_values(next, channel, at + 1);
+        }
+    }
+
+    const CheckedClaim& claim_;
+    const ir::System& system_;
+    const ir::Instantiation& instantiation_;
+    std::vector<Letter> letters_;
+};
+
+}  // namespace
+
+std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& system,
+                               const ir::Instantiation& instantiation) {
+    std::set<std::size_t> channels(claim.remembered.begin(), claim.remembered.end());
+    for (const Events* events : sets_of(claim))
+        for (const EventMatch& match : events->any) channels.insert(match.channels.begin(), match.channels.end());
+    const std::set<std::size_t> with_values = channels_with_values(claim);
+    if (!with_values.empty() && std::ranges::any_of(system.csp_blocks, ir::is_instantiations))
+        throw NotDecided("a csp block sets the values, which conditions of claims do not read");
+    LetterMaker maker(claim, system, instantiation);
+    for (const std::size_t channel : channels) maker.add_channel(channel, with_values.contains(channel));
+    return maker.take();
+}
+
+void require_channels(const CheckedClaim& claim, const std::vector<Letter>& letters,
+                      const csp_emit::Provenance& provenance) {
+    for (const Letter& letter : letters) {
+        const Channel& of = claim.component.channels[letter.occurrence.channel];
+        const char* end = "Call";
+        if (of.kind != ChannelKind::call) end = of.kind == ChannelKind::input ? ".in" : ".out";
+        if (!provenance.events.contains(claim.component.path + "::" + of.name + end))
+            throw NotDecided(fmt::format("the semantics of {} has no event `{}`", claim.component.path, of.name));
+    }
+}
+
+const Letter* find_letter(const std::vector<Letter>& letters, const std::string& event) {
+    const auto found = std::ranges::find_if(
+        letters, [&](const Letter& letter) { return event == letter.event || event.starts_with(letter.event + "."); });
+    return found == letters.end() ? nullptr : &*found;
+}
+
+std::string text_of(const Letter& letter, const CheckedClaim& claim, const std::string& event) {
+    const Channel& channel = claim.component.channels[letter.occurrence.channel];
+    const std::string direction = channel.kind == ChannelKind::input ? ".in" : ".out";
+    const std::string prefix =
+        claim.component.path + "::" + letter.name + (channel.kind == ChannelKind::call ? "Call" : direction);
+    if (event.size() <= prefix.size()) return letter.name;
+    std::string values;
+    for (const char c : event.substr(prefix.size() + 1)) {
+        if (c == '.')
+            values += ", ";
+        else
+            values += c;
+    }
+    return fmt::format("{}({})", letter.name, values);
+}
+
+std::vector<const EventMatch*> matches_without_value(const CheckedClaim& claim, const std::vector<Letter>& letters) {
+    std::vector<const EventMatch*> result;
+    MonitorState state;
+    state.last.resize(claim.remembered.size());
+    for (const Events* events : sets_of(claim))
+        for (const EventMatch& match : events->any) {
+            if (!match.condition || reads_last(*match.condition)) continue;
+            const Events alone{{match}, false, false, ""};
+            const bool some = std::ranges::any_of(
+                letters, [&](const Letter& letter) { return Monitor::matches(alone, letter.occurrence, state); });
+            if (!some) result.push_back(&match);
+        }
+    return result;
+}
+
+}  // namespace robochart::claims

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The events of a component's script that a claim distinguishes.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "checker/cspm/syntax/syntax.hpp"
+#include "claims/monitor/monitor.hpp"
+#include "csp_emit/base/emission.hpp"
+#include "semantics/ir/instantiation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::claims {
+
+/// Thrown if a claim cannot be decided; the text says why.
+struct NotDecided : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Events that the claim does not distinguish: one channel, with all values, or with some.
+struct Letter {
+    Occurrence occurrence;
+    std::string event;     ///< "P::M::goToCall.3"; events of the script are equal or continue it with '.'
+    cspm::ExprPtr prefix;  ///< the same as an expression
+    std::string name;      ///< of the event in the model
+};
+
+/// The letters of the channels that the claim names, by channel and values. Throws NotDecided if a condition is about
+/// values that the instantiation does not list.
+[[nodiscard]] std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& system,
+                                             const ir::Instantiation& instantiation);
+
+/// Throws NotDecided if the script does not have the channel of a letter.
+void require_channels(const CheckedClaim& claim, const std::vector<Letter>& letters,
+                      const csp_emit::Provenance& provenance);
+
+/// The letter of an event of the script; null if the claim does not name it.
+[[nodiscard]] const Letter* find_letter(const std::vector<Letter>& letters, const std::string& event);
+/// The event for people: "goTo(3)".
+[[nodiscard]] std::string text_of(const Letter& letter, const CheckedClaim& claim, const std::string& event);
+
+/// The parts of the claim whose conditions no value of the instantiation satisfies, as written. Conditions on last
+/// values are not judged.
+[[nodiscard]] std::vector<const EventMatch*> matches_without_value(const CheckedClaim& claim,
+                                                                   const std::vector<Letter>& letters);
+
+/// All sets of events of the claim.
+[[nodiscard]] std::vector<const Events*> sets_of(const CheckedClaim& claim);
+
+}  // namespace robochart::claims

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// See account.hpp.
+#include "claims/monitor/account.hpp"
+
+#include <fmt/format.h>
+
+#include "claims/checks/duration.hpp"
+
+namespace robochart::claims {
+
+Account::Account(const CheckedClaim& claim, std::optional<std::int64_t> unit)
+    : claim_(claim), monitor_(claim), unit_(unit), state_(monitor_.begin()), current_{0, "the start"} {
+    if (state_.phase == Phase::inside && claim.scope.kind != ScopeKind::whole && claim.scope.kind != ScopeKind::before)
+        scope_ = current_;
+    if (state_.left >= 0 || state_.due) trigger_ = current_;
+}
+
+void Account::observe(const Occurrence& event, const std::string& text) {
+    if (state_.verdict != Verdict::open) return;
+    const MonitorState before = state_;
+    current_ = {now_, text};
+    breaker_ = Breaker::event;
+    monitor_.observe(state_, event);
+    if (!is_broken()) note_changes(before, event);
+    if (claim_.body.kind == BodyKind::only_within && Monitor::matches(claim_.body.others, event, before))
+        trigger_ = current_;
+    const bool delays = claim_.body.kind == BodyKind::at_least && Monitor::matches(claim_.body.others, event, before);
+    if (delays && !is_broken()) trigger_ = current_;
+    if (claim_.body.kind == BodyKind::at_most && state_.phase == Phase::inside &&
+        Monitor::matches(claim_.body.events, event, before))
+        counted_.push_back(current_);
+}
+
+/// What began or ended with the current event.
+void Account::note_changes(const MonitorState& before, const Occurrence& observed) {
+    const CheckedScope& scope = claim_.scope;
+    const bool again = Monitor::matches(scope.first, observed, before) &&
+                       (scope.kind == ScopeKind::after_each ||
+                        (scope.kind == ScopeKind::after_until && Monitor::matches(scope.last, observed, before)));
+    const bool begins = state_.phase == Phase::inside && (before.phase != Phase::inside || again);
+    if (begins) {
+        scope_ = current_;
+        trigger_.reset();
+        counted_.clear();
+    }
+    const bool was_open = before.left >= 0 || before.due;
+    const bool is_open = state_.left >= 0 || state_.due;
+    if (claim_.body.kind == BodyKind::every) {
+        if (begins || state_.left > before.left) trigger_ = current_;
+    } else if (is_open && (!was_open || state_.left > before.left)) {
+        trigger_ = current_;
+    }
+}
+
+void Account::tock() {
+    if (state_.verdict != Verdict::open) return;
+    breaker_ = Breaker::time;
+    monitor_.tock(state_);
+    if (!is_broken()) ++now_;
+}
+
+void Account::end() {
+    if (state_.verdict != Verdict::open) return;
+    breaker_ = Breaker::end;
+    monitor_.end(state_);
+}
+
+std::string Account::time_text(std::int64_t time) const {
+    std::int64_t length = 0;
+    if (!unit_ || __builtin_mul_overflow(time, *unit_, &length)) return fmt::format("t={}", time);
+    return fmt::format("t={} ({})", time, duration_text(length));
+}
+
+std::string Account::units(std::int64_t count) const {
+    return units_text(count, unit_);
+}
+
+std::string Account::moment_text(const Moment& moment) const {
+    return fmt::format("{} at {}", moment.text, time_text(moment.time));
+}
+
+std::string Account::breaker_text() const {
+    switch (breaker_) {
+        case Breaker::event:
+            return fmt::format("{} comes at {}", current_.text, time_text(now_));
+        case Breaker::time:
+            return fmt::format("time passes beyond {}", time_text(now_));
+        case Breaker::end:
+            return fmt::format("the component ends at {}", time_text(now_));
+    }
+    return "";
+}
+
+/// What the claim demands of the open trigger.
+std::string Account::demand_text() const {
+    const CheckedBody& body = claim_.body;
+    const std::int64_t from = trigger_ ? trigger_->time : 0;
+    const std::int64_t limit = from + body.units.value_or(0);
+    if (body.kind == BodyKind::every)
+        return fmt::format("{} is owed until {}, {} after {}", body.events.text, time_text(limit), units(*body.units),
+                           trigger_ ? moment_text(*trigger_) : "the start");
+    return fmt::format("{} is owed until {}, {} after {}", body.others.text, time_text(limit), units(*body.units),
+                       trigger_ ? moment_text(*trigger_) : "the start");
+}
+
+std::vector<std::string> Account::reasons_of_body() const {
+    const CheckedBody& body = claim_.body;
+    const std::string came = breaker_text();
+    const std::string trigger = trigger_ ? moment_text(*trigger_) : "";
+    switch (body.kind) {
+        case BodyKind::never:
+            return {fmt::format("{}, which the claim forbids", came)};
+        case BodyKind::only_after:
+            return {fmt::format("{}, and no {} came before", came, body.others.text)};
+        case BodyKind::only_within:
+            if (!trigger_) return {fmt::format("{}, and no {} came before", came, body.others.text)};
+            return {fmt::format("the last {} was {}", body.others.text, trigger),
+                    fmt::format("{}, {} later; the claim allows it for {}", came, units(now_ - trigger_->time),
+                                units(*body.units))};
+        case BodyKind::leads_within:
+        case BodyKind::every:
+            return {demand_text(), came};
+        case BodyKind::leads_before:
+            return {fmt::format("{} is owed since {}", body.others.text, trigger), fmt::format("{} before it", came)};
+        case BodyKind::at_least:
+            if (!trigger_) return {came};
+            return {fmt::format("{}, {} after {}; the claim allows it from {} on", came, units(now_ - trigger_->time),
+                                trigger, time_text(trigger_->time + body.units.value()))};
+        case BodyKind::at_most: {
+            std::vector<std::string> result;
+            const auto window = static_cast<std::size_t>(body.count) + 1;
+            if (body.units && counted_.size() >= window)
+                result.push_back(
+                    fmt::format("the first of {} was {}", window, moment_text(counted_[counted_.size() - window])));
+            result.push_back(fmt::format("{}, one more than the {} that the claim allows{}", came, body.count,
+                                         body.units ? fmt::format(" in {}", units(*body.units)) : ""));
+            return result;
+        }
+        case BodyKind::possible:
+            return {};
+    }
+    return {};
+}
+
+std::vector<std::string> Account::reasons() const {
+    std::vector<std::string> result;
+    if (scope_) result.push_back(fmt::format("the scope began with {}", moment_text(*scope_)));
+    for (std::string& reason : reasons_of_body()) result.push_back(std::move(reason));
+    return result;
+}
+
+std::vector<std::string> Account::reasons_of_standstill() const {
+    std::vector<std::string> result;
+    if (scope_) result.push_back(fmt::format("the scope began with {}", moment_text(*scope_)));
+    result.push_back(demand_text());
+    result.push_back(fmt::format("time stops at {}", time_text(now_)));
+    return result;
+}
+
+}  // namespace robochart::claims

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells why a run breaks a claim: what began, what the claim demands, and what broke it (docs/claims.md, "What is
+// told").
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "claims/monitor/monitor.hpp"
+
+namespace robochart::claims {
+
+/// Follows a run of a component along with the monitor. Stores a reference to the claim.
+class Account {
+public:
+    /// `unit`: the nanoseconds of a time unit, if declared.
+    Account(const CheckedClaim& claim, std::optional<std::int64_t> unit);
+
+    /// `text`: the event for people, "goTo(3)".
+    void observe(const Occurrence& event, const std::string& text);
+    void tock();
+    void end();
+
+    [[nodiscard]] const MonitorState& state() const { return state_; }
+    [[nodiscard]] bool is_broken() const { return state_.verdict == Verdict::broken; }
+    /// At most three sentences, after the claim was broken.
+    [[nodiscard]] std::vector<std::string> reasons() const;
+    /// The sentences if time stops here and something is owed.
+    [[nodiscard]] std::vector<std::string> reasons_of_standstill() const;
+    /// "t=30 (3 s)".
+    [[nodiscard]] std::string time_text(std::int64_t time) const;
+
+private:
+    /// An event with its time.
+    struct Moment {
+        std::int64_t time = 0;
+        std::string text;
+    };
+    enum class Breaker : std::uint8_t { event, time, end };
+    void note_changes(const MonitorState& before, const Occurrence& observed);
+    [[nodiscard]] std::string moment_text(const Moment& moment) const;
+    [[nodiscard]] std::string breaker_text() const;
+    [[nodiscard]] std::vector<std::string> reasons_of_body() const;
+    [[nodiscard]] std::string demand_text() const;
+    [[nodiscard]] std::string units(std::int64_t count) const;
+
+    const CheckedClaim& claim_;
+    Monitor monitor_;
+    std::optional<std::int64_t> unit_;
+    MonitorState state_;
+    std::int64_t now_ = 0;
+    Moment current_;                 ///< the event that is being observed
+    std::optional<Moment> scope_;    ///< what began the scope
+    std::optional<Moment> trigger_;  ///< the oldest open trigger, the youngest delay, the last support
+    std::vector<Moment> counted_;    ///< at_most: the counted events of the scope
+    Breaker breaker_ = Breaker::event;
+};
+
+}  // namespace robochart::claims

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The meaning of claims (docs/claims.md, "Meaning"): a deterministic monitor, which sees the events of a component, the
+// passing of time and the end, and knows what is owed. Everything that decides a claim uses this monitor.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "claims/checks/checked.hpp"
+
+namespace robochart::claims {
+
+/// An event of the component with the values that it carries. The values may be left out if no condition reads them.
+struct Occurrence {
+    std::size_t channel = 0;
+    std::vector<Fraction> values;
+
+    friend auto operator<=>(const Occurrence&, const Occurrence&) = default;
+};
+
+enum class Verdict : std::uint8_t {
+    open,  ///< not broken so far
+    broken,
+    satisfied,  ///< `possible E`: E has come
+};
+
+enum class Phase : std::uint8_t {
+    outside,  ///< the scope has not begun, or has ended and may begin again
+    inside,
+    over,  ///< the scope has ended for ever
+};
+
+/// Everything that a monitor knows of a run. Runs with equal states have the same future.
+struct MonitorState {
+    Verdict verdict = Verdict::open;
+    Phase phase = Phase::outside;
+    std::int64_t scope_left = 0;                ///< for_after: time units that the scope still lasts
+    bool due = false;                           ///< only_after: OTHERS came; leads_before: OTHERS is owed
+    std::int64_t left = -1;                     ///< time units that something is still owed, held or allowed; -1: not
+    std::int64_t count = 0;                     ///< at_most: events in the scope
+    std::vector<std::int64_t> ages;             ///< at_most in a duration: time since the last events, youngest first
+    std::vector<std::optional<Fraction>> last;  ///< the last values of the remembered channels
+
+    friend auto operator<=>(const MonitorState&, const MonitorState&) = default;
+};
+
+/// The monitor of a claim. Stores a reference to the claim.
+class Monitor {
+public:
+    explicit Monitor(const CheckedClaim& claim) : claim_(claim) {}
+
+    /// The state at the beginning of a run.
+    [[nodiscard]] MonitorState begin() const;
+    /// Throws NotComputable if a condition cannot be computed.
+    void observe(MonitorState& state, const Occurrence& event) const;
+    /// One time unit passes.
+    void tock(MonitorState& state) const;
+    /// The component ends.
+    void end(MonitorState& state) const;
+    /// True if the claim demands an event that has not come yet: it is broken if time stops here.
+    [[nodiscard]] bool owes(const MonitorState& state) const;
+
+    /// True if the event belongs to the set, with the last values of this state.
+    [[nodiscard]] static bool matches(const Events& events, const Occurrence& event, const MonitorState& state);
+
+private:
+    /// An event, or the beginning or the end of the run.
+    struct Seen {
+        const Occurrence* event = nullptr;
+        bool start = false;
+        bool terminate = false;
+    };
+    [[nodiscard]] static bool matches(const Events& events, const Seen& seen, const MonitorState& state);
+    void observe(MonitorState& state, const Seen& seen) const;
+    void enter(MonitorState& state) const;
+    void leave(MonitorState& state, Phase phase) const;
+    void observe_in_scope(MonitorState& state, const Seen& seen) const;
+    void observe_response(MonitorState& state, const Seen& seen) const;
+    void observe_delay(MonitorState& state, const Seen& seen) const;
+    void count(MonitorState& state) const;
+    void pass_in_scope(MonitorState& state) const;
+
+    const CheckedClaim& claim_;
+};
+
+}  // namespace robochart::claims

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The standard layout of claims files (docs/format.md, "Claims"). Only blanks and line ends change; tokens and comments
+// do not.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "claims/syntax/lexer.hpp"
+
+namespace robochart::claims {
+
+/// These tokens on one line, with one blank where the layout has one. Comments are left out.
+[[nodiscard]] std::string one_line(std::span<const Token> tokens);
+
+/// Returns the text in the standard layout; formatting the result again does not change it. Returns no value if the
+/// text has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost, which is an
+/// internal error.
+[[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,
+                                                diagnostics::Diagnostics&);
+
+}  // namespace robochart::claims

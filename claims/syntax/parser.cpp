@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tokens, items, scopes and bodies. See parser.hpp.
+#include "claims/syntax/parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/diagnostics/escape.hpp"
+#include "claims/syntax/layout.hpp"
+#include "claims/syntax/reader.hpp"
+#include "claims/syntax/rules.hpp"
+
+namespace robochart::claims {
+namespace {
+
+using diagnostics::Advice;
+
+constexpr std::string_view claim_form = "a claim has the form `claim NAME : after estop until reset, never goTo`";
+constexpr std::string_view value_form = "a value has a name: `goTo(w) with w > 3`";
+constexpr std::string_view response_form = "a response is `obstacle leads to halt within 1 s`";
+constexpr std::string_view body = "'only', 'leads to' or 'at least'";
+
+constexpr std::array advice{
+    Advice{"", "NAME @ >", value_form},
+    Advice{"", "NAME @ <", value_form},
+    Advice{"", "NAME @ >=", value_form},
+    Advice{"", "NAME @ <=", value_form},
+    Advice{"", "NAME @ ==", value_form},
+    Advice{"", "NAME @ !=", value_form},
+    Advice{"", "NAME @ =", value_form},
+    Advice{"", "= @ =", "`==` compares values"},
+    Advice{"a claim", "@ assertion", "assertions are in `.assertions` files"},
+    Advice{"a claim", "@", claim_form},
+    Advice{body, "NAME @ never", "`never` comes first: `after stop, never goTo`"},
+    Advice{body, "NAME @ must", response_form},
+    Advice{body, "NAME @ then", response_form},
+    Advice{body, "NAME @ implies", response_form},
+    Advice{body, "when @", response_form},
+    Advice{body, "if @", response_form},
+    Advice{body, "always @", response_form},
+    Advice{body, "after @", "a scope ends with a comma: `after stop, never goTo`"},
+    Advice{body, "NAME @ after", "say `only after`, or `at least 3 s after`"},
+    Advice{body, "NAME @ within", response_form},
+    Advice{"','", "@ never", "a scope ends with a comma: `after stop, never goTo`"},
+    Advice{"','", "@ between", "`after E until F` begins at E and ends at F"},
+    Advice{"the unit of the duration", "NUMBER @", "a duration has a unit: `3 s`, `150 ms`, `2 min`, `30 units`"},
+};
+
+std::string found_text(const Token& token) {
+    if (token.kind == Tok::end) return "the end of the text";
+    return fmt::format("'{}'", diagnostics::escape_for_display(token.text.substr(0, 40)));
+}
+
+/// Words that continue a claim after an event.
+bool is_connective(std::string_view word) {
+    constexpr std::array words{"or",     "and",   "with",   "only",  "leads",  "at",
+                               "unless", "until", "before", "after", "within", "but"};
+    return std::ranges::find(words, word) != words.end();
+}
+
+TimeUnit unit_of(std::string_view word) {
+    struct Row {
+        std::string_view word;
+        TimeUnit unit;
+    };
+    constexpr std::array rows{
+        Row{"ms", TimeUnit::milliseconds},
+        Row{"millisecond", TimeUnit::milliseconds},
+        Row{"milliseconds", TimeUnit::milliseconds},
+        Row{"s", TimeUnit::seconds},
+        Row{"second", TimeUnit::seconds},
+        Row{"seconds", TimeUnit::seconds},
+        Row{"min", TimeUnit::minutes},
+        Row{"minute", TimeUnit::minutes},
+        Row{"minutes", TimeUnit::minutes},
+        Row{"h", TimeUnit::hours},
+        Row{"hour", TimeUnit::hours},
+        Row{"hours", TimeUnit::hours},
+        Row{"unit", TimeUnit::units},
+        Row{"units", TimeUnit::units},
+    };
+    const auto found = std::ranges::find(rows, word, &Row::word);
+    return found == rows.end() ? TimeUnit::none : found->unit;
+}
+
+}  // namespace
+
+std::span<const diagnostics::Advice> syntax_advice() {
+    return advice;
+}
+
+// ---------------------------------------------------------------- tokens
+
+diagnostics::AdviceWord Parser::advice_word(std::ptrdiff_t ahead) const {
+    using enum diagnostics::WordKind;
+    const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(at_) + ahead;
+    if (place < 0 || place >= std::ssize(tokens_)) return {end, {}};
+    const Token& token = tokens_[static_cast<std::size_t>(place)];
+    if (token.kind == Tok::end) return {end, {}};
+    if (token.kind == Tok::number) return {number, token.text};
+    return {token.kind == Tok::word && !is_connective(token.text) ? name : other, token.text};
+}
+
+const Token& Parser::peek(std::size_t ahead) const {
+    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+}
+
+bool Parser::is_at(std::string_view text, std::size_t ahead) const {
+    const Token& token = peek(ahead);
+    return token.kind != Tok::end && token.kind != Tok::number && token.text == text;
+}
+
+bool Parser::at_words(std::initializer_list<std::string_view> words) const {
+    std::size_t ahead = 0;
+    return std::ranges::all_of(words, [&](std::string_view word) { return is_at(word, ahead++); });
+}
+
+const Token& Parser::take_token() {
+    const Token& token = peek();
+    if (token.kind != Tok::end) ++at_;
+    return token;
+}
+
+bool Parser::accept(std::string_view text) {
+    if (!is_at(text)) return false;
+    take_token();
+    return true;
+}
+
+void Parser::expect(std::string_view text) {
+    if (!accept(text)) fail(fmt::format("'{}'", text));
+}
+
+Name Parser::simple_name(std::string_view what) {
+    if (peek().kind != Tok::word) fail(what);
+    const Token& token = take_token();
+    return {std::string(token.text), token.span};
+}
+
+Name Parser::qualified_name(std::string_view what) {
+    Name result = simple_name(what);
+    while (is_at("::") && peek(1).kind == Tok::word) {
+        take_token();
+        const Token& part = take_token();
+        result.text += "::" + std::string(part.text);
+        result.span = diagnostics::join_spans(result.span, part.span);
+    }
+    return result;
+}
+
+Span Parser::span_since(Span from) const {
+    return at_ == 0 ? from : diagnostics::join_spans(from, tokens_[at_ - 1].span);
+}
+
+void Parser::fail(std::string_view expected) {
+    auto& finding =
+        diagnostics_.report(rules::unexpected_token, peek().span, {std::string(expected), found_text(peek())});
+    const std::string_view said =
+        diagnostics::advice_on(advice, expected, [this](std::ptrdiff_t ahead) { return advice_word(ahead); });
+    if (!said.empty()) finding.notes.push_back({{}, std::string(said)});
+    throw SyntaxError{};
+}
+
+void Parser::refuse(std::string_view form, std::string_view instead) {
+    diagnostics_.report(rules::not_supported, peek().span, {std::string(form), std::string(instead)});
+    throw SyntaxError{};
+}
+
+bool Parser::at_item() const {
+    if (at_end()) return true;
+    const bool named = peek(1).kind == Tok::word && (is_at(":", 2) || is_at("of", 2));
+    if ((is_at("claim") || is_at("assume") || is_at("order")) && named) return true;
+    return is_at("unit") && peek(1).kind == Tok::number && (at_ == 0 || !tokens_[at_ - 1].text.ends_with(","));
+}
+
+void Parser::skip_to_item() {
+    while (!at_item()) take_token();
+}
+
+// ---------------------------------------------------------------- items
+
+ClaimFile Parser::parse_file() {
+    ClaimFile file;
+    bool first = true;
+    while (!at_end()) {
+        diagnostics_.poll();
+        const std::size_t before = at_;
+        try {
+            if (first && is_at("package")) {
+                take_token();
+                file.package = qualified_name("the name of a package");
+            } else {
+                parse_item(file);
+            }
+        } catch (const SyntaxError&) {
+            if (at_ == before) take_token();
+            skip_to_item();
+        }
+        first = false;
+    }
+    return file;
+}
+
+void Parser::parse_item(ClaimFile& file) {
+    if (is_at("import")) {
+        file.imports.push_back(parse_import());
+    } else if (is_at("unit")) {
+        const Span from = take_token().span;
+        Duration unit = parse_duration();
+        unit.span = span_since(from);
+        file.unit = unit;
+    } else if (is_at("claim")) {
+        file.claims.push_back(parse_claim());
+    } else if (is_at("assume") && at_item()) {
+        refuse("assume", "claims are decided for all inputs");
+    } else if (is_at("order") && at_item()) {
+        refuse("order", "the order of events in a cycle is that of docs/cpp.md");
+    } else {
+        fail("a claim");
+    }
+}
+
+Import Parser::parse_import() {
+    take_token();
+    Import result;
+    result.name = qualified_name("the name of a package");
+    if (accept("::")) {
+        expect("*");
+        result.wildcard = true;
+    }
+    return result;
+}
+
+Claim Parser::parse_claim() {
+    Claim claim;
+    const Span from = take_token().span;
+    claim.name = simple_name("the name of the claim");
+    if (accept("of")) claim.component = qualified_name("the name of a component");
+    expect(":");
+    const std::size_t begin = at_;
+    claim.scope = parse_scope();
+    claim.body = parse_body();
+    if (is_at("with") && is_at("constant", 1)) refuse("with constant", "`--const` sets a constant for all claims");
+    claim.wording = one_line(std::span(tokens_).subspan(begin, at_ - begin));
+    claim.span = span_since(from);
+    if (!at_item() && !is_at("import") && !is_at("unit")) fail("the end of the claim");
+    return claim;
+}
+
+void Parser::refuse_forms_of_scope() {
+    if (is_at("while")) refuse("while", "scopes over states are not decided; `after E until F` is a scope over events");
+    if (at_words({"in", "a", "cycle"})) refuse("in a cycle with", "`conform` decides what happens in one cycle");
+}
+
+Scope Parser::parse_scope() {
+    refuse_forms_of_scope();
+    Scope scope;
+    const Span from = peek().span;
+    if (accept("before")) {
+        scope.kind = ScopeKind::before;
+        scope.first = parse_events();
+    } else if (is_at("after")) {
+        take_token();
+        scope.kind = ScopeKind::after;
+        const bool named = peek(1).kind == Tok::word && !is_connective(peek(1).text);
+        if (is_at("each") && named) {
+            take_token();
+            scope.kind = ScopeKind::after_each;
+        } else if (is_at("first") && named) {
+            take_token();
+            scope.only_first = true;
+        }
+        scope.first = parse_events();
+        if (is_at("until")) {
+            if (scope.kind == ScopeKind::after_each) fail("','");
+            take_token();
+            scope.kind = ScopeKind::after_until;
+            scope.last = parse_events();
+        }
+    } else if (is_at("for") && (peek(1).kind == Tok::number || is_at("-", 1))) {
+        take_token();
+        scope.kind = ScopeKind::for_after;
+        scope.duration = parse_duration();
+        expect("after");
+        scope.first = parse_events();
+    } else {
+        return scope;
+    }
+    scope.span = span_since(from);
+    expect(",");
+    refuse_forms_of_scope();
+    return scope;
+}
+
+void Parser::refuse_forms_of_body() {
+    if (is_at("always")) refuse("always", "claims about states and variables are not decided");
+    if (at_words({"can", "take"}))
+        refuse("can take", "`assertion A : X event E is not missed` in an .assertions file decides it");
+}
+
+Body Parser::parse_body() {
+    refuse_forms_of_body();
+    Body result;
+    const Span from = peek().span;
+    if (is_at("never") && !is_connective(peek(1).text)) {
+        take_token();
+        result.kind = BodyKind::never;
+        result.events = parse_events();
+    } else if (is_at("possible") && !is_connective(peek(1).text)) {
+        take_token();
+        result.kind = BodyKind::possible;
+        result.events = parse_events();
+    } else if (at_words({"at", "most"})) {
+        result = parse_count(std::move(result));
+    } else {
+        result.events = parse_events();
+        if (is_at("only"))
+            result = parse_only(std::move(result));
+        else if (at_words({"leads", "to"}))
+            result = parse_leads(std::move(result));
+        else if (at_words({"at", "least"}))
+            result = parse_at_least(std::move(result));
+        else
+            fail(body);
+    }
+    result.span = span_since(from);
+    return result;
+}
+
+/// at most N E [in any D]
+Body Parser::parse_count(Body result) {
+    result.kind = BodyKind::at_most;
+    take_token();
+    take_token();
+    if (peek().kind != Tok::number || peek().text.find('.') != std::string_view::npos) fail("a whole number");
+    result.count_span = peek().span;
+    result.count = std::string(take_token().text);
+    result.events = parse_events();
+    if (at_words({"in", "any"})) {
+        take_token();
+        take_token();
+        result.duration = parse_duration();
+    }
+    return result;
+}
+
+/// E only [within D] after E
+Body Parser::parse_only(Body result) {
+    take_token();
+    result.kind = BodyKind::only_after;
+    if (accept("within")) {
+        result.kind = BodyKind::only_within;
+        result.duration = parse_duration();
+    }
+    expect("after");
+    result.others = parse_events();
+    return result;
+}
+
+/// E leads to E within D [unless E], E leads to E before E
+Body Parser::parse_leads(Body result) {
+    take_token();
+    take_token();
+    result.others = parse_events();
+    if (accept("before")) {
+        result.kind = BodyKind::leads_before;
+        result.exceptions = parse_events();
+        return result;
+    }
+    if (!is_at("within")) {
+        if (at_item() || is_at("unless")) refuse("leads to", "say by when: `within 3 s`, or `before E`");
+        fail("'within' or 'before'");
+    }
+    take_token();
+    result.kind = BodyKind::leads_within;
+    result.duration = parse_duration();
+    parse_exceptions(result);
+    return result;
+}
+
+/// E at least D after E [unless E], E at least every D
+Body Parser::parse_at_least(Body result) {
+    take_token();
+    take_token();
+    if (accept("every")) {
+        result.kind = BodyKind::every;
+        result.duration = parse_duration();
+        return result;
+    }
+    result.kind = BodyKind::at_least;
+    result.duration = parse_duration();
+    expect("after");
+    result.others = parse_events();
+    parse_exceptions(result);
+    return result;
+}
+
+void Parser::parse_exceptions(Body& result) {
+    if (accept("unless")) result.exceptions = parse_events();
+}
+
+Duration Parser::parse_duration() {
+    Duration duration;
+    const Span from = peek().span;
+    duration.negative = accept("-");
+    if (peek().kind != Tok::number) fail("a duration");
+    duration.number = std::string(take_token().text);
+    // `unit 0.1 s` after a number without unit begins an item.
+    const bool begins_item = is_at("unit") && peek(1).kind == Tok::number;
+    if (peek().kind == Tok::word && !begins_item) duration.unit = unit_of(peek().text);
+    if (duration.unit != TimeUnit::none)
+        take_token();
+    else if (peek().kind == Tok::word && !is_connective(peek().text) && !at_item())
+        fail("the unit of the duration");
+    duration.span = span_since(from);
+    return duration;
+}
+
+ClaimFile read(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
+               diagnostics::Diagnostics& diagnostics) {
+    ClaimFile file = Parser(lex(sources.source_text(source), source, diagnostics), diagnostics).parse_file();
+    file.source = source;
+    return file;
+}
+
+}  // namespace robochart::claims

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recursive-descent parser of claims (docs/claims.md, "The language"). Words are keywords only at the places where the
+// grammar has them, so that events may have their names; `^NAME` is always a name.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/advice/advice.hpp"
+#include "base/diagnostics/diagnostic.hpp"
+#include "claims/syntax/lexer.hpp"
+#include "claims/syntax/syntax.hpp"
+
+namespace robochart::claims {
+
+/// The advice for syntax errors about common wrong forms: all rows, for tests.
+[[nodiscard]] std::span<const diagnostics::Advice> syntax_advice();
+
+/// Parses tokens. After a mistake, it reports one finding and continues at the next claim.
+class Parser {
+public:
+    /// The deepest recursion while parsing.
+    static constexpr unsigned max_depth = 200;
+
+    Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
+        : tokens_(std::move(tokens)), diagnostics_(diagnostics) {}
+
+    [[nodiscard]] ClaimFile parse_file();
+
+private:
+    struct SyntaxError {};
+    class Depth;
+
+    // tokens
+    [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
+    [[nodiscard]] bool is_at(std::string_view text, std::size_t ahead = 0) const;
+    [[nodiscard]] bool at_words(std::initializer_list<std::string_view> words) const;
+    [[nodiscard]] bool at_end() const { return peek().kind == Tok::end; }
+    const Token& take_token();
+    bool accept(std::string_view text);
+    void expect(std::string_view text);
+    Name simple_name(std::string_view what);
+    Name qualified_name(std::string_view what);
+    [[nodiscard]] Span span_since(Span from) const;
+    [[nodiscard]] diagnostics::AdviceWord advice_word(std::ptrdiff_t ahead) const;
+    [[noreturn]] void fail(std::string_view expected);
+    [[noreturn]] void refuse(std::string_view form, std::string_view instead);
+    void skip_to_item();
+    [[nodiscard]] bool at_item() const;
+
+    // items
+    void parse_item(ClaimFile& file);
+    Import parse_import();
+    Claim parse_claim();
+    void refuse_forms_of_scope();
+    void refuse_forms_of_body();
+    Scope parse_scope();
+    Body parse_body();
+    Body parse_count(Body body);
+    Body parse_only(Body body);
+    Body parse_leads(Body body);
+    Body parse_at_least(Body body);
+    void parse_exceptions(Body& body);
+    Duration parse_duration();
+
+    // events
+    EventSet parse_events();
+    Pattern parse_pattern();
+    Pattern parse_any(Pattern pattern);
+    [[nodiscard]] bool at_direction() const;
+
+    // conditions
+    ExprPtr parse_disjunction();
+    ExprPtr parse_conjunction();
+    ExprPtr parse_relation();
+    ExprPtr parse_sum();
+    ExprPtr parse_product();
+    ExprPtr parse_operand();
+    ExprPtr make_node(Op op, Span from, std::string text, std::vector<ExprPtr> parts) const;
+
+    std::vector<Token> tokens_;
+    diagnostics::Diagnostics& diagnostics_;
+    std::size_t at_ = 0;
+    unsigned depth_ = 0;
+};
+
+}  // namespace robochart::claims

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// The syntax tree of a claims file (docs/claims.md, "The language").
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics/source.hpp"
+
+namespace robochart::claims {
+
+using diagnostics::Span;
+
+/// A name, possibly qualified: "Patrol", "warehouse::Patrol".
+struct Name {
+    std::string text;
+    Span span;
+};
+
+// ---------------------------------------------------------------- conditions
+
+enum class Op : std::uint8_t {
+    number,  ///< text: the number as written
+    truth,   ///< text: "true" or "false"
+    name,    ///< text: a variable of the pattern, or a literal ("Colour::red")
+    last,    ///< text: an event; the value that it carried last
+    negate,
+    add,
+    subtract,
+    multiply,
+    modulus,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    equal,
+    unequal,
+    negation,
+    conjunction,
+    disjunction,
+};
+
+struct Expr;
+using ExprPtr = std::shared_ptr<const Expr>;
+
+/// A condition, or a number in it.
+struct Expr {
+    Op op = Op::number;
+    std::string text;
+    std::vector<ExprPtr> parts;
+    Span span;
+};
+
+// ---------------------------------------------------------------- events
+
+/// The word in front of an event's name.
+enum class Direction : std::uint8_t { none, input, output, call, raised };
+
+enum class PatternKind : std::uint8_t {
+    named,
+    any_call,   ///< `any call [but E]`
+    any_input,  ///< `any input [but E]`
+    start,      ///< the beginning of the run
+    terminate,  ///< the end of the component
+};
+
+struct Pattern;
+
+/// Patterns that are joined with `or`.
+struct EventSet {
+    std::vector<Pattern> patterns;
+    Span span;
+};
+
+/// One or several events of a component, restricted by a condition on their values.
+struct Pattern {
+    PatternKind kind = PatternKind::named;
+    Direction direction = Direction::none;
+    Name name;
+    std::optional<std::vector<ExprPtr>> arguments;  ///< no value: no parentheses; `_` and variables are names
+    ExprPtr condition;                              ///< null: none
+    std::vector<Pattern> but;                       ///< any_call, any_input: the exceptions
+    Span span;
+};
+
+// ---------------------------------------------------------------- durations
+
+enum class TimeUnit : std::uint8_t { none, units, milliseconds, seconds, minutes, hours };
+
+/// A duration as written: `150 ms`, `30 units`.
+struct Duration {
+    bool negative = false;
+    std::string number;
+    TimeUnit unit = TimeUnit::none;
+    Span span;
+};
+
+// ---------------------------------------------------------------- claims
+
+enum class ScopeKind : std::uint8_t {
+    whole,        ///< the whole run
+    before,       ///< before FIRST
+    after,        ///< after FIRST
+    after_until,  ///< after FIRST until LAST
+    after_each,   ///< after each FIRST
+    for_after,    ///< for DURATION after FIRST
+};
+
+struct Scope {
+    ScopeKind kind = ScopeKind::whole;
+    EventSet first, last;
+    bool only_first = false;  ///< `after first E`: a count begins once
+    Duration duration;
+    Span span;
+};
+
+enum class BodyKind : std::uint8_t {
+    never,         ///< never EVENTS
+    only_after,    ///< EVENTS only after OTHERS
+    only_within,   ///< EVENTS only within DURATION after OTHERS
+    leads_within,  ///< EVENTS leads to OTHERS within DURATION [unless EXCEPTIONS]
+    leads_before,  ///< EVENTS leads to OTHERS before EXCEPTIONS
+    at_least,      ///< EVENTS at least DURATION after OTHERS [unless EXCEPTIONS]
+    at_most,       ///< at most COUNT EVENTS [in any DURATION]
+    every,         ///< EVENTS at least every DURATION
+    possible,      ///< possible EVENTS
+};
+
+struct Body {
+    BodyKind kind = BodyKind::never;
+    EventSet events, others, exceptions;
+    std::optional<Duration> duration;
+    std::string count;  ///< at_most
+    Span count_span;
+    Span span;
+};
+
+struct Claim {
+    Name name;
+    std::optional<Name> component;  ///< `of COMPONENT`
+    Scope scope;
+    Body body;
+    Span span;
+    std::string wording;  ///< scope and body on one line
+};
+
+struct Import {
+    Name name;
+    bool wildcard = false;
+};
+
+struct ClaimFile {
+    std::optional<Name> package;
+    std::vector<Import> imports;
+    std::optional<Duration> unit;
+    std::vector<Claim> claims;
+    diagnostics::SourceId source = diagnostics::SourceId::none;
+};
+
+}  // namespace robochart::claims

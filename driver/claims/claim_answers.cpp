@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// See claim_answers.hpp.
+#include "driver/claims/claim_answers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "claims/monitor/account.hpp"
+#include "driver/model/project_claims.hpp"
+
+namespace robochart::driver {
+namespace {
+
+class Answerer {
+public:
+    Answerer(const Project& project, const runs::Context& context, const SearchContext& search,
+             const csp_emit::Obligation& obligation, std::size_t claim, AssertionReport& report)
+        : project_(project),
+          context_(context),
+          search_(search),
+          obligation_(obligation),
+          report_(report),
+          claim_(project.claims->checked.claims.at(claim)),
+          scripted_(project.claims->scripted.at(claim)) {}
+
+    void complete() {
+        if (report_.answer == Answer::fails && report_.run) explain(*report_.run);
+        if (report_.answer != Answer::holds) return;
+        if (scripted_.decision.standstill) decide_standstill();
+        if (report_.answer == Answer::holds) add_vacuity();
+    }
+
+private:
+    [[nodiscard]] refine::Verdict check(const cspm::DeclPtr& assertion) const {
+        return context_.session.check(*assertion, limits_of_check(search_, obligation_.title)).verdict;
+    }
+
+    /// Replays the events of the script with the claim's monitor.
+    [[nodiscard]] claims::Account replay(const runs::Run& run) const {
+        claims::Account account(claim_, project_.claims->checked.unit);
+        for (const std::string& event : run.raw) {
+            if (event == "tock") {
+                account.tock();
+            } else if (event == "✓") {
+                account.end();
+            } else if (const claims::Letter* const letter = claims::find_letter(scripted_.letters, visible(event))) {
+                account.observe(letter->occurrence, claims::text_of(*letter, claim_, visible(event)));
+            }
+        }
+        return account;
+    }
+    /// The event of a hidden step "τ(e)".
+    [[nodiscard]] static std::string visible(const std::string& event) {
+        constexpr std::string_view tau = "τ(";
+        if (!event.starts_with(tau)) return event;
+        return event.substr(tau.size(), event.size() - tau.size() - 1);
+    }
+
+    void explain(runs::Run& run) const {
+        const claims::Account account = replay(run);
+        if (!account.is_broken()) return;
+        tell(run, account.reasons());
+    }
+    static void tell(runs::Run& run, const std::vector<std::string>& reasons) {
+        run.end.why = fmt::format("{}", fmt::join(reasons, "; "));
+        run.end.allowed.clear();
+    }
+
+    /// A claim that holds of all runs is broken if time can stop while an event is owed.
+    void decide_standstill() {
+        const refine::Verdict verdict = check(scripted_.decision.standstill);
+        report_.statistics.states = std::max(report_.statistics.states, verdict.statistics.states);
+        if (verdict.outcome == refine::Outcome::inconclusive) {
+            report_.answer = Answer::inconclusive;
+            report_.reason = verdict.reason;
+        } else if (verdict.outcome == refine::Outcome::fails && verdict.counterexample) {
+            report_.answer = Answer::fails;
+            csp_emit::Obligation stops = obligation_;
+            stops.kind = ir::PropertyKind::timelock_free;
+            report_.run = runs::interpret_counterexample(context_, stops, *verdict.counterexample);
+            const std::string cause = report_.run->end.why;
+            std::vector<std::string> reasons = replay(*report_.run).reasons_of_standstill();
+            reasons.back() += fmt::format(": {}", cause);
+            tell(*report_.run, reasons);
+        }
+    }
+
+    void add_vacuity() {
+        const auto never = [&](std::string text) {
+            add(report_.basis, {GroundKind::never_asked, std::move(text), {}, {}, {}, {}});
+        };
+        const claims::Decision& decision = scripted_.decision;
+        if (decision.asked && check(decision.asked).outcome == refine::Outcome::fails) {
+            const std::string& trigger =
+                claim_.body.kind == claims::BodyKind::leads_within || claim_.body.kind == claims::BodyKind::leads_before
+                    ? claim_.body.events.text
+                    : claim_.scope.first.text;
+            if (claim_.scope.kind == claims::ScopeKind::whole)
+                never(fmt::format("never asked: no run has {}", asked_text()));
+            else
+                never(fmt::format("never asked: no run has {} in the scope of {}", trigger, claim_.scope.first.text));
+            return;
+        }
+        if (decision.happens && check(decision.happens).outcome == refine::Outcome::fails)
+            never(fmt::format("never asked: no run has {}", claim_.body.events.text));
+    }
+    /// The events without which a claim without scope asks nothing.
+    [[nodiscard]] const std::string& asked_text() const {
+        return claim_.body.kind == claims::BodyKind::at_least ? claim_.body.others.text : claim_.body.events.text;
+    }
+
+    const Project& project_;
+    const runs::Context& context_;
+    const SearchContext& search_;
+    const csp_emit::Obligation& obligation_;
+    AssertionReport& report_;
+    const claims::CheckedClaim& claim_;
+    const ScriptedClaim& scripted_;
+};
+
+}  // namespace
+
+void complete_answer(const Project& project, const runs::Context& context, const SearchContext& search,
+                     const csp_emit::Obligation& obligation, std::size_t claim, AssertionReport& report) {
+    Answerer(project, context, search, obligation, claim, report).complete();
+}
+
+}  // namespace robochart::driver

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// See claim_files.hpp.
+#include "driver/model/claim_files.hpp"
+#include "driver/model/project_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/diagnostics/files.hpp"
+#include "claims/checks/check.hpp"
+#include "claims/checks/rules.hpp"
+#include "claims/decide/letters.hpp"
+#include "claims/syntax/reader.hpp"
+#include "frontend/project/project.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
+
+namespace robochart::driver {
+namespace fs = std::filesystem;
+namespace {
+
+using claims::ClaimFile;
+
+bool is_claims(const std::string& path) {
+    return path.ends_with(".claims");
+}
+
+std::string folder_of(const std::string& path) {
+    const fs::path parent = fs::path(path).parent_path();
+    return parent.empty() ? "." : parent.string();
+}
+
+std::vector<std::string> models_in(const std::string& folder) {
+    std::vector<std::string> result;
+    for (const std::string& path : frontend::project_files(folder, false))
+        if (path.ends_with(".rct")) result.push_back(fs::path(path).lexically_normal().string());
+    return result;
+}
+
+std::vector<std::string> claims_in(const std::string& folder, bool deep) {
+    std::vector<std::string> result;
+    for (const std::string& path : diagnostics::files_below(folder, deep).files)
+        if (is_claims(path)) result.push_back(fs::path(path).lexically_normal().string());
+    return result;
+}
+
+std::set<std::string> packages_of(const frontend::Model& model) {
+    std::set<std::string> result;
+    for (const auto& file : model.files)
+        if (!file->is_library) result.insert(file->package.text());
+    return result;
+}
+
+std::set<std::string> declared_names(const frontend::Model& model) {
+    std::set<std::string> result;
+    for (const auto& file : model.files)
+        if (!file->is_library)
+            for (const auto& declaration : file->declarations) result.insert(declaration->name);
+    return result;
+}
+
+/// The declared component in a name like "warehouse::Warehouse::brain".
+bool mentions(const claims::Name& name, const std::set<std::string>& declared) {
+    std::size_t from = 0;
+    for (;;) {
+        const std::size_t end = name.text.find("::", from);
+        if (declared.contains(name.text.substr(from, end - from))) return true;
+        if (end == std::string::npos) return false;
+        from = end + 2;
+    }
+}
+
+bool names_components(const ClaimFile& file) {
+    return std::ranges::any_of(file.claims, [](const claims::Claim& claim) { return claim.component.has_value(); });
+}
+
+/// True if the file may be about this model. Without imports and components it may be about any.
+bool is_about(const ClaimFile& file, const frontend::Model& model) {
+    const std::set<std::string> packages = packages_of(model);
+    if (file.package && packages.contains(file.package->text)) return true;
+    if (!file.imports.empty())
+        return std::ranges::any_of(file.imports,
+                                   [&](const claims::Import& import) { return packages.contains(import.name.text); });
+    if (!names_components(file)) return true;
+    const std::set<std::string> declared = declared_names(model);
+    return std::ranges::any_of(file.claims, [&](const claims::Claim& claim) {
+        return claim.component && mentions(*claim.component, declared);
+    });
+}
+
+void add_file(Project& project, const std::string& path, bool named) {
+    std::string error;
+    const auto source = project.sources.load_file(path, error);
+    if (!source) {
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {path, error});
+        return;
+    }
+    diagnostics::Diagnostics findings;
+    findings.set_budget(project.diagnostics.budget());
+    auto file = std::make_shared<const ClaimFile>(claims::read(project.sources, *source, findings));
+    if (!named && !is_about(*file, *project.model)) return;
+    project.diagnostics.add(findings);
+    project.claims->files.push_back(std::move(file));
+}
+
+}  // namespace
+
+std::vector<std::string> model_inputs(const std::vector<std::string>& inputs) {
+    std::vector<std::string> result;
+    for (const std::string& input : inputs)
+        if (!is_claims(input)) result.push_back(input);
+    if (!result.empty()) return result;
+    std::set<std::string> found;
+    for (const std::string& input : inputs) {
+        std::vector<std::string> models = models_in(folder_of(input));
+        if (models.empty()) models = models_in((fs::path(folder_of(input)) / "..").lexically_normal().string());
+        found.insert(models.begin(), models.end());
+    }
+    result.assign(found.begin(), found.end());
+    return result.empty() ? inputs : result;
+}
+
+void read_claim_files(Project& project, const LoadSettings& settings) {
+    for (const TextInput& input : settings.texts) {
+        if (!is_claims(input.path)) continue;
+        const diagnostics::SourceId source = project.sources.add(input.path, input.text);
+        project.claims->files.push_back(
+            std::make_shared<const ClaimFile>(claims::read(project.sources, source, project.diagnostics)));
+    }
+    if (!settings.texts.empty()) return;
+    std::set<std::string> seen;
+    const auto add = [&](const std::string& path, bool named) {
+        if (seen.insert(fs::path(path).lexically_normal().string()).second) add_file(project, path, named);
+    };
+    const bool only_claims = std::ranges::all_of(settings.inputs, is_claims);
+    for (const std::string& input : settings.inputs) {
+        std::error_code code;
+        if (is_claims(input)) {
+            add(input, true);
+        } else if (fs::is_directory(input, code)) {
+            for (const std::string& path : claims_in(input, true)) add(path, true);
+        } else if (!only_claims && input.ends_with(".rct")) {
+            for (const std::string& path : claims_in(folder_of(input), false)) add(path, false);
+        }
+    }
+}
+
+void divide_claim_files(const std::vector<std::shared_ptr<const ClaimFile>>& files, const std::vector<Part>& parts) {
+    for (const auto& file : files) {
+        std::vector<Project*> about;
+        for (const Part& part : parts)
+            if (!part.again && is_about(*file, *part.project->model)) about.push_back(part.project.get());
+        const bool many = about.size() > 1 && file->imports.empty() && !names_components(*file);
+        if (many && !file->claims.empty())
+            about.front()->diagnostics.report(claims::rules::unknown_component, file->claims.front().name.span,
+                                              {"which model are these claims about? Write `import PACKAGE::*` before "
+                                               "them, or `claim NAME of COMPONENT : ...`"});
+        if (about.empty()) about.push_back(parts.front().project.get());
+        for (Project* const project : about) project->claims->files.push_back(file);
+    }
+}
+
+std::vector<ClaimName> all_claims_of(const Project& project) {
+    std::vector<ClaimName> result = claims_of(*project.model);
+    for (const auto& file : project.claims->files)
+        for (const claims::Claim& claim : file->claims) result.push_back({claim.name.text, claim.name.span});
+    return result;
+}
+
+void check_claim_files(Project& project, const ir::System& system) {
+    if (project.claims->files.empty()) return;
+    const std::set<std::string> packages = packages_of(*project.model);
+    claims::ClaimedModel model{system, {packages.begin(), packages.end()}, {}};
+    for (const ClaimName& claim : claims_of(*project.model)) model.names.push_back(claim.name);
+    project.claims->checked = claims::check_claims(project.claims->files, model, project.sources, project.diagnostics);
+}
+
+void check_claim_files(Project& project) {
+    check_claim_files(project, project.system);
+    for (const claims::CheckedClaim& claim : project.claims->checked.claims) {
+        try {
+            const auto letters = claims::letters_of(claim, project.system, project.instantiation);
+            for (const claims::EventMatch* match : claims::matches_without_value(claim, letters))
+                project.diagnostics.report(claims::rules::no_value, match->span,
+                                           {match->text, "`--range` and `--const` choose values"});
+        } catch (const claims::NotDecided&) {
+            // The answer to the claim gives the reason.
+        } catch (const claims::NotComputable& error) {
+            project.diagnostics.report(claims::rules::wrong_value, claim.span, {error.what()});
+        }
+    }
+}
+
+}  // namespace robochart::driver

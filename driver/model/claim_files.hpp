@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The claims files of a project (docs/claims.md).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "claims/syntax/syntax.hpp"
+#include "driver/model/pipeline.hpp"
+
+namespace robochart::driver {
+
+/// The inputs without claims files. If nothing else was given, the models in the folder of the claims, or in the folder
+/// above.
+[[nodiscard]] std::vector<std::string> model_inputs(const std::vector<std::string>& inputs);
+
+/// Reads the claims files of the inputs into the project, whose model has been read: those below a folder, those beside
+/// a file that are about its model, and those that are inputs.
+void read_claim_files(Project& project, const LoadSettings& settings);
+
+/// Gives each claims file of the whole project to the part that it is about. A file that may be about several parts is
+/// an error.
+void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFile>>& files,
+                        const std::vector<Part>& parts);
+
+/// The claims of the assertion files and of the claims files.
+[[nodiscard]] std::vector<ClaimName> all_claims_of(const Project& project);
+
+/// Resolves the claims in the project's system; values of conditions are compared with the finite instantiation.
+void check_claim_files(Project& project);
+/// Resolves the claims in the model alone.
+void check_claim_files(Project& project, const ir::System& system);
+
+}  // namespace robochart::driver

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adds the claims of a project to its timed script.
+#pragma once
+
+#include <optional>
+
+#include "csp_emit/base/emission.hpp"
+
+namespace robochart::driver {
+
+struct Project;
+
+/// Adds processes, assertions and an obligation for each claim; fills `ProjectClaims::scripted`. A claim that cannot
+/// be decided has an obligation without assertions, with the reason.
+void add_claims(Project& project, csp_emit::Emission& emission);
+
+/// The number of the claim that an obligation of add_claims is about; no value for other obligations. Names of claims
+/// are unique, and obligations of swarms, which have names too, are in projects whose claims are not added.
+[[nodiscard]] std::optional<std::size_t> claim_of(const Project& project, const csp_emit::Obligation& obligation);
+
+}  // namespace robochart::driver

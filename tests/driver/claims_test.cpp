@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// Claims of claims files: their verdicts, what is told, what they rest on.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "driver/robochart_verify.hpp"
+#include "tests/contents.hpp"
+#include "tests/needed.hpp"
+#include "tests/shared_folder.hpp"
+
+namespace robochart::verify {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// One time unit is 0.1 s. Braking fails in the module Late, where a deadline stops time.
+const char* const patrol = R"(package patrol
+
+interface Motion { goTo(waypoint : nat) halt() reverse() brake() }
+interface Sensors { event obstacle event clear event estop event reset event bell }
+
+stm Patrol {
+	const patience : nat = 3
+	var waypoint : nat = 0
+	clock T
+	requires Motion
+	uses Sensors
+	initial start
+	state Driving { entry goTo(waypoint) }
+	state Held { entry halt() }
+	state BackingOff { entry reverse() }
+	state Emergency { entry brake() }
+	transition begin { from start to Driving }
+	transition met { from Driving to Held trigger obstacle #T }
+	transition free { from Held to Driving trigger clear action waypoint = (waypoint + 1) % 3 }
+	transition giveWay { from Held to BackingOff condition since(T) >= patience }
+	transition again { from BackingOff to Driving trigger clear }
+	transition stop { from Held to Emergency trigger estop }
+	transition resume { from Emergency to Driving trigger reset }
+}
+
+stm Late {
+	requires Motion
+	uses Sensors
+	initial start
+	state Driving { }
+	state Braking { entry (wait(3); brake()) <{ 1 } }
+	transition begin { from start to Driving }
+	transition stop { from Driving to Braking trigger estop }
+}
+
+stm Ends {
+	requires Motion
+	uses Sensors
+	initial start
+	state Driving { }
+	final F
+	transition begin { from start to Driving }
+	transition stop { from Driving to F trigger estop }
+}
+)";
+
+/// The answers to claims about models whose texts are given.
+class Answers {
+public:
+    Answers(std::vector<Text> texts, const std::string& claims) {
+        texts.push_back({"claims.claims", claims});
+        LoadResult loaded = load_texts(texts);
+        text_ = loaded.text;
+        if (!loaded.model) return;
+        CheckOptions options;
+        options.limits.threads = 1;
+        result_ = loaded.model->check(options);
+        for (const Finding& finding : result_.findings) text_ += finding.code + ": " + finding.message + "\n";
+    }
+    /// The answer to the claim with this name.
+    [[nodiscard]] const Answer& of(const std::string& name) const {
+        static const Answer none;
+        const auto found = std::ranges::find_if(
+            result_.answers, [&](const Answer& answer) { return answer.title.starts_with(name + " "); });
+        EXPECT_NE(found, result_.answers.end()) << name << "\n" << text_;
+        return found == result_.answers.end() ? none : *found;
+    }
+    [[nodiscard]] std::string verdict(const std::string& name) const { return std::string(name_of(of(name).verdict)); }
+    [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] std::vector<std::string> basis(const std::string& name) const {
+        std::vector<std::string> result;
+        for (const Ground& ground : of(name).basis) result.push_back(ground.text);
+        return result;
+    }
+
+private:
+    CheckResult result_;
+    std::string text_;
+};
+
+struct Row {
+    const char* claim;  ///< scope and body
+    const char* verdict;
+    const char* component = "";
+};
+
+/// Each claim gets the verdict of its row. Claims are named C0, C1, ...
+void expect_verdicts(const std::vector<Text>& models, const std::string& head, const std::vector<Row>& rows) {
+    std::string claims = head;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::string component = rows[i].component;
+        claims += "claim C" + std::to_string(i) + (component.empty() ? "" : " of " + component) + " : " +
+                  rows[i].claim + "\n";
+    }
+    const Answers answers(models, claims);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Answer& answer = answers.of("C" + std::to_string(i));
+        EXPECT_EQ(name_of(answer.verdict), rows[i].verdict) << rows[i].claim << "\n"
+                                                            << answer.reason << "\n"
+                                                            << answer.text << "\n"
+                                                            << answers.text();
+        EXPECT_TRUE(answer.verdict != Verdict::fails || answer.run || std::string(rows[i].claim).find("possible") == 0)
+            << rows[i].claim;
+    }
+}
+
+TEST(Claims, HaveTheirVerdicts) {
+    expect_verdicts({{"patrol.rct", patrol}}, "import patrol::*\nunit 0.1 s\n",
+                    {
+                        {"after estop until reset, never goTo or reverse", "holds", "Patrol"},
+                        {"after estop until clear, never goTo or reverse", "fails", "Patrol"},
+                        {"reverse at least 300 ms after obstacle", "holds", "Patrol"},
+                        {"reverse at least 400 ms after obstacle", "fails", "Patrol"},
+                        {"for 200 ms after obstacle, never reverse", "holds", "Patrol"},
+                        {"for 300 ms after obstacle, never reverse", "fails", "Patrol"},
+                        {"obstacle leads to reverse within 300 ms unless clear or estop", "holds", "Patrol"},
+                        {"obstacle leads to reverse within 200 ms unless clear or estop", "fails", "Patrol"},
+                        {"obstacle leads to halt within 0 s", "holds", "Patrol"},
+                        {"estop leads to brake before any call but brake", "holds", "Patrol"},
+                        {"estop leads to goTo before brake", "fails", "Patrol"},
+                        {"halt only after obstacle", "holds", "Patrol"},
+                        {"goTo only after obstacle", "fails", "Patrol"},
+                        {"brake only within 0 s after estop", "holds", "Patrol"},
+                        {"reverse only within 0 s after obstacle", "fails", "Patrol"},
+                        {"after each start or clear, at most 1 reverse", "holds", "Patrol"},
+                        {"at most 3 goTo", "fails", "Patrol"},
+                        {"at most 1 reverse in any 200 ms", "holds", "Patrol"},
+                        {"at most 1 reverse in any 300 ms", "fails", "Patrol"},
+                        {"goTo at least every 1 s", "fails", "Patrol"},
+                        {"before obstacle, never halt", "holds", "Patrol"},
+                        {"before clear, never halt", "fails", "Patrol"},
+                        {"never goTo(w) with w > 2", "holds", "Patrol"},
+                        {"never goTo(w) with w == 2", "fails", "Patrol"},
+                        {"never goTo(v) with v != last goTo and v != (last goTo + 1) % 3", "holds", "Patrol"},
+                        {"never goTo(v) with v == last goTo", "fails", "Patrol"},
+                        {"possible goTo(2)", "holds", "Patrol"},
+                        {"possible goTo(4)", "fails", "Patrol"},
+                        {"before obstacle, possible brake", "fails", "Patrol"},
+                        {"never terminate", "holds", "Patrol"},
+                        {"never brake", "holds", "Ends"},
+                        {"never terminate", "fails", "Ends"},
+                        {"estop leads to brake within 1 units", "fails", "Ends"},
+                        {"estop leads to brake before terminate", "fails", "Ends"},
+                        {"estop leads to brake within 1 units", "fails", "Late"},
+                        {"never reverse", "holds", "Late"},
+                        {"never raised estop", "inconclusive", "Late"},
+                    });
+}
+
+TEST(Claims, TellWhatBrokeThem) {
+    const Answers answers({{"patrol.rct", patrol}},
+                          "import patrol::*\nunit 0.1 s\n"
+                          "claim Back of Patrol : reverse at least 0.4 s after obstacle\n"
+                          "claim Stays of Patrol : after estop until clear, never goTo\n"
+                          "claim Owed of Patrol : obstacle leads to reverse within 0.2 s unless clear or estop\n"
+                          "claim Stops of Late : estop leads to brake within 5 units\n"
+                          "claim Ends of Ends : estop leads to brake within 1 units\n");
+    const auto end_of = [&](const std::string& name) { return answers.of(name).run ? answers.of(name).run->end : ""; };
+    EXPECT_EQ(end_of("Back"),
+              "reverse comes at t=3 (300 ms), 3 units (300 ms) after obstacle at t=0 (0 s); the claim allows it from "
+              "t=4 (400 ms) on");
+    EXPECT_EQ(end_of("Stays"),
+              "the scope began with estop at t=0 (0 s); goTo(0) comes at t=0 (0 s), which the claim forbids");
+    EXPECT_EQ(end_of("Owed"),
+              "reverse is owed until t=2 (200 ms), 2 units (200 ms) after obstacle at t=0 (0 s); time passes beyond "
+              "t=2 (200 ms)");
+    EXPECT_THAT(end_of("Stops"), HasSubstr("time stops at t=1 (100 ms)"));
+    EXPECT_THAT(end_of("Ends"), HasSubstr("the component ends at t=0 (0 s)"));
+}
+
+TEST(Claims, SayWhatIsNeverAsked) {
+    const Answers answers({{"patrol.rct", patrol}},
+                          "import patrol::*\n"
+                          "claim Scope of Patrol : after bell until reset, never goTo\n"
+                          "claim Event of Ends : never brake\n"
+                          "claim Asked of Patrol : after estop until reset, never goTo\n");
+    EXPECT_THAT(answers.basis("Scope"), Contains(HasSubstr("never asked")));
+    EXPECT_THAT(answers.basis("Event"), Contains(HasSubstr("no run has brake")));
+    EXPECT_THAT(answers.basis("Asked"), IsEmpty());
+}
+
+TEST(Claims, AreErrorsWithAPlace) {
+    const LoadResult loaded = load_texts({{"patrol.rct", patrol}, {"a.claims", "claim A of Patrol : never holt\n"}});
+    EXPECT_FALSE(loaded.model);
+    EXPECT_THAT(loaded.text, HasSubstr("a.claims:1:27"));
+    const LoadResult value =
+        load_texts({{"patrol.rct", patrol}, {"a.claims", "claim A of Patrol : never goTo(w) with w > 900000\n"}});
+    EXPECT_THAT(value.text, HasSubstr("CLM-T11"));
+}
+
+// ---------------------------------------------------------------- shared/suite/claims/EXPECTED.md
+
+std::vector<Text> suite_models(const std::string& name) {
+    std::vector<Text> result;
+    for (const auto& entry : std::filesystem::directory_iterator(tests::shared_folder() / "suite/claims" / name))
+        if (entry.path().extension() == ".rct")
+            result.push_back({entry.path().filename().string(), tests::read_contents(entry.path())});
+    return result;
+}
+
+bool has_suite() {
+    return !tests::shared_folder().empty() && std::filesystem::is_directory(tests::shared_folder() / "suite/claims");
+}
+
+TEST(ClaimsSuite, Warehouse) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    const std::string unless = " unless clear or estop or batteryLow";
+    const std::string in_time = "obstacle leads to reverse or callHelp within 3 s" + unless;
+    const std::string too_late = "obstacle leads to reverse or callHelp within 2.9 s" + unless;
+    const std::string alone = "obstacle leads to reverse within 3 s" + unless;
+    expect_verdicts(suite_models("warehouse"), "import warehouse::*\nunit 0.1 s\n",
+                    {
+                        {"after estop until reset, never goTo or reverse or dock", "holds"},
+                        {"after estop until clear, never goTo or reverse or dock", "fails"},
+                        {"estop leads to brake before any call but brake", "holds"},
+                        {"estop leads to brake within 0 s", "holds"},
+                        {"reverse at least 3 s after obstacle", "holds"},
+                        {"reverse at least 3.1 s after obstacle", "fails"},
+                        {"for 3 s after obstacle, never reverse", "fails"},
+                        {"after each start or clear or arrived, at most 3 reverse", "holds"},
+                        {"after each start or clear or arrived, at most 2 reverse", "fails"},
+                        {"never goTo(w) with w >= 4", "holds"},
+                        {"never goTo(w) with w >= 3", "fails"},
+                        {in_time.c_str(), "holds"},
+                        {too_late.c_str(), "fails"},
+                        {alone.c_str(), "fails"},
+                        {"after batteryLow until charged, obstacle leads to halt within 0 s", "holds"},
+                        {"possible callHelp", "holds"},
+                        {"never goTo(v) with v != last goTo and v != (last goTo + 1) % 4", "holds"},
+                        {"dock only within 0 s after batteryLow or reset", "holds"},
+                    });
+}
+
+TEST(ClaimsSuite, Rover) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    expect_verdicts(suite_models("rover"), "import rover::*\n",
+                    {
+                        {"forward only after go", "holds"},
+                        {"after stop until go, never forward", "holds"},
+                        {"after each start or go, at most 2 turn", "holds"},
+                        {"after each start or go, at most 1 turn", "fails"},
+                        {"forward at least 4 units after turn", "fails"},
+                        {"forward at least 4 units after turn unless halt", "holds"},
+                        {"stop leads to halt within 1 units", "holds"},
+                        {"stop leads to halt within 0 units", "holds"},
+                    });
+}
+
+TEST(ClaimsSuite, Ends) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    expect_verdicts(suite_models("ends"), "import ends::*\n",
+                    {
+                        {"never brake", "holds", "Ends"},
+                        {"estop leads to brake within 1 units", "fails", "Ends"},
+                        {"estop leads to brake within 1 units", "fails", "Late"},
+                    });
+}
+
+}  // namespace
+}  // namespace robochart::verify
