@@ -21,6 +21,7 @@
 #include "base/diagnostics/fixes.hpp"
 #include "base/diagnostics/render.hpp"
 #include "claims/syntax/layout.hpp"
+#include "frontend/syntax/dialect.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "sleec/syntax/format.hpp"
 
@@ -34,8 +35,8 @@ namespace syntax = frontend::syntax;
 enum class Language { model, assertions, rules, claims };
 
 std::optional<Language> language_of(const fs::path& path) {
-    if (path.extension() == ".rct") return Language::model;
-    if (path.extension() == ".assertions") return Language::assertions;
+    if (frontend::is_model_path(path.string())) return Language::model;
+    if (frontend::is_assertion_path(path.string())) return Language::assertions;
     if (path.extension() == ".sleec") return Language::rules;
     if (path.extension() == ".claims") return Language::claims;
     return std::nullopt;
