@@ -14,7 +14,7 @@
 #include "tests/app/command.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::agreeing_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -169,4 +169,4 @@ TEST(Agreeing, VerdictsOfTheCollection) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::agreeing_test

@@ -7,7 +7,7 @@
 
 #include "app/report/report.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::api_difference_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -53,4 +53,4 @@ TEST(ApiDifference, ADifferenceIsDataInJson) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::api_difference_test

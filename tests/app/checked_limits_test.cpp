@@ -15,7 +15,7 @@
 #include "driver/claims/model_claims.hpp"
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::checked_limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -257,4 +257,4 @@ TEST(CheckedLimits, NeverTurnAVerdictIntoAnother) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::checked_limits_test

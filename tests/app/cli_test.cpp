@@ -8,7 +8,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::cli_test {
 namespace {
 
 using ::testing::AllOf;
@@ -290,4 +290,4 @@ TEST_P(CaseStudy, HoldsAndConforms) {
 INSTANTIATE_TEST_SUITE_P(Corpus, CaseStudy, ::testing::Values("aggregation", "swarm_taxis"));
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::cli_test

@@ -10,7 +10,7 @@
 #include "command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::code_export_test {
 namespace {
 
 using tests::read_contents;
@@ -80,4 +80,4 @@ TEST(CodeExport, OptionsThatDoNotFitAreSaid) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::code_export_test

@@ -10,7 +10,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::counterexample_text_test {
 namespace {
 
 using ::testing::AllOf;
@@ -291,4 +291,4 @@ module M { rref p = P cref c = C connection p on go to c on go (_async) }
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::counterexample_text_test

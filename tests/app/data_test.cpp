@@ -16,7 +16,7 @@
 #include "tests/rounds.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::app {
+namespace robochart::app::data_test {
 namespace {
 
 using testing::run;
@@ -751,4 +751,4 @@ TEST(Carriers, AScriptWithClassesHasTheAnswersOfTheModel) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::data_test

@@ -14,7 +14,7 @@
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::format_test {
 namespace {
 
 using tests::read_contents;
@@ -218,4 +218,4 @@ TEST(UnifiedDiff, LargeChangesAreReplacedAsAWhole) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::format_test

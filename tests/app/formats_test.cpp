@@ -9,7 +9,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::formats_test {
 namespace {
 
 using nlohmann::json;
@@ -155,4 +155,4 @@ TEST(FormatsForPeople, SayTheLimitOnStandardError) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::formats_test

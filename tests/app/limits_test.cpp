@@ -11,7 +11,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::limits_test {
 namespace {
 
 using ::testing::AllOf;
@@ -176,4 +176,4 @@ mkdir tmp; export TMPDIR=$PWD/tmp
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::limits_test

@@ -10,7 +10,7 @@
 #include "command.hpp"
 #include "cpp_emit/simulator_api.hpp"
 
-namespace robochart::app {
+namespace robochart::app::monitor_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST(Monitors, StopFaultyTaxis) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::monitor_test

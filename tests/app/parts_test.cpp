@@ -9,7 +9,7 @@
 
 #include "command.hpp"
 
-namespace robochart::app {
+namespace robochart::app::parts_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -374,4 +374,4 @@ TEST(Project, ProbabilisticClaimsAreDecidedOrSaidNotChecked) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::parts_test

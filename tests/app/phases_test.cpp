@@ -9,7 +9,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app {
+namespace robochart::app::phases_test {
 namespace {
 
 std::string read(const std::string& path) {
@@ -63,4 +63,4 @@ TEST(PhasesOfOneModel, CodeIsWhatIsStored) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::phases_test

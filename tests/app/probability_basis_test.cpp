@@ -8,7 +8,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::probability_basis_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -95,4 +95,4 @@ TEST_F(ProbabilityBasis, PreferencesThatCannotBeReadAreAnError) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::probability_basis_test

@@ -10,7 +10,7 @@
 
 #include "command.hpp"
 
-namespace robochart::app {
+namespace robochart::app::project_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST_F(EmitCppMapping, RefusesWhatItCannotMean) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::project_test

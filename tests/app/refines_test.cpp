@@ -15,7 +15,7 @@
 #include "tests/app/command.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::refines_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -700,4 +700,4 @@ TEST(Export, MistakesAreSaid) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::refines_test

@@ -14,7 +14,7 @@
 #include "tests/rounds.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::replay_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +147,4 @@ TEST(Replay, OfSuitesWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::replay_test

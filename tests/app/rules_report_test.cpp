@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace robochart::app {
+namespace robochart::app::rules_report_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST(RulesReport, TimeThatStopsIsAFailure) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::rules_report_test

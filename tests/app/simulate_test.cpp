@@ -10,7 +10,7 @@
 #include "command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::simulate_test {
 namespace {
 
 using tests::read_contents;
@@ -152,4 +152,4 @@ TEST(Simulate, AssertionsWithErrorsAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::simulate_test

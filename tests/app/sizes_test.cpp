@@ -7,7 +7,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::sizes_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -61,4 +61,4 @@ TEST(Sizes, AreInTheText) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::sizes_test

@@ -15,7 +15,7 @@
 #include "tests/app/command.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::suite_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST(RoboToolSuite, TheClockOfClocks6IsResetBeforeItIsRead) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::suite_test

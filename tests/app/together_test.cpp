@@ -13,7 +13,7 @@
 #include "tests/app/command.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::together_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,4 +123,4 @@ TEST(Together, CodeOfModulesOfOneNameIsComparedForEach) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::together_test

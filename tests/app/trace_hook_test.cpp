@@ -11,7 +11,7 @@
 #include "command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::trace_hook_test {
 namespace {
 
 using tests::read_contents;
@@ -255,4 +255,4 @@ TEST(TraceHook, WithoutTheHookALogIsRefused) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::trace_hook_test

@@ -12,7 +12,7 @@
 #include "command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::traces_test {
 namespace {
 
 using tests::read_contents;
@@ -211,4 +211,4 @@ TEST(Traces, JsonTellsWhatWasRejected) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::traces_test

@@ -12,7 +12,7 @@
 #include "driver/evidence/certificate.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::tune_test {
 namespace {
 
 using testing::Folder;
@@ -332,4 +332,4 @@ TEST(Certificates, EachDifferenceIsNamed) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::tune_test

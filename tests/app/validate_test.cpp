@@ -7,7 +7,7 @@
 #include "command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::validate_test {
 namespace {
 
 using tests::read_contents;
@@ -169,4 +169,4 @@ TEST(Refused, ByTheModelOrByAnOption) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::validate_test

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace robochart::app {
+namespace robochart::app::value_plot_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST(ValuePlot, NeedsNumbers) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::value_plot_test

@@ -7,7 +7,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/semantics/sample_systems/sample_systems.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::aggregation_test {
 namespace {
 
 using testing::component_named;
@@ -101,4 +101,4 @@ TEST_F(Module, ControllerAndModuleAgree) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::aggregation_test

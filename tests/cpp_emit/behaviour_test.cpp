@@ -8,7 +8,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::behaviour_test {
 namespace {
 
 using testing::component_named;
@@ -504,4 +504,4 @@ TEST(Operations, InADuringActionAreCutWithIt) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::behaviour_test

@@ -10,7 +10,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::choices_test {
 namespace {
 
 using testing::Folder;
@@ -256,4 +256,4 @@ TEST_F(ChoicesConsole, WithoutChoicesThereIsNothingToAnswer) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::choices_test

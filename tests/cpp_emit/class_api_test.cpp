@@ -8,7 +8,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::class_api_test {
 namespace {
 
 using testing::Folder;
@@ -224,4 +224,4 @@ int main() { p::M m; return m.step() == robochart::StepResult::precondition ? 0 
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::class_api_test

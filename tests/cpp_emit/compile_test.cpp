@@ -12,7 +12,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::compile_test {
 namespace {
 
 using testing::Folder;
@@ -286,4 +286,4 @@ TEST(Compile, RoboToolsModels) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::compile_test

@@ -12,7 +12,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::dispatch_test {
 namespace {
 
 /// The driver is compiled together with the exploration interface, because it uses names from its unnamed namespace. It
@@ -196,4 +196,4 @@ TEST(Strategies, TheStrategyFollowsTheSize) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::dispatch_test

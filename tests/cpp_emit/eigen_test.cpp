@@ -9,7 +9,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/needed.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::eigen_test {
 namespace {
 
 using testing::Folder;
@@ -181,4 +181,4 @@ TEST(Eigen, ControllersComputeWhatEigenComputes) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::eigen_test

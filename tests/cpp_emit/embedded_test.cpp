@@ -12,7 +12,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/needed.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::embedded_test {
 namespace {
 
 using testing::Folder;
@@ -159,4 +159,4 @@ TEST_F(Embedded, TheClasses) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::embedded_test

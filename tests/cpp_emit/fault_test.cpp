@@ -8,7 +8,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::fault_test {
 namespace {
 
 using testing::component_named;
@@ -222,4 +222,4 @@ TEST(FaultsOfToolkitFunctions, TakeTheOtherOfEachPair) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::fault_test

@@ -13,7 +13,7 @@
 #include "semantics/ir/dump.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::faulty_model_test {
 namespace {
 
 const char* const model = R"(
@@ -158,4 +158,4 @@ TEST(FaultyCode, ChangesOneLine) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::faulty_model_test

@@ -12,7 +12,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::golden_test {
 namespace {
 
 const std::string folder = tests::source_folder().string() + "/tests/cpp_emit/golden/";
@@ -41,4 +41,4 @@ TEST(Golden, TheDoorsCodeIsLaidOutAsStored) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::golden_test

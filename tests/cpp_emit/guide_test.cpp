@@ -11,7 +11,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::guide_test {
 namespace {
 
 using testing::Folder;
@@ -126,4 +126,4 @@ controller C { requires I uses E event out : nat sref a = A sref b = B
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::guide_test

@@ -10,7 +10,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::lists_test {
 namespace {
 
 using testing::component_named;
@@ -406,4 +406,4 @@ TEST(Lists, ThatLaterCyclesReadArePartOfTheState) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::lists_test

@@ -16,7 +16,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::names_test {
 namespace {
 
 using testing::Folder;
@@ -287,4 +287,4 @@ TEST(NamesOfPackages, AreTheirComponentsToo) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::names_test

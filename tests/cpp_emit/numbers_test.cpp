@@ -11,7 +11,7 @@
 #include "semantics/evaluate/evaluate.hpp"
 #include "tests/semantics/sample_systems/sample_systems.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::numbers_test {
 namespace {
 
 struct TenthsCarrier {
@@ -178,4 +178,4 @@ TEST(Clocks, StopAtTheirSaturation) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::numbers_test

@@ -8,7 +8,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::preconditions_test {
 namespace {
 
 using testing::component_named;
@@ -52,4 +52,4 @@ TEST(PreconditionsOfFunctions, OfInnerCallsComeFirst) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::preconditions_test

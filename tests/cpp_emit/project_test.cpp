@@ -20,7 +20,7 @@
 #include "tests/shared_folder.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::project_test {
 namespace {
 
 using testing::Folder;
@@ -335,4 +335,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, AwkwardNames,
                          });
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::project_test

@@ -12,7 +12,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/semantics/sample_systems/sample_systems.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::refusal_test {
 namespace {
 
 using testing::component_named;
@@ -239,4 +239,4 @@ TEST(Rules, AreAllDistinct) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::refusal_test

@@ -12,7 +12,7 @@
 
 #include "tests/temporary_folder.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::shared_library_test {
 namespace {
 
 class Programs : public ::testing::Test {
@@ -110,4 +110,4 @@ TEST_F(Programs, LeaveNoFolderBehind) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::shared_library_test

@@ -8,7 +8,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::swarm_taxis_test {
 namespace {
 
 using testing::component_named;
@@ -83,4 +83,4 @@ TEST_F(SwarmTaxis, TheFirstTransitionWrittenHasPriority) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::swarm_taxis_test

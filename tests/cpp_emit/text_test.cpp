@@ -6,7 +6,7 @@
 #include "cpp_emit/plan/names.hpp"
 #include "cpp_emit/plan/types.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::text_test {
 namespace {
 
 TEST(Names, BecomeIdentifiers) {
@@ -64,4 +64,4 @@ TEST(Decimals, HaveAPoint) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::text_test

@@ -9,7 +9,7 @@
 #include "tests/cpp_emit/harness.hpp"
 #include "tests/cpp_emit/models.hpp"
 
-namespace robochart::cpp_emit {
+namespace robochart::cpp_emit::trace_hook_test {
 namespace {
 
 using testing::Folder;
@@ -91,4 +91,4 @@ int main() {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit
+}  // namespace robochart::cpp_emit::trace_hook_test

@@ -10,7 +10,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::alike_branches_test {
 namespace {
 
 namespace b = cspm::build;
@@ -83,4 +83,4 @@ TEST(AlikeBranches, KeepTheMeaning) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::alike_branches_test

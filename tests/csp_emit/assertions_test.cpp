@@ -6,7 +6,7 @@
 
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::assertions_test {
 namespace {
 
 using testing::decide_obligations;
@@ -279,4 +279,4 @@ assert not M::RT(P1) [T= M::RT(P2)
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::assertions_test

@@ -8,7 +8,7 @@
 
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::behaviour_test {
 namespace {
 
 using testing::check_equivalence;
@@ -657,4 +657,4 @@ TEST(Receptions, RealsDoNotBecomeWholeNumbers) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::behaviour_test

@@ -7,7 +7,7 @@
 
 #include "checker/cspm/syntax/reader.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::block_comments_test {
 namespace {
 
 std::string print_with_comments(const std::string& text) {
@@ -54,4 +54,4 @@ TEST(BlockComments, AreNothingToTextWithoutDeclarations) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::block_comments_test

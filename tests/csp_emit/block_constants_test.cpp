@@ -7,7 +7,7 @@
 
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::block_constants_test {
 namespace {
 
 using ::testing::Contains;
@@ -93,4 +93,4 @@ TEST(BlockConstants, EqualValuesAreFine) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::block_constants_test

@@ -8,7 +8,7 @@
 #include "csp_emit/blocks/script_names.hpp"
 #include "frontend/project/project.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::blocks_test {
 namespace {
 
 const std::string model_text =
@@ -98,4 +98,4 @@ TEST(Blocks, CanWriteTheNamesOfTheScript) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::blocks_test

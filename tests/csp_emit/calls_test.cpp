@@ -9,7 +9,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::calls_test {
 namespace {
 
 namespace b = cspm::build;
@@ -260,4 +260,4 @@ TEST(Calls, InMemoriesAndInParametersAreTheSame) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::calls_test

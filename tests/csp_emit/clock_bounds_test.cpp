@@ -8,7 +8,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::clock_bounds_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -49,4 +49,4 @@ TEST(ClockBounds, GuardsDoDivide) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::clock_bounds_test

@@ -5,7 +5,7 @@
 #include "tests/csp_emit/fixture.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::composition_test {
 namespace {
 
 using testing::check_equivalence;
@@ -339,4 +339,4 @@ TEST(Corpus, EveryClaimHolds) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::composition_test

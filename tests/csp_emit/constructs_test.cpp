@@ -10,7 +10,7 @@
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::constructs_test {
 namespace {
 
 /// The position of a row's text in the model.
@@ -251,4 +251,4 @@ TEST(Constructs, Declarations) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::constructs_test

@@ -11,7 +11,7 @@
 #include "checker/cspm/session.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::core_properties_test {
 namespace {
 
 using testing::load_model;
@@ -155,4 +155,4 @@ controller C { opref m = move sref s = S event e connection C on e to s on e })"
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::core_properties_test

@@ -10,7 +10,7 @@
 #include "semantics/ir/visit.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::data_test {
 namespace {
 
 using testing::check_equivalence;
@@ -491,4 +491,4 @@ TEST(Probabilistic, JunctionsAreFreeChoices) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::data_test

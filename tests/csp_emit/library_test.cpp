@@ -7,7 +7,7 @@
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::library_test {
 namespace {
 
 using ::testing::Each;
@@ -129,4 +129,4 @@ TEST(BlockLibrary, AWrongContractIsNone) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::library_test

@@ -6,7 +6,7 @@
 
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::missed_events_test {
 namespace {
 
 using testing::decide_obligations;
@@ -136,4 +136,4 @@ TEST(MissedEvents, HaveNoCheckWithoutTime) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::missed_events_test

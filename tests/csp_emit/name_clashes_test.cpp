@@ -14,7 +14,7 @@
 #include "tests/csp_emit/fixture.hpp"
 #include "tests/random_models/tests/seeds.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::name_clashes_test {
 namespace {
 
 using random_models::is_long_run;
@@ -446,4 +446,4 @@ TEST(NameClashes, ComponentsWithTheSameNameAreRejected) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::name_clashes_test

@@ -14,7 +14,7 @@
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::names_test {
 namespace {
 
 // A machine with every kind of named element: a constant, a shared and a private variable, a clock, calls, a parameter.
@@ -402,4 +402,4 @@ TEST(Names, OfBlocksAreApartFromGeneratedOnes) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::names_test

@@ -8,7 +8,7 @@
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::robotool_names_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -139,4 +139,4 @@ TEST(OldNames, OfCarriersAreReplacedInInstantiations) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::robotool_names_test

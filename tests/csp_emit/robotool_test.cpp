@@ -16,7 +16,7 @@
 #include "tests/csp_emit/fixture.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::robotool_test {
 namespace {
 
 namespace b = cspm::build;
@@ -221,4 +221,4 @@ INSTANTIATE_TEST_SUITE_P(SharedScripts, RoboTool,
                          });
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::robotool_test

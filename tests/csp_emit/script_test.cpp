@@ -18,7 +18,7 @@
 #include "tests/shared_folder.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::script_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -599,4 +599,4 @@ TEST(CspBlocks, SyntaxErrorsPointIntoTheAssertionsFile) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::script_test

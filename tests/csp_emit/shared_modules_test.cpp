@@ -15,7 +15,7 @@
 #include "tests/nested_instances.hpp"
 #include "tests/source_folder.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::shared_modules_test {
 namespace {
 
 namespace b = cspm::build;
@@ -137,4 +137,4 @@ TEST(SharedModules, KeepNamesAndProcesses) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::shared_modules_test

@@ -10,7 +10,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "tests/csp_emit/fixture.hpp"
 
-namespace robochart::csp_emit {
+namespace robochart::csp_emit::variable_memory_test {
 namespace {
 
 namespace b = cspm::build;
@@ -93,4 +93,4 @@ TEST(VariableMemory, KeepsTheMeaningOfStateAndOperation) {
 }
 
 }  // namespace
-}  // namespace robochart::csp_emit
+}  // namespace robochart::csp_emit::variable_memory_test

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A robot that goes on after an obstacle, `most` times.
-const char* const patrol = R"(interface Sensors { event obstacle event clear }
+const char* const patrol_model = R"(interface Sensors { event obstacle event clear }
 interface Motors { drive() halt() }
 stm Patrol {
     uses Sensors requires Motors
@@ -43,7 +43,7 @@ LoadOptions most(const std::string& value) {
 }
 
 LoadResult load(const std::string& assertions, const std::string& value = "2") {
-    return load_texts({{"patrol.rct", patrol}, {"patrol.assertions", assertions}}, most(value));
+    return load_texts({{"patrol.rct", patrol_model}, {"patrol.assertions", assertions}}, most(value));
 }
 
 std::vector<std::string> verdicts(const CheckResult& result) {
@@ -127,7 +127,7 @@ TEST(Library, AnswersAreTheSameInEveryCheck) {
 }
 
 TEST(Library, DecidesCorePropertiesIfAModelClaimsNothing) {
-    LoadResult loaded = load_texts({{"patrol.rct", patrol}}, most("2"));
+    LoadResult loaded = load_texts({{"patrol.rct", patrol_model}}, most("2"));
     ASSERT_TRUE(loaded.model) << loaded.text;
     EXPECT_THAT(loaded.model->claims(), IsEmpty());
     const CheckResult result = loaded.model->check();
@@ -157,7 +157,7 @@ TEST(Library, AMissingFileIsAFinding) {
 TEST(Library, AnUnknownConstantIsAFinding) {
     LoadOptions options = most("2");
     options.constants["least"] = "1";
-    const LoadResult loaded = load_texts({{"patrol.rct", patrol}}, options);
+    const LoadResult loaded = load_texts({{"patrol.rct", patrol_model}}, options);
     EXPECT_FALSE(loaded.model);
     ASSERT_FALSE(loaded.findings.empty());
     EXPECT_THAT(loaded.findings.front().message, HasSubstr("least"));

@@ -10,7 +10,7 @@
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::basis_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -318,4 +318,4 @@ stm Shut {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::basis_test

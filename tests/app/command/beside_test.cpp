@@ -7,7 +7,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::beside_test {
 namespace {
 
 using nlohmann::json;
@@ -151,4 +151,4 @@ TEST(Beside, NothingThatIsReadIsOverwritten) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::beside_test

@@ -9,7 +9,7 @@
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::block_claims_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -101,4 +101,4 @@ TEST(BlockClaims, ABlockWithErrorsChangesNothingOfConform) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::block_claims_test

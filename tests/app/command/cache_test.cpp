@@ -8,7 +8,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::cache_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST(Cache, CompiledCodeIsKept) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::cache_test

@@ -9,7 +9,7 @@
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::chain_test {
 namespace {
 
 using nlohmann::json;
@@ -127,4 +127,4 @@ TEST(Chain, LimitsAreObeyed) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::chain_test

@@ -7,7 +7,7 @@
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app {
+namespace robochart::app::draw_stored_test {
 namespace {
 
 using testing::Folder;
@@ -115,4 +115,4 @@ TEST(DrawStored, ThePageOfAReportHasItToo) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::draw_stored_test

@@ -14,7 +14,7 @@
 #include "tests/contents.hpp"
 #include "tests/needed.hpp"
 
-namespace robochart::app {
+namespace robochart::app::draw_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -165,4 +165,4 @@ TEST(Draw, IsTheSameTwice) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::draw_test

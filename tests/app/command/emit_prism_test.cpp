@@ -8,7 +8,7 @@
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::emit_prism_test {
 namespace {
 
 using nlohmann::json;
@@ -95,4 +95,4 @@ TEST_F(EmitPrism, JsonListsTheFile) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::emit_prism_test

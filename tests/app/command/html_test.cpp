@@ -13,7 +13,7 @@
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::html_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -479,4 +479,4 @@ TEST_F(HtmlInABrowser, IsPrintedWhole) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::html_test

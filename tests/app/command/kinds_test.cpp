@@ -13,7 +13,7 @@
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::kinds_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -393,4 +393,4 @@ TEST(KindsOfRobots, ThePageHasTheDiagramsOfEachKind) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::kinds_test

@@ -13,7 +13,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::resume_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -174,4 +174,4 @@ assert P(0) :[deadlock free [F]]
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::resume_test

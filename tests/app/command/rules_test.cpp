@@ -11,7 +11,7 @@
 #include "tests/contents.hpp"
 #include "tests/shared_folder.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::rules_test {
 namespace {
 
 using nlohmann::json;
@@ -427,4 +427,4 @@ TEST(RulesOfModels, DrawARunThatWaitsWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::rules_test

@@ -11,7 +11,7 @@
 #include "app/command/run_record.hpp"
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::run_record_test {
 namespace {
 
 using nlohmann::json;
@@ -430,4 +430,4 @@ TEST(RunRecord, IsTheLastMemberOfADocumentInAnyLayout) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::run_record_test

@@ -13,7 +13,7 @@
 #include "app/base/junit.hpp"
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::servers_test {
 namespace {
 
 using nlohmann::json;
@@ -290,4 +290,4 @@ TEST(OneFile, FindsTheModelsAboveItsFolder) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::servers_test

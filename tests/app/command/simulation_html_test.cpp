@@ -15,7 +15,7 @@
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::simulation_html_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -303,4 +303,4 @@ TEST(SimulationHtml, PlaysAndPauses) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::simulation_html_test

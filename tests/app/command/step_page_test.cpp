@@ -15,7 +15,7 @@
 #include "tests/app/command/page.hpp"
 #include "tests/contents.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::step_page_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -409,4 +409,4 @@ TEST_F(StepPageInABrowser, GoesALongWay) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::step_page_test

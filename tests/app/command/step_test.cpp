@@ -7,7 +7,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::step_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -140,4 +140,4 @@ TEST(Step, OfAScriptReportsWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::step_test

@@ -7,7 +7,7 @@
 
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::swarm_test {
 namespace {
 
 using nlohmann::json;
@@ -116,4 +116,4 @@ TEST(SwarmCommand, StepsSayWhichRobot) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::swarm_test

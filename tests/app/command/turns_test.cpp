@@ -9,7 +9,7 @@
 #include "app/command/run.hpp"
 #include "app/report/report.hpp"
 
-namespace robochart::app {
+namespace robochart::app::turns_test {
 namespace {
 
 /// Claims that record their turns. `slow` is never decided before its turn ends.
@@ -133,4 +133,4 @@ TEST(Turns, AdviceNamesTheLimitThatWasMet) {
 }
 
 }  // namespace
-}  // namespace robochart::app
+}  // namespace robochart::app::turns_test

@@ -9,7 +9,7 @@
 #include "app/command/output.hpp"
 #include "tests/app/command.hpp"
 
-namespace robochart::app::testing {
+namespace robochart::app::testing::width_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -62,4 +62,4 @@ TEST(Width, ExcerptsFitToo) {
 }
 
 }  // namespace
-}  // namespace robochart::app::testing
+}  // namespace robochart::app::testing::width_test

@@ -10,7 +10,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/cpp_emit/ros2/package.hpp"
 
-namespace robochart::cpp_emit::ros2 {
+namespace robochart::cpp_emit::ros2::mapping_test {
 namespace {
 
 const char* const model_text = R"(package p
@@ -391,4 +391,4 @@ TEST(Messages, OfTheTableAreWhole) {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit::ros2
+}  // namespace robochart::cpp_emit::ros2::mapping_test

@@ -6,7 +6,7 @@
 #include "tests/cpp_emit/models.hpp"
 #include "tests/cpp_emit/ros2/package.hpp"
 
-namespace robochart::cpp_emit::ros2 {
+namespace robochart::cpp_emit::ros2::node_test {
 namespace {
 
 /// Two operations on two topics, which one cycle calls.
@@ -893,4 +893,4 @@ int main() {
 }
 
 }  // namespace
-}  // namespace robochart::cpp_emit::ros2
+}  // namespace robochart::cpp_emit::ros2::node_test

@@ -12,20 +12,20 @@ namespace robochart::random_models {
 namespace {
 
 // Levels of the grammar, loosest first.
-constexpr int quantifier_level = -1;
+constexpr int data_quantifier_level = -1;
 constexpr int implies_level = 1;
 constexpr int or_level = 2;
 constexpr int and_level = 3;
-constexpr int not_level = 4;
-constexpr int compare_level = 5;
-constexpr int let_level = 6;
-constexpr int cast_level = 7;
-constexpr int plus_level = 8;
+constexpr int data_not_level = 4;
+constexpr int data_compare_level = 5;
+constexpr int data_let_level = 6;
+constexpr int data_cast_level = 7;
+constexpr int data_plus_level = 8;
 constexpr int times_level = 9;
-constexpr int concat_level = 10;
-constexpr int negate_level = 11;
-constexpr int select_level = 12;
-constexpr int atom_level = 13;
+constexpr int data_concat_level = 10;
+constexpr int data_negate_level = 11;
+constexpr int data_select_level = 12;
+constexpr int data_atom_level = 13;
 
 bool is_mapping(const DataType& type) {
     return type.form == Form::function || type.form == Form::relation;
@@ -46,7 +46,7 @@ bool fits_type(const DataType& from, const DataType& to) {
 }
 
 std::string Expressions::expression_text(const DataType& type) {
-    return operand(type, quantifier_level);
+    return operand(type, data_quantifier_level);
 }
 
 std::string Expressions::operand(const DataType& type, int level) {
@@ -122,7 +122,7 @@ std::string Expressions::tuple_parts(const DataType& type, std::size_t depth) {
     std::string out;
     for (const DataType* part : type.parts) {
         const bool wide = part->form == Form::integer || part->form == Form::real;
-        const std::string value = list({part}, depth, wide ? plus_level : quantifier_level);
+        const std::string value = list({part}, depth, wide ? data_plus_level : data_quantifier_level);
         out += (out.empty() ? "" : ", ") + value + (wide ? " as " + part->written : "");
     }
     return out;
@@ -134,14 +134,14 @@ std::string Expressions::constructor(const DataType& type, std::size_t depth) {
     if (type.form == Form::function || type.form == Form::relation) return mapping(type, depth);
     if (type.form == Form::sequence) {
         const std::vector<const DataType*> parts(random_.between(1, 3), type.parts[0]);
-        const std::string elements = list(parts, depth, plus_level);
+        const std::string elements = list(parts, depth, data_plus_level);
         // A sequence that starts with a set would be parsed as a deadline.
         return elements.starts_with("{") ? "< " + elements + ">" : "<" + elements + ">";
     }
     if (type.form == Form::record) {
         std::string out;
         for (std::size_t i = 0; i < type.parts.size(); ++i) {
-            const std::string value = list({type.parts[i]}, depth, quantifier_level);
+            const std::string value = list({type.parts[i]}, depth, data_quantifier_level);
             out += fmt::format("{}{} = {}", i > 0 ? ", " : "", type.labels[i], value);
         }
         return type.written + "(|" + out + "|)";
@@ -149,7 +149,7 @@ std::string Expressions::constructor(const DataType& type, std::size_t depth) {
     std::string out;
     const std::vector<const DataType*> row(type.columns, type.parts[0]);
     const std::size_t rows = type.form == Form::matrix ? type.rows : 1;
-    for (std::size_t i = 0; i < rows; ++i) out += (i > 0 ? "; " : "") + list(row, depth, quantifier_level);
+    for (std::size_t i = 0; i < rows; ++i) out += (i > 0 ? "; " : "") + list(row, depth, data_quantifier_level);
     return "[|" + out + "|]";
 }
 
@@ -162,8 +162,8 @@ std::vector<std::string> Expressions::readable(const DataType& type) const {
 
 Written Expressions::leaf(const DataType& type) {
     const std::vector<std::string> names = readable(type);
-    if (!names.empty() && random_.chance(70)) return {random_.pick(names), atom_level};
-    return {literal_text(type), atom_level};
+    if (!names.empty() && random_.chance(70)) return {random_.pick(names), data_atom_level};
+    return {literal_text(type), data_atom_level};
 }
 
 // ---------------------------------------------------------------- composition
@@ -183,20 +183,21 @@ Written Expressions::compound(const DataType& type, std::size_t depth) {
         case Form::real:
             return shape_.data.arithmetic ? numeric(type, depth) : leaf(type);
         case Form::sequence:
-            if (random_.chance(30)) return binary(type, random_.chance(50) ? "cat" : "^", type, concat_level, depth);
-            return {constructor(type, depth), atom_level};
+            if (random_.chance(30))
+                return binary(type, random_.chance(50) ? "cat" : "^", type, data_concat_level, depth);
+            return {constructor(type, depth), data_atom_level};
         case Form::set:
             return set(type, depth);
         case Form::vector:
         case Form::matrix:
             return matrix(type, depth);
         case Form::enumeration:
-            return shape_.data.constructors ? Written{literal_of(type, depth), select_level} : leaf(type);
+            return shape_.data.constructors ? Written{literal_of(type, depth), data_select_level} : leaf(type);
         case Form::function:
         case Form::relation:
         case Form::record:
         case Form::product:
-            return {constructor(type, depth), atom_level};
+            return {constructor(type, depth), data_atom_level};
         case Form::string:
         case Form::given:
             break;
@@ -217,39 +218,39 @@ Written Expressions::common(const DataType& type, std::size_t depth) {
 }
 
 Written Expressions::conditional(const DataType& type, std::size_t depth) {
-    const std::string condition = text_at_level(quantifier_level, *types_.boolean(), depth);
-    const std::string yes = text_at_level(quantifier_level, type, depth);
-    const std::string no = text_at_level(quantifier_level, type, depth);
-    return {fmt::format("if {} then {} else {} end", condition, yes, no), let_level};
+    const std::string condition = text_at_level(data_quantifier_level, *types_.boolean(), depth);
+    const std::string yes = text_at_level(data_quantifier_level, type, depth);
+    const std::string no = text_at_level(data_quantifier_level, type, depth);
+    return {fmt::format("if {} then {} else {} end", condition, yes, no), data_let_level};
 }
 
 Written Expressions::let(const DataType& type, std::size_t depth) {
     const DataType& bound = *types_.existing_type();
-    const std::string value = text_at_level(quantifier_level, bound, depth);
+    const std::string value = text_at_level(data_quantifier_level, bound, depth);
     scope.push_back({"b" + std::to_string(bound_++), &bound});
     const std::string name = scope.back().name;
-    const std::string body = text_at_level(cast_level, type, depth);
+    const std::string body = text_at_level(data_cast_level, type, depth);
     scope.pop_back();
-    return {fmt::format("let {} == {} @ {}", name, value, body), let_level};
+    return {fmt::format("let {} == {} @ {}", name, value, body), data_let_level};
 }
 
 Written Expressions::definite_description(const DataType& type, std::size_t depth) {
-    const std::string value = text_at_level(let_level, type, depth);
+    const std::string value = text_at_level(data_let_level, type, depth);
     const std::string name = "b" + std::to_string(bound_++);
     if (shape_.data.type_tests && random_.chance(30))
-        return {fmt::format("the {} : {} @ {}", name, types_.existing_type()->written, value), let_level};
-    return {fmt::format("the {0} : {1} | {0} == {2} @ {0}", name, type.written, value), let_level};
+        return {fmt::format("the {} : {} @ {}", name, types_.existing_type()->written, value), data_let_level};
+    return {fmt::format("the {0} : {1} | {0} == {2} @ {0}", name, type.written, value), data_let_level};
 }
 
 /// `(lambda x : T @ e)(a)`
 Written Expressions::application(const DataType& type, std::size_t depth) {
     const DataType& bound = *types_.existing_type();
-    const std::string argument = text_at_level(quantifier_level, bound, depth);
+    const std::string argument = text_at_level(data_quantifier_level, bound, depth);
     scope.push_back({"b" + std::to_string(bound_++), &bound});
     const std::string name = scope.back().name;
-    const std::string body = text_at_level(quantifier_level, type, depth);
+    const std::string body = text_at_level(data_quantifier_level, type, depth);
     scope.pop_back();
-    return {fmt::format("(lambda {} : {} @ {})({})", name, bound.written, body, argument), select_level};
+    return {fmt::format("(lambda {} : {} @ {})({})", name, bound.written, body, argument), data_select_level};
 }
 
 /// A field of a record in scope, an element of a product, sequence or vector.
@@ -266,7 +267,7 @@ Written Expressions::part(const DataType& type) {
         }
     }
     if (parts.empty()) return leaf(type);
-    return {random_.pick(parts), select_level};
+    return {random_.pick(parts), data_select_level};
 }
 
 Written Expressions::call(const DataType& type, std::size_t depth) {
@@ -275,10 +276,11 @@ Written Expressions::call(const DataType& type, std::size_t depth) {
         if (fits_type(*function.result, type)) functions.push_back(&function);
     for (const Named& named : scope)
         if (named.type->form == Form::function && fits_type(*named.type->parts[1], type) && random_.chance(50))
-            return {named.name + "(" + list({named.type->parts[0]}, depth, quantifier_level) + ")", select_level};
+            return {named.name + "(" + list({named.type->parts[0]}, depth, data_quantifier_level) + ")",
+                    data_select_level};
     if (functions.empty()) return leaf(type);
     const Operator& function = *random_.pick(functions);
-    return {function.name + "(" + list(function.parameters, depth, quantifier_level) + ")", select_level};
+    return {function.name + "(" + list(function.parameters, depth, data_quantifier_level) + ")", data_select_level};
 }
 
 Written Expressions::binary(const DataType& left, const std::string& op, const DataType& right, int level,
@@ -297,7 +299,7 @@ Written Expressions::boolean(std::size_t depth) {
         return random_.chance(50) ? generic_call(type, depth) : generic_comparison(depth);
     switch (random_.below(shape_.data.binders ? 9 : 8)) {
         case 0:
-            return {"not " + text_at_level(not_level, type, depth), not_level};
+            return {"not " + text_at_level(data_not_level, type, depth), data_not_level};
         case 1:
             return binary(type, "/\\", type, and_level, depth);
         case 2:
@@ -318,20 +320,20 @@ Written Expressions::comparison(std::size_t depth) {
     const DataType& type = *types_.existing_type();
     const std::vector<std::string> orders = {"<", "<=", ">", ">="};
     const bool ordered = is_number(type) && random_.chance(60);
-    if (ordered) return binary(type, random_.pick(orders), type, compare_level, depth);
-    return binary(type, random_.chance(75) ? "==" : "!=", type, compare_level, depth);
+    if (ordered) return binary(type, random_.pick(orders), type, data_compare_level, depth);
+    return binary(type, random_.chance(75) ? "==" : "!=", type, data_compare_level, depth);
 }
 
 Written Expressions::membership(std::size_t depth) {
     if (!shape_.data.sets) return comparison(depth);
     if (shape_.data.naturals && random_.chance(40)) {
-        const std::string number = text_at_level(compare_level, *types_.nat(), depth);
-        return {number + " in " + interval(depth), compare_level};
+        const std::string number = text_at_level(data_compare_level, *types_.nat(), depth);
+        return {number + " in " + interval(depth), data_compare_level};
     }
     const DataType& type = *types_.existing_type();
-    const std::string element = text_at_level(compare_level, type, depth);
-    const std::string first = text_at_level(quantifier_level, type, depth);
-    return {fmt::format("{} in {{{}}}", element, first), compare_level};
+    const std::string element = text_at_level(data_compare_level, type, depth);
+    const std::string first = text_at_level(data_quantifier_level, type, depth);
+    return {fmt::format("{} in {{{}}}", element, first), data_compare_level};
 }
 
 Written Expressions::quantified_formula(std::size_t depth) {
@@ -341,10 +343,10 @@ Written Expressions::quantified_formula(std::size_t depth) {
     scope.push_back({"b" + std::to_string(bound_++), &bound});
     const std::string name = scope.back().name;
     std::string range;
-    if (random_.chance(50)) range = " | " + text_at_level(quantifier_level, *types_.boolean(), depth);
-    const std::string body = text_at_level(quantifier_level, *types_.boolean(), depth);
+    if (random_.chance(50)) range = " | " + text_at_level(data_quantifier_level, *types_.boolean(), depth);
+    const std::string body = text_at_level(data_quantifier_level, *types_.boolean(), depth);
     scope.pop_back();
-    return {fmt::format("{} {} : {}{} @ {}", word, name, bound.written, range, body), quantifier_level};
+    return {fmt::format("{} {} : {}{} @ {}", word, name, bound.written, range, body), data_quantifier_level};
 }
 
 // ---------------------------------------------------------------- numbers and sets
@@ -355,10 +357,10 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
         case 0:
             return binary(type, "*", type, times_level, depth);
         case 1:
-            if (type.form != Form::nat) return binary(type, "-", type, plus_level, depth);
+            if (type.form != Form::nat) return binary(type, "-", type, data_plus_level, depth);
             break;
         case 2:
-            if (type.form != Form::nat) return {"-" + text_at_level(negate_level, type, depth), negate_level};
+            if (type.form != Form::nat) return {"-" + text_at_level(data_negate_level, type, depth), data_negate_level};
             break;
         case 3:
             if (type.form == Form::real) return binary(type, "/", type, times_level, depth);
@@ -366,17 +368,17 @@ Written Expressions::numeric(const DataType& type, std::size_t depth) {
             break;
         case 4:
             if (!shape_.data.binders) break;
-            return {text_at_level(plus_level, type, depth) + " as " + type.written, cast_level};
+            return {text_at_level(data_plus_level, type, depth) + " as " + type.written, data_cast_level};
         default:
             break;
     }
-    return binary(type, "+", type, plus_level, depth);
+    return binary(type, "+", type, data_plus_level, depth);
 }
 
 /// `{a to b}`, `[a, b)` and the like.
 std::string Expressions::interval(std::size_t depth) {
-    const std::string low = text_at_level(quantifier_level, *types_.nat(), depth);
-    const std::string high = text_at_level(quantifier_level, *types_.nat(), depth);
+    const std::string low = text_at_level(data_quantifier_level, *types_.nat(), depth);
+    const std::string high = text_at_level(data_quantifier_level, *types_.nat(), depth);
     if (random_.chance(50)) return fmt::format("{{{} to {}}}", low, high);
     const bool open = random_.chance(50);
     const bool open_end = random_.chance(50);
@@ -386,11 +388,11 @@ std::string Expressions::interval(std::size_t depth) {
 Written Expressions::set(const DataType& type, std::size_t depth) {
     const DataType& element = *type.parts[0];
     const std::size_t way = random_.below(4);
-    if (way == 0 && element.form == Form::nat) return {interval(depth), atom_level};
+    if (way == 0 && element.form == Form::nat) return {interval(depth), data_atom_level};
     if (way == 1 && shape_.data.binders) return comprehension(element, depth);
     if (way == 2 && shape_.data.toolkits && calls) return generic_call(type, depth);
     const std::vector<const DataType*> parts(random_.between(1, 3), &element);
-    return {"{" + list(parts, depth, quantifier_level) + "}", atom_level};
+    return {"{" + list(parts, depth, data_quantifier_level) + "}", data_atom_level};
 }
 
 }  // namespace robochart::random_models

@@ -13,7 +13,7 @@ namespace {
 using testing::Answer;
 using testing::Client;
 
-constexpr const char* model = R"(package p
+constexpr const char* navigated = R"(package p
 enumeration /*^E*/E { /*^red*/red green }
 interface /*^I*/I { var /*^x*/x : nat  /*^go*/go() }
 interface J { event /*^e*/e : nat }
@@ -32,7 +32,7 @@ stm /*^S*/S {
 )";
 
 std::string text() {
-    std::string out = model;
+    std::string out = navigated;
     out.replace(out.find("$go"), 3, "/*^call*/go");
     return out;
 }

@@ -16,7 +16,7 @@ using testing::Client;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* machine = "stm S { initial i state A { } transition t { from i to A } }\n";
+constexpr const char* drawn_machine = "stm S { initial i state A { } transition t { from i to A } }\n";
 
 /// A file with the machine's state at this place and its initial junction at the left.
 std::string drawn_at(int x) {
@@ -40,8 +40,8 @@ std::string drawn_at(int x) {
 class StoredDiagram : public ::testing::Test {
 protected:
     StoredDiagram() {
-        folder_.write("a.rct", machine);
-        client_.open(uri(), machine);
+        folder_.write("a.rct", drawn_machine);
+        client_.open(uri(), drawn_machine);
     }
 
     [[nodiscard]] std::string uri() const { return uri_of_path(folder_.in("a.rct")); }
