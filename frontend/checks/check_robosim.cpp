@@ -92,6 +92,48 @@ void check_cycle(const Context& owner, Diagnostics& out) {
         out.report(rules::no_cycle, owner.name_span, {std::string(to_text(owner.kind)), owner.name});
 }
 
+// ---------------------------------------------------------------- registers of components
+
+template <class Items>
+void add_names(const Items& items, std::set<std::string>& names) {
+    for (const auto* item : items) names.insert(item->name);
+}
+
+void add_scope(const Scope& scope, std::set<std::string>& names) {
+    for (const auto& [name, event] : scope.events) names.emplace(name);
+    for (const auto& [name, variable] : scope.variables)
+        if (variable->kind == DeclKind::variable) names.emplace(name);
+    for (const auto& [name, operation] : scope.operations) names.emplace(name);
+}
+
+/// The names of the registers that a component shows. Those of a module belong to its platform.
+std::set<std::string> register_names(const Declaration* component) {
+    std::set<std::string> names;
+    const auto* context = dynamic_cast<const Context*>(component);
+    if (context == nullptr) return names;
+    if (context->input || context->output) {
+        const Registers registers = registers_of(*context);
+        add_scope(registers.inputs, names);
+        add_scope(registers.outputs, names);
+    } else if (const auto* simulation = dynamic_cast<const Simulation*>(context)) {
+        const auto& steps = simulation->subject_path.steps;
+        if (!steps.empty()) return register_names(follow_reference(steps.back()));
+    } else if (context->kind == DeclKind::module) {
+        for (const Declaration* part : static_cast<const Component&>(*context).order)
+            if (const auto* platform = follow_to<Context>(part);
+                platform != nullptr && platform->kind == DeclKind::platform) {
+                add_names(visible_events(*platform), names);
+                add_names(offered_variables(*platform), names);
+                add_names(provided_operations(*platform), names);
+            }
+    } else {
+        add_names(visible_events(*context), names);
+        add_names(required_variables(*context), names);
+        add_names(required_operations(*context), names);
+    }
+    return names;
+}
+
 // ---------------------------------------------------------------- operations and their callers
 
 using Definitions = std::map<std::string_view, const Machine*>;
@@ -200,9 +242,18 @@ void check_callers(const Component& controller, Diagnostics& out) {
 
 }  // namespace
 
-void check_cycles(const Assertion& assertion, Diagnostics& out) {
+void check_claim(const Assertion& assertion, Diagnostics& out) {
     for (const AssertionParameter& parameter : assertion.parameters)
         if (parameter.kind == ParameterKind::cycle && parameter.value) check_cycle_length(*parameter.value, out);
+    const auto& subject = assertion.subject_path.steps;
+    const auto& other = assertion.other_path.steps;
+    const bool compares = assertion.kind == AssertionKind::refines || assertion.kind == AssertionKind::equals;
+    if (!compares || subject.empty() || other.empty()) return;
+    const std::set<std::string> names = register_names(follow_reference(subject.back()));
+    const std::set<std::string> others = register_names(follow_reference(other.back()));
+    if (names.empty() || others.empty()) return;
+    if (std::ranges::none_of(names, [&](const std::string& name) { return others.contains(name); }))
+        out.report(rules::nothing_common, assertion.other.span, {assertion.subject.text(), assertion.other.text()});
 }
 
 void check_robosim(const Context& context, Diagnostics& out) {

@@ -37,8 +37,9 @@ void check_time(const Machine& machine, Diagnostics& out);
 void check_robosim(const Context& context, Diagnostics& out);
 /// Checks rules RC-Y01, RC-Y02, RC-Y07 and RC-Y10: a simulation whose subject is resolved.
 void check_simulation(const Simulation& simulation, Diagnostics& out);
-/// Checks rule RC-Y07: the lengths that an assertion gives to cycles are positive numbers.
-void check_cycles(const Assertion& assertion, Diagnostics& out);
+/// Checks rules RC-Y07 and RC-Y15: the lengths that a claim of RoboSim gives to cycles are positive numbers, and the
+/// components that it compares have a common register.
+void check_claim(const Assertion& assertion, Diagnostics& out);
 /// The value of an expression over literals and constants that have values. The function follows at most `constants`
 /// references, because constants may refer to each other cyclically.
 [[nodiscard]] std::optional<double> constant_value(const Expr& expr, int constants = 20);

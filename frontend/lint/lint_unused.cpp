@@ -79,6 +79,7 @@ private:
             if (variable->initial) read(*variable->initial);
         }
         for (const auto& event : context.events) read(event->type_expr.get());
+        if (context.cycle) read(*context.cycle);
         for (const Context* registers : {context.input.get(), context.output.get()})
             if (registers != nullptr) this->add_context(*registers);
     }

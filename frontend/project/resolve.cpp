@@ -64,7 +64,8 @@ void check(const Model& model, const Names& names, Diagnostics& out) {
     for (const auto& file : model.files) {
         check_probabilistic(*file, out);
         for (const auto& simulation : file->simulations) check_simulation(*simulation, out);
-        for (const Assertion& assertion : file->assertions) check_cycles(assertion, out);
+        if (file->dialect == Dialect::robosim)
+            for (const Assertion& assertion : file->assertions) check_claim(assertion, out);
         for (const auto& declaration : file->declarations) check(*declaration, whole, out);
     }
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/diagnostics/containers.hpp"
+#include "base/diagnostics/scanner.hpp"
 #include "base/diagnostics/spelling.hpp"
 #include "frontend/resolve/component_paths.hpp"
 #include "frontend/resolve/resolver.hpp"
@@ -44,6 +45,8 @@ private:
     void resolve_simulation(Simulation& simulation);
     void resolve_assertion(Assertion& assertion);
     void check_dialect(const ComponentPath& path, const QualifiedName& name);
+    void check_block(const CspBlock& block);
+    void check_hidden(const CspBlock& block, std::size_t end, std::string_view event);
     void resolve_reachable(Assertion& assertion);
     bool find_state(Assertion& assertion);
     void resolve_clock(Assertion& assertion);
@@ -438,6 +441,44 @@ void AssertionResolver::check_dialect(const ComponentPath& path, const Qualified
         .notes.push_back({component->name_span, "it is declared here"});
 }
 
+/// Reports `M::endexec` and `M::terminate` of modules and simulations, which hide these events.
+void AssertionResolver::check_block(const CspBlock& block) {
+    for (const std::string_view event : {"endexec", "terminate"}) {
+        const std::string ending = "::" + std::string(event);
+        for (std::size_t at = block.text.find(ending); at != std::string::npos; at = block.text.find(ending, at + 1)) {
+            const std::size_t end = at + ending.size();
+            const std::size_t line = block.text.rfind('\n', at) + 1;
+            const bool comment = block.text.substr(line, at - line).find("--") != std::string::npos;
+            if (!comment && (end >= block.text.size() || !diagnostics::continues_name(block.text[end])))
+                check_hidden(block, at, event);
+        }
+    }
+}
+
+/// `end` is where the name of the component ends.
+void AssertionResolver::check_hidden(const CspBlock& block, std::size_t end, std::string_view event) {
+    std::size_t begin = end;
+    while (begin > 0 && (diagnostics::continues_name(block.text[begin - 1]) || block.text[begin - 1] == ':')) --begin;
+    const std::string text = block.text.substr(begin, end - begin);
+    QualifiedName name;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t next = std::min(text.find("::", at), text.size());
+        name.parts.push_back(text.substr(at, next - at));
+        name.spans.emplace_back();
+        at = next + 2;
+    }
+    const Way found = way_to(name);
+    if (found.used != name.parts.size() || found.end() == nullptr) return;
+    const Declaration* component = follow_reference(found.end());
+    if (component->kind != DeclKind::module && component->kind != DeclKind::simulation) return;
+    const auto place = block.text_span.begin + static_cast<std::uint32_t>(begin);
+    const auto length = static_cast<std::uint32_t>(text.size() + 2 + event.size());
+    finder_.out()
+        .report(rules::hidden_event, {block.text_span.source, place, place + length},
+                {fmt::format("{}::{}", text, event), std::string(to_text(component->kind))})
+        .notes.push_back({component->name_span, "it is declared here"});
+}
+
 void AssertionResolver::resolve_assertion(Assertion& assertion) {
     assertion.subject_path = {};
     assertion.other_path = {};
@@ -476,6 +517,8 @@ void AssertionResolver::run(File& file) {
         for (const QualifiedName& name : block.associated) block.associated_paths.push_back(find_component(name, true));
     }
     for (Assertion& assertion : file.assertions) this->resolve_assertion(assertion);
+    if (file.dialect == Dialect::robosim)
+        for (const CspBlock& block : file.csp_blocks) check_block(block);
 }
 
 }  // namespace

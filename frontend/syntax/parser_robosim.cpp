@@ -90,7 +90,7 @@ void Parser::register_context(Context& context) {
 /// `uses I`, `requires I`, `event e : T`.
 void Parser::register_member(Context& registers) {
     if (at_token("uses") || at_token("requires")) return interface_clause(registers);
-    if (at_token("event")) return parse_event(registers);
+    if (at_token("event") || at_token("_broadcast")) return parse_event(registers);
     const bool declares = at_token("var") || at_token("const") || at_token("clock") ||
                           (peek().kind == TokenKind::identifier && peek(1).is_word("("));
     if (declares)
