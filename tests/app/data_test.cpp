@@ -629,6 +629,37 @@ TEST(Carriers, TheReportSaysWhyDataKeepThem) {
     EXPECT_THAT(ran.out, ::testing::HasSubstr("m.rct:5)")) << ran.out;
 }
 
+/// The machine has an own variable `a` beside the shared one. If carriers are large, memories with channels hold both.
+TEST(Carriers, LargeOnesOfVariablesWithOneNameHaveDifferentChannels) {
+    const std::string text =
+        "interface I { var a : nat }\n"
+        "stm S { requires I var a : nat, b : nat event e : nat event f : nat event out_ : nat initial i state A { }\n"
+        "transition t0 { from i to A } transition t1 { from A to A trigger e ? a action out_ ! a }\n"
+        "transition t2 { from A to A trigger f ? b action out_ ! (a + b) }\n"
+        "transition t3 { from A to A trigger f ? b condition a > b } }\n";
+    const testing::Folder folder({{"m.rct", text}});
+    const auto ran = run({"emit", "csp", folder / "m.rct", "--range", "nat=0..300", "--out", folder.path("out")});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const std::string script = tests::read_contents(folder.path("out") + "/csp-gen/m.csp");
+    EXPECT_THAT(script, ::testing::HasSubstr("channel set_a, set_EXT_a : core_nat"));
+    EXPECT_EQ(run({"check", folder / "m.rct", "--core", "--concrete"}).exit, 0);
+}
+
+/// A block that mentions a channel of the shared variable means this one.
+TEST(Carriers, AChannelOfVariablesWithOneNameIsThatOfTheSharedOne) {
+    const testing::Folder folder(
+        {{"m/m.rct",
+          "interface I { var a : nat }\n"
+          "stm S { requires I var a : boolean event e : boolean initial i state A { }\n"
+          "transition t0 { from i to A } transition t1 { from A to A trigger e ? a } }\n"},
+         {"m/m.assertions",
+          "untimed csp Other csp-begin Other = S::set_EXT_a?x -> Other [] S::set_a?x -> Other [] S::e.in?v -> Other "
+          "csp-end "
+          "untimed assertion Free : S refines Other in the traces model "}});
+    const auto ran = run({"check", folder / "m", "--no-cache"});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+}
+
 /// The user has chosen these carriers.
 TEST(Carriers, ThatTheUserChoosesHaveNoReason) {
     const testing::TemporaryFile model(
