@@ -164,6 +164,55 @@ TEST_F(SharedData, AStoreOfRecordsIsDecided) {
            {}, 100);
 }
 
+/// The result of conform for the only component.
+Json conformance_of(const std::string& model, const std::vector<std::string>& more) {
+    std::vector<std::string> options{"conform", model, "--no-cache", "--walks", "300", "--format", "json"};
+    options.insert(options.end(), more.begin(), more.end());
+    const auto ran = run(options);
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    const Json json = Json::parse(ran.out, nullptr, false);
+    return json.is_discarded() ? Json() : json.at("conformance").at(0);
+}
+
+void expect_end_of_carriers(const Json& result) {
+    ASSERT_FALSE(result.is_null());
+    EXPECT_EQ(result.at("outcome"), "inconclusive") << result;
+    EXPECT_THAT(result.at("reason").get<std::string>(),
+                ::testing::AllOf(::testing::HasSubstr("a value leaves its carrier: "),
+                                 ::testing::HasSubstr("no difference in "),
+                                 ::testing::HasSubstr("of these walks ended where")));
+}
+
+/// No carrier contains `all ^ <s>` for all lists `all` of the carrier.
+TEST_F(SharedData, ConformDoesNotDecideAStoreThatGrows) {
+    const auto folder = tests::shared_folder() / "suite/data/store_list";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "../shared/suite/data is not there";
+    expect_end_of_carriers(conformance_of(folder.string(), {"--component", "Recorder"}));
+}
+
+TEST(Carriers, ConformDoesNotDecideAListThatGrowsBeyondThem) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm Log { event e : boolean event old : Seq(boolean) event out_ : Seq(boolean)\n"
+        "var x : boolean var all : Seq(boolean) initial i state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e ? x action old ? all ; out_ ! (all ^ <x>) } }\n");
+    expect_end_of_carriers(conformance_of(model.path(), {}));
+}
+
+/// Carriers, not the model, are the reason why the list has no value.
+TEST(Carriers, AListThatGrowsBeyondThemIsNoFaultOfTheModel) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm Log { event e : boolean event out_ : Seq(boolean) var x : boolean var all : Seq(boolean) initial i\n"
+        "state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e ? x action all = all ^ <x> ; out_ ! all } }\n");
+    const Answers carriers = answers_for(model.path(), {"--concrete", "--untimed"}, "20");
+    EXPECT_EQ(carriers.verdicts.at("state machine Log divergence-free"), "inconclusive") << carriers.text;
+    EXPECT_THAT(carriers.text, ::testing::HasSubstr("a value leaves its carrier: "));
+    const Answers all = answers_for(model.path(), {"--untimed"}, "20");
+    EXPECT_EQ(all.verdicts.at("state machine Log divergence-free"), "holds") << all.text;
+}
+
 TEST_F(SharedData, AComparisonOfTwoVariablesHasTwoClasses) {
     expect("distance_limit",
            {{"Explore", deadlock, "holds"},
