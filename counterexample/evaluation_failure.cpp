@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/utf8.hpp"
 #include "semantics/ir/element_at.hpp"
 #include "semantics/ir/open_constants.hpp"
 
@@ -74,12 +75,25 @@ std::string missing_element(const cspm::EvaluationError& error) {
     return "";
 }
 
+constexpr std::string_view outside = " is not a value of its field";
+
+/// The message "a value leaves its carrier: <1, 2, 3>"; "" for any other error.
+std::string value_outside(std::string_view message) {
+    constexpr std::size_t longest = 80;
+    const std::size_t end = message.find(outside);
+    if (end == std::string_view::npos) return "";
+    std::size_t shown = std::min(end, longest);
+    while (shown < end && shown > 0 && diagnostics::is_continuation(message[shown])) --shown;
+    return fmt::format("a value leaves its carrier: {}{}", message.substr(0, shown), shown < end ? "..." : "");
+}
+
 }  // namespace
 
 std::string failure_text(const cspm::EvaluationError& error, const ir::System& system) {
     const std::string element = ir::element_at(system, error.span);
-    const std::string missing = missing_element(error);
-    return (missing.empty() ? error.what() : missing) + (element.empty() ? "" : ", in " + element) +
+    std::string what = missing_element(error);
+    if (what.empty()) what = value_outside(error.what());
+    return (what.empty() ? error.what() : what) + (element.empty() ? "" : ", in " + element) +
            open_constants(error, system);
 }
 
@@ -87,6 +101,11 @@ std::string placed_failure(const cspm::EvaluationError& error, const ir::System&
                            const diagnostics::SourceManager& sources) {
     const std::string place = sources.path_and_line(error.span);
     return (place.empty() ? "" : diagnostics::escape_for_display(place) + ": ") + failure_text(error, system);
+}
+
+bool leaves_carriers(std::string_view message) {
+    return message.find(outside) != std::string_view::npos ||
+           message.find("more than 5000000") != std::string_view::npos;
 }
 
 }  // namespace robochart::runs

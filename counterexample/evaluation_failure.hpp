@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/diagnostics/source.hpp"
 #include "checker/cspm/session.hpp"
@@ -16,5 +17,9 @@ namespace robochart::runs {
 /// The place, the error and the element: "m.rct:8:62: division by zero, in P::S::t1".
 [[nodiscard]] std::string placed_failure(const cspm::EvaluationError&, const ir::System&,
                                          const diagnostics::SourceManager&);
+
+/// Whether an error with this message is due to carriers, not to the model: a value does not belong to the carrier of a
+/// channel, or a set of values is too large to be listed.
+[[nodiscard]] bool leaves_carriers(std::string_view message);
 
 }  // namespace robochart::runs

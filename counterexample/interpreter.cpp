@@ -595,6 +595,8 @@ std::string Interpreter::explain_end() const {
             return obligation_.reason;
         case EndKind::no_trace:
             return "the trace cannot go on";
+        case EndKind::undefined:
+            break;  // find_failing_run() sets this end
     }
     return "";
 }

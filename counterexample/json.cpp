@@ -86,6 +86,8 @@ const char* json_word(EndKind kind) {
             return "noReturn";
         case EndKind::no_trace:
             return "noTrace";
+        case EndKind::undefined:
+            return "undefined";
     }
     return "";
 }

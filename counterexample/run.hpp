@@ -133,6 +133,7 @@ enum class EndKind {
     missed,                 ///< an event is refused while time passes
     no_return,              ///< the required event can never happen again
     no_trace,               ///< the process has no such trace
+    undefined,              ///< an expression of the model has no value, so the next step is not known
 };
 
 /// Why time cannot pass.

@@ -315,6 +315,40 @@ struct Session::Impl {
                               [&] { return decide_once(both, assertion, limits, evaluation); });
     }
 
+    [[nodiscard]] static AssertionResult begin_result(const Decl& assertion) {
+        AssertionResult result;
+        result.text = assertion_text(assertion);
+        result.span = assertion.span;
+        result.negated = assertion.assertion.negated;
+        return result;
+    }
+
+    /// Stores the verdict of a function. If it reaches a limit, the verdict is inconclusive.
+    void decide_result(const Decl& assertion, AssertionResult& result, const std::function<refine::Verdict()>& verdict) {
+        try {
+            result.verdict = loaded.evaluated_at(assertion.span, verdict);
+        } catch (const process::Interrupted& stopped) {
+            result.verdict = {};
+            result.verdict.reason = stopped.what() + stage_reached();
+        } catch (const std::bad_alloc&) {
+            result.verdict = {};
+            result.verdict.reason = "there is no more memory";
+        }
+        if (result.negated) negate(result.verdict);
+    }
+
+    refine::Verdict decide_with_terms(const Decl& assertion, const refine::Limits& limits) {
+        refine::Budget evaluation(limits);
+        const Polling polling(*this, evaluation);
+        const auto side = [&](const ExprPtr& expr) {
+            return term_system(loaded.term_of(loaded.compile_side(expr, assertion)), expr->span);
+        };
+        Sides both{side(assertion.assertion.specification), nullptr};
+        if (assertion.assertion.kind == AssertionKind::refinement)
+            both.second = side(assertion.assertion.implementation);
+        return ask_of(both, assertion, model(assertion), limits, nullptr);
+    }
+
     /// Decides the assertion for these systems without changing how they are stored.
     refine::Verdict decide_once(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                 refine::Budget& evaluation) {
@@ -540,21 +574,16 @@ void Session::set_cache(diagnostics::Cache& cache, std::uint64_t fewest_states) 
 }
 
 AssertionResult Session::check(const Decl& assertion, const refine::Limits& limits) {
-    AssertionResult result;
-    result.text = assertion_text(assertion);
-    result.span = assertion.span;
-    result.negated = assertion.assertion.negated;
-    try {
-        result.verdict =
-            impl_->loaded.evaluated_at(assertion.span, [&] { return impl_->decide(assertion, limits, result); });
-    } catch (const process::Interrupted& stopped) {
-        result.verdict = {};
-        result.verdict.reason = stopped.what() + impl_->stage_reached();
-    } catch (const std::bad_alloc&) {
-        result.verdict = {};
-        result.verdict.reason = "there is no more memory";
-    }
-    if (result.negated) negate(result.verdict);
+    AssertionResult result = impl_->begin_result(assertion);
+    impl_->decide_result(assertion, result, [&] { return impl_->decide(assertion, limits, result); });
+    return result;
+}
+
+AssertionResult Session::check_with_terms(const Decl& assertion, const refine::Limits& limits) {
+    refine::Limits plain = limits;
+    plain.by_levels = nullptr;
+    AssertionResult result = impl_->begin_result(assertion);
+    impl_->decide_result(assertion, result, [&] { return impl_->decide_with_terms(assertion, plain); });
     return result;
 }
 

@@ -55,6 +55,10 @@ public:
     /// Decides one assertion. Throws evaluation errors; limits give inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
 
+    /// Decides one assertion without compiling components. A compilation evaluates all states of a component, and fails
+    /// if one of them cannot be evaluated; here, only states that the search reaches are evaluated.
+    [[nodiscard]] AssertionResult check_with_terms(const Decl& assertion, const refine::Limits&);
+
     /// Uses answers of earlier runs from this cache. Stores the answers of this run whose searches had at least
     /// `fewest_states` states, because a smaller search is faster than a look-up. The cache must outlive the session.
     void set_cache(diagnostics::Cache& cache, std::uint64_t fewest_states = 1000);

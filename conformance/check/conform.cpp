@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "checker/cspm/session.hpp"
@@ -70,8 +71,8 @@ Result combine_with_walks(Result bounded, cspm::Session& session, lts::Transitio
     process::OperationalSemantics semantics(session.terms());
     process::TermSystem terms(semantics, session.process(process));
     const Alphabet alphabet(interface, session.event_table());
-    ModelGraph graph(compiled == nullptr ? terms : *compiled, alphabet);
-    Result result = run_random_walks(graph, alphabet, code, options.cycle_length, options.limits, options.walks);
+    lts::TransitionSystem& model = compiled == nullptr ? terms : *compiled;
+    Result result = run_random_walks(model, alphabet, code, options.cycle_length, options.limits, options.walks);
     std::string before = bounded.reason;
     if (bounded.product.depth > 0)
         before +=
@@ -81,7 +82,6 @@ Result combine_with_walks(Result bounded, cspm::Session& session, lts::Transitio
     result.register_cycles = std::move(bounded.register_cycles);
     result.deadlines = std::move(bounded.deadlines);
     result.product = bounded.product;
-    result.model_states = graph.size();
     return result;
 }
 
@@ -109,8 +109,13 @@ void try_partial_readings(Result& result, lts::TransitionSystem& model, cspm::Se
     result = std::move(partial);
 }
 
+/// The text of an evaluation error.
+using FailureText = std::function<std::string(const cspm::EvaluationError&)>;
+
+/// If a value of the model leaves its carrier, only walks follow the model, each of them up to this point.
 Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
-                     const rc_interface& code, const Options& options, const EventPlaces& places) {
+                     const rc_interface& code, const Options& options, const EventPlaces& places,
+                     const FailureText& failure_text) {
     std::unique_ptr<lts::TransitionSystem> model;
     Result result;
     try {
@@ -120,6 +125,11 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
                                  options.relation, places, options.inputs);
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
+    } catch (const cspm::EvaluationError& error) {
+        if (!runs::leaves_carriers(error.what())) throw;
+        model.reset();
+        result = {};
+        result.reason = failure_text(error);
     }
     const bool interrupted = options.limits.interrupted && options.limits.interrupted();
     if (result.outcome != Outcome::inconclusive || interrupted) return result;
@@ -217,9 +227,12 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     const Interface interface = interface_of_model(system, instantiation, component, script.provenance, code);
+    const FailureText failure_text = [&](const cspm::EvaluationError& error) {
+        return sources == nullptr ? runs::failure_text(error, system) : runs::placed_failure(error, system, *sources);
+    };
     try {
         cspm::Session session(script.definitions);
-        Result result = check_process(session, process, interface, code, options, places);
+        Result result = check_process(session, process, interface, code, options, places, failure_text);
         const Alphabet alphabet(interface, session.event_table());
         refuse_choices(result, session, process, alphabet, represented, options);
         if (sources != nullptr) {
@@ -246,8 +259,7 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
     } catch (const cspm::EvaluationError& failed) {
         Result result;
         result.outcome = Outcome::error;
-        result.reason =
-            sources == nullptr ? runs::failure_text(failed, system) : runs::placed_failure(failed, system, *sources);
+        result.reason = failure_text(failed);
         return result;
     }
 }

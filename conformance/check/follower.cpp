@@ -20,7 +20,8 @@ constexpr const char* endless_model = "the model takes infinitely many steps wit
 
 Follower::Follower(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                    const refine::Limits& limits, Frame frame)
-    : alphabet_(alphabet),
+    : model_(model),
+      alphabet_(alphabet),
       cycle_length_(std::max(1U, cycle_length)),
       unread_(frame.unread),
       system_(model, alphabet, cycle_length, frame),
@@ -88,9 +89,17 @@ std::optional<Mismatch> Follower::follow_event(Node& node, process::Event event,
     return std::nullopt;
 }
 
+bool Follower::is_unknown(Node node) const {
+    return unknown_ && std::ranges::any_of(form_.states(node), [this](lts::StateView state) {
+        const std::optional<ModelState> at = system_.model_state_of(state);
+        return at && unknown_(model_.packed_state(*at));
+    });
+}
+
 /// If the model cannot be run in cycles, the check ends at the first sign of this. The behaviour of the code after that
 /// point is not an error of the code.
 std::optional<Mismatch> Follower::model_stops(Node node) {
+    if (is_unknown(node)) return Mismatch{Outcome::inconclusive, "the steps of the model are unknown", "", nullptr};
     if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_steps};
     const auto& acceptances = form_.acceptances(node);
     const bool stuck = std::ranges::any_of(acceptances, [](const auto& a) { return a.empty(); });

@@ -3,8 +3,10 @@
 // readings.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/normal_form.hpp"
@@ -43,17 +45,23 @@ public:
     [[nodiscard]] bool has_terminated() const { return over_; }
     /// With Frame::unread: a register whose reading affects the model in this node; no value if there is none.
     [[nodiscard]] std::optional<std::uint32_t> asked_register(Node node);
+    /// The steps of states of the model for which the function is true are unknown. Where the model may be in such a
+    /// state, the result is a mismatch with the outcome `inconclusive`.
+    void end_where(std::function<bool(lts::StateView)> unknown) { unknown_ = std::move(unknown); }
 
 private:
     [[nodiscard]] Mismatch make_mismatch(Node node, std::string reason);
+    [[nodiscard]] bool is_unknown(Node node) const;
     [[nodiscard]] bool may_refuse(Node node, std::optional<process::Event> but);
     [[nodiscard]] std::optional<Mismatch> model_stops(Node node);
     [[nodiscard]] bool has_endless_run(Node from);
     [[nodiscard]] std::string describe_allowed(Node node);
 
+    const ModelGraph& model_;
     const Alphabet& alphabet_;
     std::uint32_t cycle_length_;
     bool unread_;
+    std::function<bool(lts::StateView)> unknown_;  ///< empty: all steps are known
     NormalFormSystem system_;
     refine::Budget budget_;
     refine::NormalForm form_;

@@ -10,6 +10,7 @@
 #include <random>
 #include <unordered_set>
 
+#include "conformance/check/carrier_limited.hpp"
 #include "conformance/check/follower.hpp"
 #include "conformance/check/standstill.hpp"
 #include "conformance/code/code_system.hpp"
@@ -40,6 +41,11 @@ public:
           code_(code),
           cycle_length_(std::max(1U, cycle_length)),
           follower_(model, alphabet, cycle_length, limits) {}
+
+    /// The steps of the model are unknown where a value leaves its carrier. The system must be that of the model graph.
+    void end_where_unknown(const CarrierLimited& model) {
+        follower_.end_where([&model](lts::StateView state) { return model.is_unknown(state); });
+    }
 
     [[nodiscard]] Position start_position() {
         Position position{Bytes(code_.state_size), follower_.initial_node()};
@@ -125,10 +131,13 @@ public:
     }
 
     [[nodiscard]] std::string coverage_summary() const {
-        return fmt::format(
+        std::string result = fmt::format(
             "no difference in {} guided walks of {} cycles together, which met {} states of the code and "
             "{} of the normal form",
             walks_, cycles_, images_.size(), walker_.node_count());
+        if (left_ > 0)
+            result += fmt::format("; {} of these walks ended where a value of the model leaves its carrier", left_);
+        return result;
     }
 
 private:
@@ -166,6 +175,10 @@ private:
             way.push_back(random_readings(percent));
             ++cycles_;
             auto mismatch = walker_.run_cycle(at, way.back());
+            if (mismatch && mismatch->outcome == Outcome::inconclusive) {
+                ++left_;
+                return std::nullopt;
+            }
             if (mismatch) {
                 way_ = whole_way(from, way);
                 return mismatch;
@@ -197,6 +210,7 @@ private:
         Position at = walker_.start_position();
         for (std::size_t c = 0; c < way.size(); ++c) {
             if (auto mismatch = walker_.run_cycle(at, way[c])) {
+                if (mismatch->outcome == Outcome::inconclusive) return std::nullopt;
                 way.resize(c + 1);
                 return mismatch;
             }
@@ -266,6 +280,7 @@ private:
     std::vector<Readings> way_;               ///< path to the position of the difference
     std::uint64_t walks_ = 0;
     std::uint64_t cycles_ = 0;
+    std::uint64_t left_ = 0;  ///< number of walks that ended where a value of the model leaves its carrier
 };
 
 }  // namespace
@@ -278,7 +293,7 @@ std::optional<Result> difference_on(ModelGraph& model, const Alphabet& alphabet,
     return Search(walker, alphabet, options).difference_on(std::move(way));
 }
 
-Result run_random_walks(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
+Result run_random_walks(lts::TransitionSystem& model, const Alphabet& alphabet, const rc_interface& code,
                         std::uint32_t cycle_length, const refine::Limits& limits, const WalkOptions& options) {
     refine::Limits bounds = limits;
     // a cycle of the model may take long; the time limit of walks is checked between cycles
@@ -286,16 +301,20 @@ Result run_random_walks(ModelGraph& model, const Alphabet& alphabet, const rc_in
         std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                                std::chrono::duration<double>(2 * options.seconds + 1));
     bounds.max_states = most_states;  // the limit that ended the search; the number of cycles limits the walks
-    Walker walker(model, alphabet, code, cycle_length, bounds);
+    CarrierLimited limited(model, alphabet.tock());
+    ModelGraph graph(limited, alphabet);
+    Walker walker(graph, alphabet, code, cycle_length, bounds);
+    walker.end_where_unknown(limited);
     std::optional<Search> search;
+    Result result;
     try {
         search.emplace(walker, alphabet, options);
-        return search->run();
+        result = search->run();
     } catch (const process::Interrupted& limit) {
-        Result result;
         result.reason = search ? fmt::format("{} ({})", search->coverage_summary(), limit.what()) : limit.what();
-        return result;
     }
+    result.model_states = graph.size();
+    return result;
 }
 
 }  // namespace robochart::conformance

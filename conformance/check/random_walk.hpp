@@ -14,8 +14,8 @@
 namespace robochart::conformance {
 
 /// Returns `differs` or `not_schedulable` with a minimised witness, otherwise `inconclusive` with the coverage.
-/// `limits.deadline` is ignored; `walks.seconds` applies.
-[[nodiscard]] Result run_random_walks(ModelGraph&, const Alphabet&, const rc_interface& code,
+/// `limits.deadline` is ignored; `walks.seconds` applies. A walk ends if a value of the model leaves its carrier.
+[[nodiscard]] Result run_random_walks(lts::TransitionSystem& model, const Alphabet&, const rc_interface& code,
                                       std::uint32_t cycle_length, const refine::Limits&, const WalkOptions&);
 
 /// Runs code and model with these readings of the registers, a list for each cycle. Returns the first difference with a

@@ -2,6 +2,9 @@
 // Declaration by declaration, in the order of the module.
 #include "csp_emit/machine/declarations.hpp"
 
+#include <set>
+#include <string>
+
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/base/variants.hpp"
@@ -66,15 +69,16 @@ void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
 
 /// Declares channels of RoboTool that this encoding does not use or hides, if CSP blocks mention them (semantics 3.2).
 void ModuleDeclarations::declare_mentioned(std::vector<DeclPtr>& decls) const {
-    for (std::size_t i = 0; i < tables_.machine().variables.size(); ++i) {
-        const ir::Variable& variable = tables_.machine().variables[i];
-        const bool shared = tables_.cells[tables_.frames.root_frame().variables[i]].shared;
+    std::set<std::string> declared;
+    for (const CellId cell : tables_.frames.root_frame().variables)
+        if (tables_.cells[cell].shared)
+            for (const char* prefix : {"set_", "set_EXT_"}) declared.insert(prefix + tables_.cells[cell].channel);
+    for (const ir::Variable& variable : tables_.machine().variables)
         for (const char* prefix : {"get_", "set_", "set_EXT_", "setL_", "setR_"}) {
-            const bool declared = shared && (std::string(prefix) == "set_" || std::string(prefix) == "set_EXT_");
-            if (declared || !tables_.project().blocks_mention(prefix + variable.name)) continue;
-            decls.push_back(b::channel({prefix + variable.name}, type_set(tables_.project(), variable.type)));
+            const std::string channel = prefix + variable.name;
+            if (tables_.project().blocks_mention(channel) && declared.insert(channel).second)
+                decls.push_back(b::channel({channel}, type_set(tables_.project(), variable.type)));
         }
-    }
 }
 
 /// Declares the resets that are events, the clocks that events read, and the values of clocks that CSP blocks mention.

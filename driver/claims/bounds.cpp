@@ -11,10 +11,10 @@
 
 #include "base/diagnostics/text.hpp"
 #include "checker/cspm/session.hpp"
-#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "csp_emit/expressions/clipping.hpp"
 #include "driver/claims/class_project.hpp"
+#include "driver/claims/component_processes.hpp"
 #include "driver/settings/search_context.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/ir/element_at.hpp"
@@ -99,27 +99,13 @@ void BoundWatch::add(diagnostics::Span span, std::string text, std::string remed
 
 namespace {
 
-/// The suffixes of names of component processes.
-constexpr std::array<const char*, 6> variants{"::D__", "::O__", "::VS__", "::VS_O__", "::AS_O__", "::FVS__"};
-
-/// The component whose process is called; "" if there is none.
-std::string component_of(const cspm::Expr& expr) {
-    if (expr.kind != cspm::ExprKind::apply || expr.args[0]->kind != cspm::ExprKind::name) return "";
-    const std::string& name = expr.args[0]->text;
-    for (const char* const variant : variants)
-        if (name.ends_with(variant)) return name.substr(0, name.size() - std::string_view(variant).size());
-    return "";
-}
-
 using Processes = std::vector<cspm::ExprPtr>;
 
 /// Collects the processes of components in an expression, in the variant that is not compressed.
 void add_components(const cspm::ExprPtr& expr, Processes& found) {
     if (!expr) return;
-    if (const std::string component = component_of(*expr); !component.empty()) {
-        cspm::Expr plain = *expr;
-        plain.args[0] = cspm::build::name(component + "::D__");
-        found.push_back(std::make_shared<const cspm::Expr>(std::move(plain)));
+    if (!component_of(*expr).empty()) {
+        found.push_back(with_variant(expr, "D__"));
         return;
     }
     for (const cspm::ExprPtr& part : expr->args) add_components(part, found);

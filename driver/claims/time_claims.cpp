@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <new>
 #include <set>
@@ -12,10 +13,12 @@
 #include "checker/refine/verdict/recurrence.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/exercised.hpp"
+#include "counterexample/failing_run.hpp"
 #include "counterexample/interpreter.hpp"
 #include "driver/claims/causes.hpp"
 #include "driver/claims/claim_answers.hpp"
 #include "driver/claims/class_project.hpp"
+#include "driver/claims/component_processes.hpp"
 #include "driver/claims/related_values.hpp"
 #include "driver/claims/sizes.hpp"
 #include "driver/model/claim_scripts.hpp"
@@ -81,22 +84,12 @@ std::string failure_text(const Project& project, const cspm::EvaluationError& er
     return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
 }
 
-/// Decides one assertion of an obligation: the answer, the counterexample if it fails, and the basis.
-void decide_one(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
-                AssertionReport& report) {
-    report.answer = Answer::holds;
-    try {
-        const auto verdict =
-            context.session.check(assertion, limits_of_check(context.search, obligation.title)).verdict;
-        add_verdict(context, obligation, verdict, report);
-        report.basis = basis_of(context, obligation, assertion, verdict, report);
-    } catch (const cspm::EvaluationError& error) {
-        report.answer = Answer::error;
-        report.reason = failure_text(context.project, error);
-    } catch (const std::bad_alloc&) {
-        report.answer = Answer::inconclusive;
-        report.reason = "out of memory";
-    }
+/// Sets the answer of a claim that cannot be evaluated. A value that leaves its carrier is no fault of the model.
+void set_failure(const Project& project, const cspm::EvaluationError& error, AssertionReport& report) {
+    report.answer = Answer::error;
+    report.reason = failure_text(project, error);
+    if (!runs::leaves_carriers(error.what()) || is_about_large_set(error.what())) return;
+    report.answer = Answer::inconclusive;
 }
 
 /// The budget of the run, which also ends with the claim's turn.
@@ -111,6 +104,94 @@ public:
 private:
     const SearchContext& search_;
 };
+
+/// The number of states is limited, because the evaluation of a term takes much longer than a step of a compiled
+/// machine.
+constexpr std::uint64_t most_states_for_failure = 20'000;
+
+/// The assertion about components that are not compressed.
+cspm::Decl plain_assertion(const cspm::Decl& assertion) {
+    cspm::Decl result = assertion;
+    for (cspm::ExprPtr* side : {&result.assertion.specification, &result.assertion.implementation})
+        *side = without_compression(*side);
+    return result;
+}
+
+/// Adds a run after which an expression has no value. `D__` of a large component compresses parts of it, which then
+/// fail before the first step. `VS__` compresses nothing.
+void add_failing_run(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+                     AssertionReport& report) {
+    const bool refinement = assertion.assertion.kind == cspm::AssertionKind::refinement;
+    const cspm::ExprPtr& side = refinement ? assertion.assertion.implementation : assertion.assertion.specification;
+    const bool of_block = obligation.property == ir::no_id && obligation.component.empty();
+    TurnBudget budget(context.search);
+    const auto find = [&](const std::string& variant) {
+        return runs::find_failing_run(reading_context(context), obligation.time,
+                                      context.session.process(with_variant(side, variant)), most_states_for_failure,
+                                      budget);
+    };
+    auto found = find("D__");
+    if (found && found->run.steps.empty()) found = of_block ? std::nullopt : find("VS__");
+    if (!found) return;
+    report.reason = std::move(found->failure);
+    report.run = std::move(found->run);
+}
+
+/// Decides the assertion without compiling components. Returns false if the search reaches a state that cannot be
+/// evaluated, or a limit.
+bool decide_with_terms(const ClaimContext& context, const csp_emit::Obligation& obligation,
+                       const cspm::Decl& assertion, AssertionReport& report) {
+    constexpr std::uint64_t most_states = 100'000;
+    constexpr std::chrono::seconds longest{10};
+    refine::Limits limits = limits_of_check(context.search, obligation.title);
+    limits.max_states = std::min(limits.max_states, most_states);
+    const auto end = std::chrono::steady_clock::now() + longest;
+    limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+    try {
+        const auto verdict = context.session.check_with_terms(assertion, limits).verdict;
+        if (verdict.outcome == refine::Outcome::inconclusive) return false;
+        report.answer = Answer::holds;
+        report.reason.clear();
+        add_verdict(context, obligation, verdict, report);
+        report.basis = basis_of(context, obligation, assertion, verdict, report);
+        return true;
+    } catch (const cspm::EvaluationError&) {
+        return false;
+    }
+}
+
+/// A compilation failed, because a state of some component cannot be evaluated. Decides the assertion if the runs of the
+/// whole process do not reach such a state before a violation. Otherwise, if an expression of the model has no value,
+/// looks for a run that reaches it.
+void look_at_failure(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+                     AssertionReport& report) {
+    if (decide_with_terms(context, obligation, plain_assertion(assertion), report)) return;
+    if (report.answer != Answer::error) return;
+    try {
+        add_failing_run(context, obligation, assertion, report);
+    } catch (const cspm::EvaluationError&) {
+    } catch (const process::SemanticsError&) {
+    } catch (const diagnostics::LimitReached&) {  // the error is known, and only its run is not
+    }
+}
+
+/// Decides one assertion of an obligation: the answer, the counterexample if it fails, and the basis.
+void decide_one(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+                AssertionReport& report) {
+    report.answer = Answer::holds;
+    try {
+        const auto verdict =
+            context.session.check(assertion, limits_of_check(context.search, obligation.title)).verdict;
+        add_verdict(context, obligation, verdict, report);
+        report.basis = basis_of(context, obligation, assertion, verdict, report);
+    } catch (const cspm::EvaluationError& error) {
+        set_failure(context.project, error, report);
+        if (!is_about_large_set(error.what())) look_at_failure(context, obligation, assertion, report);
+    } catch (const std::bad_alloc&) {
+        report.answer = Answer::inconclusive;
+        report.reason = "out of memory";
+    }
+}
 
 /// The number of states is limited, because the evaluation of a term takes much longer than a step of a compiled
 /// machine.
@@ -179,8 +260,7 @@ void decide_firing(const ClaimContext& context, const csp_emit::FiringQuestion& 
         report.searched = true;
         answer_firing(context.project, question, found, report);
     } catch (const cspm::EvaluationError& error) {
-        report.answer = Answer::error;
-        report.reason = failure_text(context.project, error);
+        set_failure(context.project, error, report);
     }
 }
 
@@ -203,8 +283,7 @@ void decide_recurrence(const ClaimContext& context, const csp_emit::Obligation& 
         report.answer = Answer::inconclusive;
         report.reason = limit.what();
     } catch (const cspm::EvaluationError& error) {
-        report.answer = Answer::error;
-        report.reason = failure_text(context.project, error);
+        set_failure(context.project, error, report);
     }
 }
 

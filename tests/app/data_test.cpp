@@ -164,6 +164,55 @@ TEST_F(SharedData, AStoreOfRecordsIsDecided) {
            {}, 100);
 }
 
+/// The result of conform for the only component.
+Json conformance_of(const std::string& model, const std::vector<std::string>& more) {
+    std::vector<std::string> options{"conform", model, "--no-cache", "--walks", "300", "--format", "json"};
+    options.insert(options.end(), more.begin(), more.end());
+    const auto ran = run(options);
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    const Json json = Json::parse(ran.out, nullptr, false);
+    return json.is_discarded() ? Json() : json.at("conformance").at(0);
+}
+
+void expect_end_of_carriers(const Json& result) {
+    ASSERT_FALSE(result.is_null());
+    EXPECT_EQ(result.at("outcome"), "inconclusive") << result;
+    EXPECT_THAT(result.at("reason").get<std::string>(),
+                ::testing::AllOf(::testing::HasSubstr("a value leaves its carrier: "),
+                                 ::testing::HasSubstr("no difference in "),
+                                 ::testing::HasSubstr("of these walks ended where")));
+}
+
+/// No carrier contains `all ^ <s>` for all lists `all` of the carrier.
+TEST_F(SharedData, ConformDoesNotDecideAStoreThatGrows) {
+    const auto folder = tests::shared_folder() / "suite/data/store_list";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "../shared/suite/data is not there";
+    expect_end_of_carriers(conformance_of(folder.string(), {"--component", "Recorder"}));
+}
+
+TEST(Carriers, ConformDoesNotDecideAListThatGrowsBeyondThem) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm Log { event e : boolean event old : Seq(boolean) event out_ : Seq(boolean)\n"
+        "var x : boolean var all : Seq(boolean) initial i state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e ? x action old ? all ; out_ ! (all ^ <x>) } }\n");
+    expect_end_of_carriers(conformance_of(model.path(), {}));
+}
+
+/// Carriers, not the model, are the reason why the list has no value.
+TEST(Carriers, AListThatGrowsBeyondThemIsNoFaultOfTheModel) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm Log { event e : boolean event out_ : Seq(boolean) var x : boolean var all : Seq(boolean) initial i\n"
+        "state A { } transition t0 { from i to A }\n"
+        "transition t1 { from A to A trigger e ? x action all = all ^ <x> ; out_ ! all } }\n");
+    const Answers carriers = answers_for(model.path(), {"--concrete", "--untimed"}, "20");
+    EXPECT_EQ(carriers.verdicts.at("state machine Log divergence-free"), "inconclusive") << carriers.text;
+    EXPECT_THAT(carriers.text, ::testing::HasSubstr("a value leaves its carrier: "));
+    const Answers all = answers_for(model.path(), {"--untimed"}, "20");
+    EXPECT_EQ(all.verdicts.at("state machine Log divergence-free"), "holds") << all.text;
+}
+
 TEST_F(SharedData, AComparisonOfTwoVariablesHasTwoClasses) {
     expect("distance_limit",
            {{"Explore", deadlock, "holds"},
@@ -627,6 +676,37 @@ TEST(Carriers, TheReportSaysWhyDataKeepThem) {
     const auto ran = run({"check", model.path(), "--core", "--no-cache", "--untimed"});
     EXPECT_THAT(ran.out, ::testing::HasSubstr("carrier      sum: `sum + x` computes a value, and a condition reads it (")) << ran.out;
     EXPECT_THAT(ran.out, ::testing::HasSubstr("m.rct:5)")) << ran.out;
+}
+
+/// The machine has an own variable `a` beside the shared one. If carriers are large, memories with channels hold both.
+TEST(Carriers, LargeOnesOfVariablesWithOneNameHaveDifferentChannels) {
+    const std::string text =
+        "interface I { var a : nat }\n"
+        "stm S { requires I var a : nat, b : nat event e : nat event f : nat event out_ : nat initial i state A { }\n"
+        "transition t0 { from i to A } transition t1 { from A to A trigger e ? a action out_ ! a }\n"
+        "transition t2 { from A to A trigger f ? b action out_ ! (a + b) }\n"
+        "transition t3 { from A to A trigger f ? b condition a > b } }\n";
+    const testing::Folder folder({{"m.rct", text}});
+    const auto ran = run({"emit", "csp", folder / "m.rct", "--range", "nat=0..300", "--out", folder.path("out")});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const std::string script = tests::read_contents(folder.path("out") + "/csp-gen/m.csp");
+    EXPECT_THAT(script, ::testing::HasSubstr("channel set_a, set_EXT_a : core_nat"));
+    EXPECT_EQ(run({"check", folder / "m.rct", "--core", "--concrete"}).exit, 0);
+}
+
+/// A block that mentions a channel of the shared variable means this one.
+TEST(Carriers, AChannelOfVariablesWithOneNameIsThatOfTheSharedOne) {
+    const testing::Folder folder(
+        {{"m/m.rct",
+          "interface I { var a : nat }\n"
+          "stm S { requires I var a : boolean event e : boolean initial i state A { }\n"
+          "transition t0 { from i to A } transition t1 { from A to A trigger e ? a } }\n"},
+         {"m/m.assertions",
+          "untimed csp Other csp-begin Other = S::set_EXT_a?x -> Other [] S::set_a?x -> Other [] S::e.in?v -> Other "
+          "csp-end "
+          "untimed assertion Free : S refines Other in the traces model "}});
+    const auto ran = run({"check", folder / "m", "--no-cache"});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
 }
 
 /// The user has chosen these carriers.

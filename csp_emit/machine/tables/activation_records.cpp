@@ -3,6 +3,8 @@
 #include "csp_emit/machine/tables/activation_records.hpp"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/rules.hpp"
@@ -73,7 +75,12 @@ std::uint32_t ActivationRecords::open_frame(const ir::Machine& opened, std::uint
     return static_cast<std::uint32_t>(frames_.size() - 1);
 }
 
+/// A machine may have own variables with one name, also with the name of a shared variable. The shared variable has the
+/// channels of RoboTool, and the own ones have other channels.
 void ActivationRecords::add_variables(Frame& frame, bool root) {
+    std::set<std::string> channels;
+    for (const ir::Variable& variable : frame.machine->variables)
+        if (variable.scope == ir::VariableScope::required) channels.insert(variable.name);
     for (const ir::Variable& variable : frame.machine->variables) {
         if (!root && variable.scope == ir::VariableScope::required) {
             const Frame& caller = frames_[frame.parent];
@@ -93,6 +100,8 @@ void ActivationRecords::add_variables(Frame& frame, bool root) {
         cell.shared = root && variable.scope == ir::VariableScope::required;
         cell.parameter = variable.scope == ir::VariableScope::parameter;
         cell.channel = variable.name;
+        while (variable.scope != ir::VariableScope::required && !channels.insert(cell.channel).second)
+            cell.channel += "_";
         frame.variables.push_back(cells_.add_cell(std::move(cell)));
         frame.own.push_back(frame.variables.back());
     }

@@ -119,6 +119,70 @@ TEST(MissingElementsOfTheEmptySequence, AreSaid) {
     EXPECT_THAT(ran.out, HasSubstr("belt.rct:5: the sequence is empty"));
 }
 
+/// Two machines: Worker computes a remainder by a number that only Feeder sends. Feeder sends 2, 1 and then 3 or, if it `may`, 0.
+std::vector<std::pair<std::string, std::string>> fed_worker(bool may) {
+    const std::string last = may ? "0" : "3";
+    return {{"m/m.rct",
+             "stm Worker {\n event n : nat\n event done : nat\n var w : nat\n initial i\n state A { }\n"
+             " transition t0 { from i to A }\n"
+             " transition t1 { from A to A trigger n ? w action done ! (6 % w) }\n}\n"
+             "stm Feeder {\n event go\n event n : nat\n initial i\n state A { }\n state B { }\n state C { }\n"
+             " state D { }\n transition t0 { from i to A }\n"
+             " transition t1 { from A to B trigger go action n ! 2 }\n"
+             " transition t2 { from B to C trigger go action n ! 1 }\n"
+             " transition t3 { from C to D trigger go action n ! " + last + " }\n}\n"
+             "controller Pair {\n event go\n event done : nat\n sref w = Worker\n sref f = Feeder\n"
+             " connection Pair on go to f on go\n connection f on n to w on n\n"
+             " connection w on done to Pair on done\n}\n"},
+            {"m/m.assertions",
+             "untimed csp Nothing csp-begin Nothing = STOP csp-end\n"
+             "untimed assertion Diverges : Pair is divergence-free\n"
+             "untimed assertion Silent : Pair refines Nothing in the traces model\n"
+             "untimed assertion Feeds : Feeder is divergence-free\n"
+             "untimed assertion Ends : Pair is deadlock-free\n"}};
+}
+
+nlohmann::json answers_of(const Ran& ran) {
+    const nlohmann::json report = nlohmann::json::parse(ran.out, nullptr, false);
+    nlohmann::json result;
+    if (report.is_discarded()) return result;
+    for (const nlohmann::json& assertion : report.at("assertions"))
+        result[assertion.at("name").get<std::string>()] = assertion;
+    return result;
+}
+
+/// No run of the controller divides by 0: Worker alone would take 0.
+TEST(EvaluationErrorsOfParts, ThatNoRunReachesDecideNothing) {
+    const Folder folder(fed_worker(false));
+    const Ran ran = run({"check", folder / "m", "--no-cache", "--format", "json"});
+    const nlohmann::json answers = answers_of(ran);
+    ASSERT_FALSE(answers.is_null()) << ran.out << ran.err;
+    EXPECT_EQ(answers.at("Diverges").at("answer"), "holds") << ran.out;
+    EXPECT_EQ(answers.at("Silent").at("answer"), "fails") << ran.out;
+    EXPECT_EQ(answers.at("Feeds").at("answer"), "holds") << ran.out;
+    EXPECT_EQ(answers.at("Ends").at("answer"), "fails") << ran.out;
+}
+
+/// A claim that fails before the division by 0 fails. Another one has no answer, but a run to the division.
+TEST(EvaluationErrorsOfParts, ThatARunReachesAreShownWithTheRun) {
+    const Folder folder(fed_worker(true));
+    const Ran ran = run({"check", folder / "m", "--no-cache", "--format", "json"});
+    const nlohmann::json answers = answers_of(ran);
+    ASSERT_FALSE(answers.is_null()) << ran.out << ran.err;
+    EXPECT_EQ(answers.at("Silent").at("answer"), "fails") << ran.out;
+    EXPECT_EQ(answers.at("Feeds").at("answer"), "holds") << ran.out;
+    const nlohmann::json& open = answers.at("Diverges");
+    EXPECT_EQ(open.at("answer"), "error") << ran.out;
+    EXPECT_THAT(open.at("reason").get<std::string>(), HasSubstr("m.rct:8: division by zero, in Worker::t1"));
+    ASSERT_TRUE(open.contains("counterexample")) << ran.out;
+    const nlohmann::json& run_to_error = open.at("counterexample");
+    EXPECT_EQ(run_to_error.at("end").at("kind"), "undefined");
+    std::size_t inputs = 0;
+    for (const nlohmann::json& step : run_to_error.at("steps")) inputs += step.at("kind") == "input" ? 1U : 0U;
+    EXPECT_EQ(inputs, 3U) << "go, go, go\n" << ran.out;
+    EXPECT_EQ(ran.exit, 2) << ran.err;
+}
+
 // Line 2 declares the call: its two reals have too many combinations of values.
 TEST(EvaluationErrorsOfTypes, HaveThePlaceOfTheDeclaration) {
     const Folder folder(

@@ -40,8 +40,7 @@ Outcome outcome_of_walk(const rc_interface& code) {
     process::EventTable events;
     test::GraphSystem model(test::turner_model(), events);
     const Alphabet alphabet(test::turner_interface(), events);
-    ModelGraph graph(model, alphabet);
-    return run_random_walks(graph, alphabet, code, 1, {}, WalkOptions{5'000, 10, 3}).outcome;
+    return run_random_walks(model, alphabet, code, 1, {}, WalkOptions{5'000, 10, 3}).outcome;
 }
 
 TEST(KnownBad, PairsAreReportedBadInAnyOrder) {

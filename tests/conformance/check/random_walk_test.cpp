@@ -23,8 +23,7 @@ Result walk_by_hand(int fault, bool waits = true, const WalkOptions& options = f
     std::string error;
     const auto object = test::hand_made("turner", fault, error);
     EXPECT_NE(object, nullptr) << error;
-    ModelGraph graph(model, alphabet);
-    return run_random_walks(graph, alphabet, object->interface(), 1, {}, options);
+    return run_random_walks(model, alphabet, object->interface(), 1, {}, options);
 }
 
 TEST(Walks, ClaimNothingOfACorrectController) {

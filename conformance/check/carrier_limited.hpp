@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model that is followed up to the point where one of its values leaves its carrier.
+#pragma once
+
+#include <string>
+#include <unordered_set>
+
+#include "checker/lts/transition_system.hpp"
+
+namespace robochart::conformance {
+
+/// The steps of a state are unknown if a value leaves its carrier in their evaluation. Here such a state only lets time
+/// pass, for ever. So questions about what the model can still do before time passes do not blame it.
+class CarrierLimited final : public lts::TransitionSystem {
+public:
+    /// The system must outlive the object. `tock` is its event for the passing of time.
+    CarrierLimited(lts::TransitionSystem& model, lts::Event tock) : model_(model), tock_(tock) {}
+
+    /// Whether the steps of a state were unknown when its successors were computed.
+    [[nodiscard]] bool is_unknown(lts::StateView state) const { return unknown_.contains(key_of(state)); }
+
+    [[nodiscard]] std::size_t width() const override { return model_.width(); }
+    void initial(std::span<lts::Word> state) override { model_.initial(state); }
+    /// Throws evaluation errors that carriers do not cause.
+    void successors(lts::StateView state, lts::SuccessorSink& sink) override;
+    [[nodiscard]] const lts::EventTable& events() const override { return model_.events(); }
+    void set_budget(diagnostics::Pollable& budget) override { model_.set_budget(budget); }
+    [[nodiscard]] bool states_are_terms() const override { return model_.states_are_terms(); }
+    [[nodiscard]] std::string describe(lts::StateView state) const override { return model_.describe(state); }
+
+private:
+    [[nodiscard]] static std::string key_of(lts::StateView state) {
+        return {reinterpret_cast<const char*>(state.data()), state.size_bytes()};
+    }
+
+    lts::TransitionSystem& model_;
+    lts::Event tock_;
+    std::unordered_set<std::string> unknown_;  ///< never iterated
+};
+
+}  // namespace robochart::conformance
