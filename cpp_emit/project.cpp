@@ -91,7 +91,7 @@ private:
         keys_["FILES"] = node_->files;
         const PackageFacts& facts = generation_.options.package;
         keys_["VERSION"] = facts.version;
-        keys_["LICENSE"] = diagnostics::xml_text(facts.license.empty() ? "TODO: License declaration" : facts.license);
+        keys_["LICENSE"] = diagnostics::xml_text(facts.license.empty() ? "LicenseRef-undeclared" : facts.license);
         keys_["MAINTAINER"] = diagnostics::xml_text(facts.maintainer);
         keys_["EMAIL"] = diagnostics::xml_text(facts.email);
         for (const std::string& name : node_->packages) {

@@ -81,24 +81,34 @@ struct Delivery {
     std::optional<std::uint32_t> depth;
 };
 
+/// What carries an element.
+enum class Carrier {
+    topic,
+    service,  ///< `call operation dock as std_srvs/Trigger on "dock"`
+    answer,   ///< `receive event docked as answer of dock when success == true`
+};
+
 /// An item: `publish operation move as geometry_msgs/Twist on "cmd_vel" with reliable { linear.x = speed }`.
 struct Item {
     bool published = false;
+    Carrier carrier = Carrier::topic;
     ElementKind kind = ElementKind::operation;
     Word element;
-    MessageName message;
-    Word topic;
+    MessageName message;  ///< or service; none for answers
+    Word topic;           ///< or the name of the service; for answers the operation that calls it
     Delivery delivery;
     std::vector<Condition> conditions;  ///< received elements only; all must be true
     std::vector<Assignment> assignments;
 };
 
 /// `receive event lost as deadline 0.5 on "scan"`: the event is raised if no message arrives on the topic for this
-/// time.
+/// time. `receive event lost as deadline 5 of dock`: the event is raised if the service that the operation `dock` calls
+/// does not answer for this time.
 struct Deadline {
     Word event;
     std::string seconds;  ///< as C++ text
-    Word topic;
+    Carrier carrier = Carrier::topic;
+    Word topic;  ///< or the operation
 };
 
 struct Mapping {

@@ -32,8 +32,8 @@ public:
         out_.gap();
         std::set<std::string> headers;
         for (const Topic& topic : plan_.topics)
-            headers.insert(
-                fmt::format("#include <{}/msg/{}.hpp>", topic.message.package, header_of_message(topic.message.type)));
+            headers.insert(fmt::format("#include <{}/{}/{}.hpp>", topic.message.package, topic.service ? "srv" : "msg",
+                                       header_of_message(topic.message.type)));
         if (plan_.is_stamped()) headers.insert("#include <builtin_interfaces/msg/time.hpp>");
         for (const std::string& header : headers) out_.line(header);
         out_.gap();
@@ -60,7 +60,7 @@ private:
         for (const Outgoing& outgoing : plan_.outgoing)
             if (outgoing.variable == nullptr) topics.insert(outgoing.topic);
         for (const std::size_t topic : topics)
-            out_.line(fmt::format("std::function<void(const {}&)> {};", message_type(plan_.topics[topic].message),
+            out_.line(fmt::format("std::function<void(const {}&)> {};", sent_type(plan_.topics[topic]),
                                   plan_.topics[topic].member));
         out_.line_with_doc("std::function<void(const char*)> unfit;",
                            "called instead if a message cannot hold a value, with the name of the operation or event");
@@ -96,7 +96,7 @@ private:
         out_.open(fmt::format("void {}({}) override {{",
                               outgoing.operation != nullptr ? outgoing.operation->method : outgoing.event->method,
                               fmt::join(parameters, ", ")));
-        out_.line(fmt::format("{} {};", message_type(topic.message), message_));
+        out_.line(fmt::format("{} {};", sent_type(topic), message_));
         const std::string fits = fill_message(out_, outgoing, message_, outbox_ + ".now");
         const std::string send = fmt::format("::robochart::ros2::send({}.{}, {});", outbox_, topic.member, message_);
         if (fits.empty()) {
@@ -124,6 +124,18 @@ private:
 
 std::string message_type(const MessageName& message) {
     return fmt::format("::{}::msg::{}", message.package, message.type);
+}
+
+std::string service_type(const Topic& topic) {
+    return fmt::format("::{}::srv::{}", topic.message.package, topic.message.type);
+}
+
+std::string sent_type(const Topic& topic) {
+    return topic.service ? service_type(topic) + "::Request" : message_type(topic.message);
+}
+
+std::string received_type(const Topic& topic) {
+    return topic.service ? service_type(topic) + "::Response" : message_type(topic.message);
 }
 
 std::string messages_header(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {

@@ -83,7 +83,7 @@ public:
         write_deactivate();
         write_release();
         for (std::size_t i = 0; i < plan_.topics.size(); ++i)
-            if (!plan_.topics[i].published) write_receive(i);
+            if (!plan_.topics[i].published || plan_.topics[i].service) write_receive(i);
         write_cycle();
         write_publish();
         write_sending();
@@ -105,9 +105,11 @@ private:
                         "arrive before a cycle, what queues lose, how exactly the timer fires, and what a field of a "
                         "message means.",
                         api_.cpp_name));
-        for (const Topic& topic : plan_.topics)
-            out_.comment(fmt::format("{} {} on {}", topic.published ? "publishes" : "receives",
-                                     topic.message.full_name(), topic.name));
+        for (const Topic& topic : plan_.topics) {
+            const char* verb = topic.published ? "publishes" : "receives";
+            if (topic.service) verb = "calls";
+            out_.comment(fmt::format("{} {} on {}", verb, topic.message.full_name(), topic.name));
+        }
     }
 
     void node_class() {
@@ -146,10 +148,19 @@ private:
         out_.line("[[nodiscard]] bool open_log();");
         out_.line("void note(const std::string& text) noexcept;");
         for (const Topic& topic : plan_.topics)
-            if (!topic.published)
-                out_.line(
-                    fmt::format("void receive_{}(const {}& message);", topic.member, message_type(topic.message)));
+            if (!topic.published || topic.service)
+                out_.line(fmt::format("void receive_{}(const {}& message);", topic.member, received_type(topic)));
+        if (calls_services()) {
+            out_.line("template <class Service, class Answer>");
+            out_.line("void call(const std::shared_ptr<::rclcpp::Client<Service>>& client,");
+            out_.line("          const typename Service::Request& request, Answer answer) noexcept;");
+        }
         out_.gap();
+        node_members();
+        out_.close("};");
+    }
+
+    void node_members() {
         out_.line("#if ROBOCHART_TRACE");
         out_.line("std::unique_ptr<::robochart::TraceFile> log_;");
         out_.line("#endif");
@@ -169,13 +180,11 @@ private:
             out_.line(fmt::format("::robochart::ros2::Watch {}_;", silence.member));
         out_.line_with_doc("bool ended_ = false;", "the controller has terminated or cannot go on");
         for (const Topic& topic : plan_.topics)
-            out_.line(topic.published ? fmt::format("::rclcpp_lifecycle::LifecyclePublisher<{}>::SharedPtr {}_;",
-                                                    message_type(topic.message), topic.member)
-                                      : fmt::format("::rclcpp::Subscription<{}>::SharedPtr {}_;",
-                                                    message_type(topic.message), topic.member));
+            out_.line(fmt::format("{}::SharedPtr {}_;", end_type(topic), topic.member));
         for (const Topic& topic : plan_.topics)
-            out_.line(fmt::format("::robochart::ros2::Quality quality_{}_{{{}}};", topic.member,
-                                  quality_text(topic.quality)));
+            if (!topic.service)
+                out_.line(fmt::format("::robochart::ros2::Quality quality_{}_{{{}}};", topic.member,
+                                      quality_text(topic.quality)));
         for (std::size_t i = 0; i < plan_.outgoing.size(); ++i)
             if (const ApiVariable* const variable = plan_.outgoing[i].variable)
                 out_.line(fmt::format("std::optional<{}> {};", type_text(variable->stored->variable->type), last_[i]));
@@ -183,7 +192,17 @@ private:
             out_.line(fmt::format("std::optional<{}::{}> {};", api_.cpp_name, plan_.states[i].machine->enumeration,
                                   last_states_[i]));
         out_.line("::rclcpp::TimerBase::SharedPtr timer_;");
-        out_.close("};");
+    }
+
+    /// The type of the publisher, the subscription or the client.
+    static std::string end_type(const Topic& topic) {
+        if (topic.service) return fmt::format("::rclcpp::Client<{}>", service_type(topic));
+        const char* const end = topic.published ? "::rclcpp_lifecycle::LifecyclePublisher" : "::rclcpp::Subscription";
+        return fmt::format("{}<{}>", end, message_type(topic.message));
+    }
+
+    [[nodiscard]] bool calls_services() const {
+        return std::ranges::any_of(plan_.topics, [](const Topic& topic) { return topic.service; });
     }
 
     // ------------------------------------------------------------ source
@@ -285,6 +304,9 @@ private:
     }
 
     void write_connection(const Topic& topic) {
+        if (topic.service)
+            return out_.line(
+                fmt::format("{}_ = create_client<{}>(\"{}\");", topic.member, service_type(topic), topic.name));
         const std::string message = message_type(topic.message);
         const std::string quality = "quality_" + topic.member + "_";
         if (topic.published) {
@@ -307,7 +329,8 @@ private:
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
         out_.line("active_ = true;");
-        for (const Silence& silence : plan_.silences) out_.line(silence.member + "_.hear(now());");
+        for (const Silence& silence : plan_.silences)
+            if (!plan_.topics[silence.topic].service) out_.line(silence.member + "_.hear(now());");
         out_.line(
             "if (const double pause = pace_.resume(now()); pause > 0) note(\"pause of \" + std::to_string(pause) + \" "
             "s\");");
@@ -331,6 +354,8 @@ private:
         std::set<std::string> flags;
         for (const Incoming& incoming : plan_.incoming)
             if (incoming.event != nullptr) flags.insert(incoming.event->flag);
+        for (const Silence& silence : plan_.silences)
+            if (plan_.topics[silence.topic].service) out_.line(silence.member + "_.rest();");
         if (!flags.empty()) out_.comment("What no cycle has seen yet would be late when it is activated again.");
         for (const std::string& flag : flags) out_.line(fmt::format("robot_->{} = false;", flag));
         out_.line("return ::rclcpp_lifecycle::LifecycleNode::on_deactivate(previous);");
@@ -363,9 +388,10 @@ private:
     void write_receive(std::size_t topic) {
         out_.gap();
         out_.open(fmt::format("void {}::receive_{}([[maybe_unused]] const {}& message) {{", node_,
-                              plan_.topics[topic].member, message_type(plan_.topics[topic].message)));
+                              plan_.topics[topic].member, received_type(plan_.topics[topic])));
         for (const Silence& silence : plan_.silences)
-            if (silence.topic == topic) out_.line(silence.member + "_.hear(now());");
+            if (silence.topic == topic)
+                out_.line(silence.member + (plan_.topics[topic].service ? "_.rest();" : "_.hear(now());"));
         for (const Incoming& incoming : plan_.incoming)
             if (incoming.topic == topic && incoming.variable != nullptr) write_tested(incoming);
         const auto raises = [topic](const Incoming& incoming) {
@@ -546,8 +572,14 @@ private:
 
     void connect_topic(const Outgoing& outgoing) {
         const Topic& topic = plan_.topics[outgoing.topic];
-        out_.open(
-            fmt::format("{}.{} = [this](const {}& message) {{", outbox_, topic.member, message_type(topic.message)));
+        out_.open(fmt::format("{}.{} = [this](const {}& message) {{", outbox_, topic.member, sent_type(topic)));
+        if (topic.service) {
+            for (const Silence& silence : plan_.silences)
+                if (silence.topic == outgoing.topic) out_.line(silence.member + "_.hear(now());");
+            out_.line(fmt::format("call<{0}>({1}_, message, [this](const {2}& answer) {{ receive_{1}(answer); }});",
+                                  service_type(topic), topic.member, received_type(topic)));
+            return out_.close("};");
+        }
         if (outgoing.kind == ElementKind::operation && !outgoing.mapped) {
             out_.line(fmt::format("if ({0}_ && {0}_->get_subscription_count() == 0)", topic.member));
             out_.line(
@@ -572,10 +604,36 @@ private:
         out_.line("note(std::string(\"not published: \") + publisher->get_topic_name());");
         out_.close();
         out_.close();
+        if (calls_services()) write_calling();
         out_.gap();
         out_.open(fmt::format("void {}::report_unfit(const char* name) noexcept {{", node_));
         out_.line("RCLCPP_ERROR(get_logger(), \"%s has a value that its message cannot hold: not published\", name);");
         out_.line("note(std::string(\"not published, unfit: \") + name);");
+        out_.close();
+    }
+
+    /// The answer comes in the node's callback group, so never during a cycle or a transition.
+    void write_calling() {
+        out_.gap();
+        out_.line("template <class Service, class Answer>");
+        out_.line(fmt::format("void {}::call(const std::shared_ptr<::rclcpp::Client<Service>>& client,", node_));
+        out_.open("                    const typename Service::Request& request, Answer answer) noexcept {");
+        out_.line("if (!client) return;");
+        out_.open("try {");
+        out_.open("if (!client->service_is_ready()) {");
+        out_.line(
+            "RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000, \"%s: no service, not called\", "
+            "client->get_service_name());");
+        out_.line("note(std::string(\"not called: \") + client->get_service_name());");
+        out_.line("return;");
+        out_.close();
+        out_.line(
+            "client->async_send_request(std::make_shared<typename Service::Request>(request), "
+            "[answer](typename ::rclcpp::Client<Service>::SharedFuture future) { answer(*future.get()); });");
+        out_.reopen_block("} catch (const std::exception& error) {");
+        out_.line("RCLCPP_ERROR(get_logger(), \"%s: not called: %s\", client->get_service_name(), error.what());");
+        out_.line("note(std::string(\"not called: \") + client->get_service_name());");
+        out_.close();
         out_.close();
     }
 

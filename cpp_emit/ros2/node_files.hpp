@@ -25,5 +25,11 @@ struct NodeConstant : OpenConstant {
 
 /// The C++ type of a message: "::geometry_msgs::msg::Twist".
 [[nodiscard]] std::string message_type(const MessageName&);
+/// "::std_srvs::srv::Trigger".
+[[nodiscard]] std::string service_type(const Topic&);
+/// The C++ type of what the node sends on a topic, or to a service.
+[[nodiscard]] std::string sent_type(const Topic&);
+/// The C++ type of what the node receives on a topic, or from a service.
+[[nodiscard]] std::string received_type(const Topic&);
 
 }  // namespace robochart::cpp_emit::ros2

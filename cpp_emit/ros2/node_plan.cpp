@@ -104,7 +104,9 @@ public:
         for (const Element& element : elements)
             if (!element.is_mapped()) add_default(element);
         for (const Element& element : elements)
-            if (element.item != nullptr) add_mapped(element);
+            if (element.item != nullptr && element.item->carrier != Carrier::answer) add_mapped(element);
+        for (const Element& element : elements)
+            if (element.item != nullptr && element.item->carrier == Carrier::answer) add_answer(element);
         for (const Element& element : elements)
             if (element.deadline != nullptr) add_silence(element);
         if (mapping != nullptr)
@@ -135,8 +137,15 @@ private:
             } else {
                 found->item = &item;
             }
-            note_unchecked(item.message);
+            if (item.carrier != Carrier::answer) note_unchecked(data_of(item, item.message));
         }
+    }
+
+    /// The message that has the fields of an item: the request or the answer of a service.
+    static MessageName data_of(const Item& item, MessageName message) {
+        if (item.carrier == Carrier::service) message.type += "_Request";
+        if (item.carrier == Carrier::answer) message.type += "_Response";
+        return message;
     }
 
     void match_deadlines(const Mapping& mapping, std::vector<Element>& elements) {
@@ -165,17 +174,51 @@ private:
     /// The topic of a deadline is one that another item receives.
     void add_silence(const Element& element) {
         const Word& topic = element.deadline->topic;
+        const std::string member = members_.unique_name("watch_" + element.event->method);
+        if (element.deadline->carrier == Carrier::service) {
+            if (const auto service = service_of(topic))
+                plan_.silences.push_back({element.event, element.deadline->seconds, *service, member});
+            return;
+        }
         std::vector<std::string> known;
         for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
             if (plan_.topics[i].published) continue;
             known.push_back(plan_.topics[i].name);
             if (resolve_name(known.back()) != resolve_name(topic.text)) continue;
-            plan_.silences.push_back(
-                {element.event, element.deadline->seconds, i, members_.unique_name("watch_" + element.event->method)});
+            plan_.silences.push_back({element.event, element.deadline->seconds, i, member});
             return;
         }
         diagnostics_.report(rules::unknown_name, topic.span,
                             {"the mapping", "received topic", topic.text, suggest_name(topic.text, known)});
+    }
+
+    /// The service that the operation calls; no value, with a finding, if it calls none.
+    std::optional<std::size_t> service_of(const Word& operation) {
+        std::vector<std::string> known;
+        for (const Outgoing& out : plan_.outgoing) {
+            if (!plan_.topics[out.topic].service) continue;
+            if (out.name == operation.text) return out.topic;
+            known.push_back(out.name);
+        }
+        diagnostics_.report(
+            rules::unknown_name, operation.span,
+            {"the mapping", "operation that calls a service", operation.text, suggest_name(operation.text, known)});
+        return std::nullopt;
+    }
+
+    /// Two operations that call one service would get each other's answers.
+    std::size_t add_service(const Element& element) {
+        const Item& item = *element.item;
+        Topic service{item.topic.text, item.message, {}, true, "", element.name, true};
+        for (const Topic& other : plan_.topics)
+            if (other.service && resolve_name(other.name) == resolve_name(service.name))
+                diagnostics_.report(rules::shared_topic, item.topic.span,
+                                    {element.name, service.name, other.user, "it is a service"});
+        std::string stem = service.name;
+        std::ranges::replace(stem, '/', '_');
+        service.member = members_.unique_name("call_" + to_identifier(stem));
+        plan_.topics.push_back(std::move(service));
+        return plan_.topics.size() - 1;
     }
 
     /// A message for the end. It has the quality of the topic's other messages, if its item gives none.
@@ -239,7 +282,7 @@ private:
 
     std::size_t topic_index(Topic topic, Span span) {
         for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
-            if (resolve_name(plan_.topics[i].name) != resolve_name(topic.name)) continue;
+            if (plan_.topics[i].service || resolve_name(plan_.topics[i].name) != resolve_name(topic.name)) continue;
             const std::string why = describe_conflict(plan_.topics[i], topic);
             if (!why.empty())
                 diagnostics_.report(rules::shared_topic, span, {topic.user, topic.name, plan_.topics[i].user, why});
@@ -363,8 +406,17 @@ private:
 
     // ------------------------------------------------------------ with one
 
+    void add_answer(const Element& element) {
+        if (const auto service = service_of(element.item->topic))
+            plan_reception(element, make_incoming(element, *service));
+    }
+
     void add_mapped(const Element& element) {
         const Item& item = *element.item;
+        if (item.carrier == Carrier::service) {
+            plan_.outgoing.push_back(make_outgoing(element, add_service(element)));
+            return plan_fields(element, plan_.outgoing.back());
+        }
         const std::size_t place =
             topic_index({item.topic.text, item.message, quality_of(element, item.message, item.delivery),
                          item.published, "", element.name},
@@ -440,7 +492,8 @@ private:
         }
         for (const ModelValue& value : values) require_all(element, value, used);
         for (const Condition& condition : element.item->conditions) plan_test(*element.item, condition, in);
-        if (values.empty() && element.item->assignments.empty() && element.item->conditions.empty())
+        const bool topic = element.item->carrier == Carrier::topic;
+        if (topic && values.empty() && element.item->assignments.empty() && element.item->conditions.empty())
             warn_unread(element);
         plan_.incoming.push_back(std::move(in));
     }
@@ -513,7 +566,12 @@ private:
 
     /// The field's type; no value, with a finding, if the message does not have the field.
     std::optional<FieldType> field_of(const Item& item, const Path& path) {
-        const FoundField found = find_field(item.message, path);
+        MessageName message = item.message;
+        if (item.carrier == Carrier::answer)
+            for (const Outgoing& out : plan_.outgoing)
+                if (plan_.topics[out.topic].service && out.name == item.topic.text)
+                    message = plan_.topics[out.topic].message;
+        const FoundField found = find_field(data_of(item, message), path);
         if (found.missing == path.words.size()) return found.type;
         const Word& word = path.words[found.missing];
         diagnostics_.report(rules::unknown_field, word.span,

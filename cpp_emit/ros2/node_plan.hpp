@@ -28,8 +28,9 @@ struct Topic {
     MessageName message;
     QualityOfService quality;
     bool published = false;
-    std::string member;  ///< member of the node and of the class that stores messages
-    std::string user;    ///< the first element on the topic, for messages to the user
+    std::string member;    ///< member of the node and of the class that sends messages
+    std::string user;      ///< the first element on the topic, for messages to the user
+    bool service = false;  ///< a service, which an operation calls; its requests are published, its answers received
 };
 
 /// The conversion between a scalar of the model and a field.

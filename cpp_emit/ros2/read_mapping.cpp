@@ -40,14 +40,25 @@ private:
     void read_item(Mapping& mapping) {
         if (take_word("on")) return mapping.farewells.push_back(read_farewell());
         Item item;
-        item.published = take_word("publish");
-        if (!item.published && !take_word("receive")) fail_expecting("'publish', 'receive', 'on' or '}'");
+        if (take_word("call")) item.carrier = Carrier::service;
+        item.published = item.carrier == Carrier::service || take_word("publish");
+        if (!item.published && !take_word("receive")) fail_expecting("'publish', 'receive', 'call', 'on' or '}'");
         read_element(item);
+        if (!has_failed() && item.carrier == Carrier::service && item.kind != ElementKind::operation)
+            report(rules::wrong_name, item.element.span,
+                   {item.element.text, "called element", "only an operation calls a service"});
         expect_word("as");
         const bool silence = !item.published && item.kind == ElementKind::event && take_word("deadline");
         if (silence) return mapping.deadlines.push_back(read_deadline(item));
-        item.message = read_message();
-        read_rest(item);
+        if (!item.published && item.kind == ElementKind::event && take_word("answer")) {
+            item.carrier = Carrier::answer;
+            expect_word("of");
+            item.topic = name("the operation that calls a service");
+            read_tests_and_fields(item);
+        } else {
+            item.message = read_message();
+            read_rest(item);
+        }
         mapping.items.push_back(std::move(item));
     }
 
@@ -63,7 +74,7 @@ private:
         return item;
     }
 
-    /// Parses `0.5 on "scan"`.
+    /// Parses `0.5 on "scan"` or `5 of dock`.
     Deadline read_deadline(const Item& item) {
         Deadline deadline;
         deadline.event = item.element;
@@ -74,7 +85,12 @@ private:
         if (!(seconds >= 0.001 && seconds <= 3600))
             report(rules::wrong_name, begin, {time.number, "deadline", "it must be from 0.001 to 3600 seconds"});
         deadline.seconds = time.number;
-        deadline.topic = read_topic();
+        if (take_word("of")) {
+            deadline.carrier = Carrier::service;
+            deadline.topic = name("the operation that calls a service");
+        } else {
+            deadline.topic = read_topic();
+        }
         return deadline;
     }
 
@@ -89,7 +105,11 @@ private:
     /// Parses what follows the message.
     void read_rest(Item& item) {
         item.topic = read_topic();
-        if (take_word("with")) read_delivery(item.delivery);
+        if (item.carrier == Carrier::topic && take_word("with")) read_delivery(item.delivery);
+        read_tests_and_fields(item);
+    }
+
+    void read_tests_and_fields(Item& item) {
         if (!item.published && take_word("when")) read_conditions(item);
         if (take_word("{")) read_assignments(item);
     }
@@ -132,12 +152,12 @@ private:
                    {item.element.text, "received element", "the controller calls its operations itself"});
     }
 
-    /// Parses `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`.
+    /// Parses `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`; also the name of a service.
     MessageName read_message() {
         const Word package = name("the package of a message");
         expect_word("/");
         Word type = name("the type of a message");
-        if (type.text == "msg" && take_word("/")) type = name("the type of a message");
+        if ((type.text == "msg" || type.text == "srv") && take_word("/")) type = name("the type of a message");
         report_invalid("package", package, wrong_package(package.text));
         report_invalid("message", type, wrong_message(type.text));
         return {package.text, type.text, diagnostics::join_spans(package.span, type.span)};

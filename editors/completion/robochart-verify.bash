@@ -12,7 +12,7 @@ _robochart_verify_options() {
     'validate') echo '--allow --deny-warnings --fix --format --json --sarif --color -q --quiet --memory --timeout -h --help' ;;
     'check') echo '--assertion --timed --untimed --core --concrete --sizes --swarm --robots --grid --encoding --scheduler --exact --epsilon --seed --const --range --prefs --print --allow --deny-warnings -o --out --format --json --sarif --junit --html --color -q --quiet --provenance --trace --progress --memory --timeout --assertion-timeout --threads --no-reduction --checkpoint --every --resume --disk --max-states --no-cache -h --help' ;;
     'emit csp') echo '--timed --untimed --core --swarm --robots --grid --const --range --print --allow --deny-warnings -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
-    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --strategy --capacity --choices -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
+    'emit cpp') echo '--const --range --print --allow --deny-warnings --component --cycle --target --mapping --license --maintainer --package-version --model-names --strategy --capacity --choices -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit prism') echo '--range --prefs --print --allow --deny-warnings --component -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit monitor') echo '--const --range --print --allow --deny-warnings --component --cycle -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
     'emit tests') echo '--const --range --print --allow --deny-warnings --component --cycle --extra-states -o --out --format --json --color -q --quiet --provenance --progress --memory --timeout --threads --no-reduction --max-states --no-cache -h --help' ;;
@@ -59,6 +59,9 @@ _robochart_verify_argument() {
     'verify --cycle' | 'emit cpp --cycle' | 'emit monitor --cycle' | 'emit tests --cycle' | 'conform --cycle') echo '<value>' ;;
     'emit cpp --target') echo 'library main ros2 enki argos' ;;
     'emit cpp --mapping') echo '<file>' ;;
+    'emit cpp --license') echo '<value>' ;;
+    'emit cpp --maintainer') echo '<value>' ;;
+    'emit cpp --package-version') echo '<value>' ;;
     'emit cpp --strategy') echo 'auto switch table' ;;
     'emit cpp --capacity') echo '<value>' ;;
     'conform --model') echo 'failures-divergences tick-tock' ;;

@@ -172,6 +172,8 @@ public:
         last_ = now;
         told_ = false;
     }
+    /// No message is expected.
+    void rest() { last_.reset(); }
     /// Whether no message has arrived for this time; true once for each silence.
     [[nodiscard]] bool is_due(const ::rclcpp::Time& now, double seconds) {
         if (told_ || !last_ || (now - *last_).seconds() < seconds) return false;

@@ -65,7 +65,7 @@ TEST_P(WrongMapping, IsSaidWithItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Syntax, WrongMapping,
     ::testing::Values(
-        Row{"move", "RC-R01 2:1 expected 'publish', 'receive', 'on' or '}', found 'move'\n"},
+        Row{"move", "RC-R01 2:1 expected 'publish', 'receive', 'call', 'on' or '}', found 'move'\n"},
         Row{"publish move", "RC-R01 2:9 expected 'operation', 'event' or 'variable', found 'move'\n"},
         Row{"publish operation move on", "RC-R01 2:24 expected 'as', found 'on'\n"},
         Row{"publish operation stop as Twist on \"t\"", "RC-R01 2:33 expected '/', found 'on'\n"},
@@ -229,6 +229,16 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"receive event bump as deadline 0.5 on \"t\"", "RC-R02 2:39 the mapping has no received topic 't'\n"},
         Row{"receive event bump as deadline 0 on \"t\"",
             "RC-R04 2:32 '0' is not a valid name of a deadline: it must be from 0.001 to 3600 seconds\n"},
+        Row{"receive event bump as answer of stop",
+            "RC-R02 2:33 the mapping has no operation that calls a service 'stop'\n"},
+        Row{"call operation stop as std_srvs/Trigger on \"t\"\nreceive event bump as answer of stop when done == true",
+            "RC-R05 3:43 the message std_srvs/Trigger_Response has no field 'done'\n"},
+        Row{"call event bump as std_srvs/Trigger on \"t\"",
+            "RC-R04 2:12 'bump' is not a valid name of a called element: only an operation calls a service\n"},
+        Row{"call operation stop as std_srvs/Trigger on \"t\"\ncall operation flag as std_srvs/SetBool on \"/t\" { "
+            "data = "
+            "b }",
+            "RC-R09 3:44 'flag' cannot be on topic '/t' with 'stop': it is a service\n"},
         Row{"receive event obstacle as deadline 1 on \"t\"",
             "RC-R02 2:15 'C' has no event without a value to receive 'obstacle'\n"},
         Row{"on deactivate publish geometry_msgs/Twist on \"t\" { linear.x = lv }",
@@ -262,6 +272,12 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"receive event bump as std_msgs/Bool on \"t\" when data == true", ""},
         Row{"receive event bump as std_msgs/String on \"t\" when data != \"x\" and data != \"y\"", ""},
         Row{"on deactivate publish geometry_msgs/Twist on \"t\"", ""},
+        Row{"call operation stop as std_srvs/Trigger on \"t\"\nreceive event bump as answer of stop when success == "
+            "true",
+            ""},
+        Row{"call operation flag as std_srvs/srv/SetBool on \"t\" { data = b }\nreceive event bump as deadline 2 of "
+            "flag",
+            ""},
         Row{"publish operation stop as geometry_msgs/TwistStamped on \"~/t\" with best_effort volatile depth 3 "
             "{ header.stamp = now header.frame_id = \"x\" twist.linear.x = -0.5 }",
             ""}));

@@ -265,6 +265,73 @@ int main() {
 })");
 }
 
+/// An operation calls a service, whose answer raises an event. If there is no service or no answer, another event is
+/// raised once after the given time.
+TEST_F(Package, CallsServices) {
+    emit(testing::load_model(R"(package p
+interface Acts { dock(fast : boolean) }
+interface Ins { event docked event failed event lost event again }
+stm M { requires Acts uses Ins initial i
+    state Docking { entry dock(true) } state Docked { } state Failed { } state Lost { }
+    transition t0 { from i to Docking }
+    transition t1 { from Docking to Docked trigger docked } transition t2 { from Docking to Failed trigger failed }
+    transition t3 { from Docking to Lost trigger lost }
+    transition t4 { from Docked to Docking trigger again } transition t5 { from Failed to Docking trigger again }
+    transition t6 { from Lost to Docking trigger again } }
+)"),
+         "M", R"(ros2 for M {
+    call operation dock as std_srvs/SetBool on "dock" { data = fast }
+    receive event docked as answer of dock when success == true
+    receive event failed as answer of dock when success == false
+    receive event lost as deadline 5 of dock
+    receive event again as std_msgs/Empty on "again"
+})");
+    drive("M_node.hpp", R"(
+using std_srvs::srv::SetBool;
+std::string state() {
+    Network::get().tick();
+    const auto states = taken<std_msgs::msg::String>("/m/state");
+    return states.empty() ? "" : states.back().data;
+}
+void wait_for(std::int64_t seconds) { Network::get().nanoseconds += seconds * 1'000'000'000; }
+/// Answers the only request; false if it is not the expected one.
+bool answered(bool success) {
+    auto& requests = Network::get().requests["/dock"];
+    if (requests.size() != 1 || !std::any_cast<const SetBool::Request&>(requests[0].first).data) return false;
+    const auto answer = requests[0].second;
+    requests.clear();
+    answer(std::any(SetBool::Response{success, ""}));
+    return true;
+}
+int main() {
+    Network& network = Network::get();
+    p::MNode node;
+    EXPECT(started(node));
+    EXPECT(state() == "Docking");
+    EXPECT(logged("/dock: no service, not called") && network.requests["/dock"].empty());
+    wait_for(4);
+    EXPECT(state().empty());
+    wait_for(1);
+    EXPECT(state() == "Lost");
+    network.servers.insert("/dock");
+    network.send("/again", std_msgs::msg::Empty{});
+    EXPECT(state() == "Docking");
+    wait_for(4);
+    EXPECT(answered(true) && state() == "Docked");
+    wait_for(9);
+    EXPECT(state().empty());  // it has been answered
+    network.send("/again", std_msgs::msg::Empty{});
+    EXPECT(state() == "Docking" && answered(false) && state() == "Failed");
+    // An answer during a pause raises no event, and the time does not go on.
+    network.send("/again", std_msgs::msg::Empty{});
+    EXPECT(state() == "Docking");
+    EXPECT(node.deactivate().label() == "inactive" && answered(true));
+    wait_for(9);
+    EXPECT(node.activate().label() == "active" && state().empty());
+    return 0;
+})");
+}
+
 /// A list is received whole or not at all: a message with more items than the capacity, or with an item that is not a
 /// value of the model, is logged and raises no event. The controller goes on.
 TEST_F(Package, RefusesArraysThatDoNotFit) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <future>
 #include <initializer_list>
 #include <map>
 #include <memory>
@@ -77,6 +78,9 @@ struct Network {
         std::function<void()> callback;
     };
     std::vector<std::weak_ptr<Timer>> timers;
+    /// Requests to services, by name: the request, and the function that delivers its answer.
+    std::map<std::string, std::vector<std::pair<std::any, std::function<void(const std::any&)>>>> requests;
+    std::set<std::string> servers;                      ///< services that exist
     std::map<int, std::function<void()>> pre_shutdown;  ///< callbacks of the context, by number
 
     /// The program ends.
@@ -168,6 +172,30 @@ public:
 private:
     std::string topic_;
     QoS qos_;
+};
+
+/// A client of a service. The test answers its requests.
+template <class Service>
+class Client {
+public:
+    using SharedPtr = std::shared_ptr<Client>;
+    using SharedFuture = std::shared_future<std::shared_ptr<typename Service::Response>>;
+
+    explicit Client(std::string name) : name_(std::move(name)) {}
+    [[nodiscard]] bool service_is_ready() const { return Network::get().servers.count(name_) != 0; }
+    [[nodiscard]] const char* get_service_name() const { return name_.c_str(); }
+    template <class Callback>
+    void async_send_request(std::shared_ptr<typename Service::Request> request, Callback&& callback) {
+        Network::get().requests[name_].emplace_back(*request, [callback](const std::any& answer) {
+            std::promise<std::shared_ptr<typename Service::Response>> promise;
+            promise.set_value(
+                std::make_shared<typename Service::Response>(std::any_cast<const typename Service::Response&>(answer)));
+            callback(SharedFuture(promise.get_future()));
+        });
+    }
+
+private:
+    std::string name_;
 };
 
 class TimerBase {

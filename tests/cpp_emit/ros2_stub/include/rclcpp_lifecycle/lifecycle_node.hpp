@@ -76,6 +76,10 @@ public:
                 if (result < range.from_value || result > range.to_value) throw std::invalid_argument(name);
         return result;
     }
+    template <class Service>
+    std::shared_ptr<rclcpp::Client<Service>> create_client(const std::string& name) {
+        return std::make_shared<rclcpp::Client<Service>>(full(name));
+    }
     /// A parameter that may have a value of another type (dynamic_typing). The range applies to doubles.
     rclcpp::ParameterValue declare_parameter(const std::string& name, const rclcpp::ParameterValue& value,
                                              const rcl_interfaces::msg::ParameterDescriptor& descriptor) {
