@@ -79,6 +79,7 @@ BENCHMARKS = {
                         [sys.executable, "benchmarks/tune_taxis.py"]),
     "uvc": Benchmark("the probabilities of the UVC case study, compared with the reference",
                      script("decide_uvc.py", "--folder", SHARED / "suite/prism/uvc")),
+    "wide": Benchmark("networks of many parts, whose states are too many to be stored", script("decide_wide.py")),
     "windows": Benchmark("a cycle of generated code that folds three windows of a laser scan",
                          [sys.executable, "benchmarks/scan_windows.py", PROGRAM]),
 }

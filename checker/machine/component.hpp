@@ -41,6 +41,7 @@ public:
     Component(const std::vector<std::vector<RawEdge>>& rows, std::vector<TermId> meaning);
 
     [[nodiscard]] std::size_t size() const { return meaning_.size(); }
+    [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
     /// All events on edges, ascending, including tau and tick.
     [[nodiscard]] const EventSet& alphabet() const { return alphabet_; }
     [[nodiscard]] TermId term_of(Local state) const {

@@ -22,10 +22,23 @@ std::size_t most_steps(lts::Followed followed, std::size_t components) {
 /// useful proofs are removed.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
 constexpr std::size_t pilot_found = 200'000;              // number of found states
-/// A round ends early if its proofs take more work than this plus an allowance for each tau that they follow. Proofs
-/// about locks and schedulers often examine thousands of states and fail.
-constexpr double most_work_of_a_round = 60'000;
-constexpr double most_work_of_a_tau = 2'000;
+/// A round ends early if its proofs take more work than `round` plus `step` for each step that they follow. Proofs about
+/// locks and schedulers often examine thousands of states and fail.
+struct Allowance {
+    double round, step;
+};
+constexpr Allowance large_allowance{60'000, 2'000};
+/// A process with at least so many states gets the large allowance if a smaller one has shown no gain.
+constexpr std::size_t states_for_large_allowance = 10'000;
+
+/// The allowance of the first pilot search. It is small compared with the search of a small process, and for a process
+/// of large components, small compared with its compilation.
+Allowance first_allowance(const Supercombinator& combined) {
+    constexpr double least_of_a_round = 8'000, of_an_edge = 0.5;
+    double edges = 0;
+    for (const ComponentPtr& component : combined.components) edges += static_cast<double>(component->edge_count());
+    return {std::clamp(of_an_edge * edges, least_of_a_round, large_allowance.round), large_allowance.step};
+}
 /// A reduced search may take this many times the work of a full search, because it saves memory. The first round that
 /// has expanded enough states decides.
 constexpr double most_work = 1.5;
@@ -38,17 +51,20 @@ public:
     explicit Pilot(std::size_t width) : found_(width) {}
 
     /// Expands up to this many more states. Returns false if it ended early because the proofs took too much work.
-    bool expand_states(ReducedSystem& system, std::size_t states, diagnostics::Pollable& budget) {
+    bool expand_states(ReducedSystem& system, std::size_t states, const Allowance& allowance,
+                       diagnostics::Pollable& budget) {
         if (found_.size() == 0) {
             std::vector<lts::Word> initial(system.width());
             system.initial(initial);
             open_.push_back(found_.insert(initial).index);
         }
+        const double proofs_before = system.work_of_proofs();
+        const std::uint64_t chased_before = system.chased_state_count();
         for (std::size_t i = 0; i < states && !open_.empty() && found_.size() < pilot_found; ++i) {
             budget.poll();
-            const double most =
-                most_work_of_a_round + most_work_of_a_tau * static_cast<double>(system.chased_state_count());
-            if (system.work_of_proofs() > most) return false;
+            const auto followed = static_cast<double>(system.chased_state_count() - chased_before);
+            const double most = allowance.round + allowance.step * followed;
+            if (system.work_of_proofs() - proofs_before > most) return false;
             const lts::StateIndex state = open_.back();
             open_.pop_back();
             const std::size_t before = open_.size();
@@ -72,48 +88,125 @@ private:
     std::size_t expanded_ = 0;
 };
 
-/// Returns the plan that results from the pilot search. No value if following taus costs more than it saves.
-std::optional<ProofPlan> plan_of_proofs(const std::shared_ptr<const Supercombinator>& combined,
-                                        const process::TermStore& terms, const std::shared_ptr<const WholeRules>& rules,
-                                        lts::Followed followed, diagnostics::Pollable& budget) {
-    constexpr double of_a_state = 5;  // in addition to the steps of components
-    Pilot pilot(combined->words);
-    ProofRecord record;
-    ProofPlan plan;
-    double work = 0;
-    bool worth_it = true;
-    for (const std::size_t states : pilot_states) {
-        auto whole = std::make_unique<SupercombinatorSystem>(combined, terms);
-        const SupercombinatorSystem& searched = *whole;
-        ReducedSystem reduced(std::move(whole), combined, rules, followed, plan);
-        reduced.set_budget(budget);
-        const std::size_t expanded_before = pilot.expanded_count();
-        const bool whole_round = pilot.expand_states(reduced, states, budget);
-        const std::size_t expanded = pilot.expanded_count() - expanded_before;
-        if (expanded == 0) break;
-        work += static_cast<double>(searched.examined_step_count());
-        reduced.add_to(record);
-        const double work_of_a_state = of_a_state + work / static_cast<double>(pilot.expanded_count());
-        // Each followed tau removes at most one state.
-        const auto remaining = static_cast<double>(expanded);
-        const double without = (remaining + static_cast<double>(reduced.chased_state_count())) * work_of_a_state;
-        worth_it = (whole_round && expanded < enough_to_judge) ||
-                   remaining * work_of_a_state + reduced.work_of_proofs() <= most_work * without;
-        plan = record.plan(work_of_a_state);
+/// The rounds of a pilot search, each with the plan that results from the rounds before it.
+class PilotRounds {
+public:
+    PilotRounds(const std::shared_ptr<const Supercombinator>& combined, const process::TermStore& terms,
+                const std::shared_ptr<const WholeRules>& rules, lts::Followed followed, const Allowance& allowance,
+                diagnostics::Pollable& budget)
+        : combined_(combined),
+          terms_(terms),
+          rules_(rules),
+          followed_(followed),
+          allowance_(allowance),
+          budget_(budget),
+          pilot_(combined->words) {}
+
+    /// Returns the plan for a search. No value if following steps costs more than it saves.
+    std::optional<ProofPlan> run() {
+        for (const std::size_t states : pilot_states)
+            if (!run_round(states)) break;
+        return worth_it_ ? std::optional(plan_) : std::nullopt;
     }
-    return worth_it ? std::optional(plan) : std::nullopt;
+
+private:
+    /// Returns false if there are no more states.
+    bool run_round(std::size_t states) {
+        constexpr double of_a_state = 5;  // in addition to the steps of components
+        begin_round();
+        const std::size_t expanded_before = pilot_.expanded_count();
+        const double proofs_before = reduced_->work_of_proofs();
+        const std::uint64_t chased_before = reduced_->chased_state_count();
+        const bool whole_round = pilot_.expand_states(*reduced_, states, allowance_, budget_);
+        const std::size_t expanded = pilot_.expanded_count() - expanded_before;
+        if (expanded == 0) return false;
+        const double work = work_before_ + static_cast<double>(whole_->examined_step_count());
+        const double work_of_a_state = of_a_state + work / static_cast<double>(pilot_.expanded_count());
+        // Each followed step removes at most one state.
+        const auto remaining = static_cast<double>(expanded);
+        const auto removed = static_cast<double>(reduced_->chased_state_count() - chased_before);
+        const double without = (remaining + removed) * work_of_a_state;
+        const double proofs = reduced_->work_of_proofs() - proofs_before;
+        worth_it_ = (whole_round && expanded < enough_to_judge) ||
+                    remaining * work_of_a_state + proofs <= most_work * without;
+        ProofRecord record = record_;
+        reduced_->add_to(record);
+        ProofPlan plan = record.plan(work_of_a_state);
+        if (plan == plan_) return true;
+        record_ = std::move(record);
+        work_before_ = work;
+        plan_ = std::move(plan);
+        reduced_ = nullptr;
+        return true;
+    }
+
+    /// A round with the same plan as the round before it uses the answers that are already known.
+    void begin_round() {
+        if (reduced_) return;
+        auto whole = std::make_unique<SupercombinatorSystem>(combined_, terms_);
+        whole_ = whole.get();
+        reduced_ = std::make_unique<ReducedSystem>(std::move(whole), combined_, rules_, followed_, plan_);
+        reduced_->set_budget(budget_);
+    }
+
+    const std::shared_ptr<const Supercombinator>& combined_;
+    const process::TermStore& terms_;
+    const std::shared_ptr<const WholeRules>& rules_;
+    lts::Followed followed_;
+    Allowance allowance_;
+    diagnostics::Pollable& budget_;
+    Pilot pilot_;
+    ProofRecord record_;        // of rounds with earlier plans
+    double work_before_ = 0;    // work of a search without reduction in these rounds
+    ProofPlan plan_;
+    std::unique_ptr<ReducedSystem> reduced_;        // with this plan; null: not made
+    const SupercombinatorSystem* whole_ = nullptr;  // owned by `reduced_`
+    bool worth_it_ = true;
+};
+
+/// Whether the process has at least so many reachable states.
+bool has_states(lts::TransitionSystem& system, std::size_t states, diagnostics::Pollable& budget) {
+    struct Found final : lts::SuccessorSink {
+        explicit Found(std::size_t width) : store(width) {}
+        void add(Event /*event*/, lts::StateView target, Event /*revealed*/) override { (void)store.insert(target); }
+        lts::StateStore store;
+    };
+    Found found(system.width());
+    std::vector<lts::Word> initial(system.width());
+    system.initial(initial);
+    (void)found.store.insert(initial);
+    for (lts::StateIndex next = 0; next < found.store.size() && found.store.size() < states; ++next) {
+        budget.poll();
+        system.successors(found.store[next], found);
+    }
+    return found.store.size() >= states;
 }
 
 }  // namespace
+
+/// A costly pilot search is made only for a process that is not small, because a search of all states of a small process
+/// costs less.
+std::optional<ProofPlan> SupercombinatorSystem::make_plan(lts::Followed followed, diagnostics::Pollable& budget) const {
+    const auto plan_with = [&](const Allowance& allowance) {
+        return PilotRounds(combined_, terms_, facts_.whole, followed, allowance, budget).run();
+    };
+    const Allowance first = first_allowance(*combined_);
+    std::optional<ProofPlan> plan = plan_with(first);
+    if (plan || first.round == large_allowance.round) return plan;
+    const std::unique_ptr<SupercombinatorSystem> copy = make_copy();
+    return has_states(*copy, states_for_large_allowance, budget) ? plan_with(large_allowance) : std::nullopt;
+}
 
 std::unique_ptr<lts::ReducedSystem> SupercombinatorSystem::make_reduced_system(lts::Followed followed,
                                                                                diagnostics::Pollable& budget) const {
     const WholeRules* const rules = find_whole_rules(budget);
     const auto may_be_followed = [&](const WholeRule& rule) { return is_candidate(rule, followed); };
     if (rules == nullptr || std::ranges::none_of(rules->rules, may_be_followed)) return nullptr;
-    const std::optional<ProofPlan> plan = plan_of_proofs(combined_, terms_, facts_.whole, followed, budget);
-    if (!plan) return nullptr;
-    return std::make_unique<ReducedSystem>(clone_for_thread(), combined_, facts_.whole, followed, *plan);
+    std::optional<std::optional<ProofPlan>>& plan =
+        followed == lts::Followed::taus ? facts_.plan_of_taus : facts_.plan_of_steps;
+    if (!plan) plan = make_plan(followed, budget);
+    if (!*plan) return nullptr;
+    return std::make_unique<ReducedSystem>(clone_for_thread(), combined_, facts_.whole, followed, **plan);
 }
 
 ReducedSystem::ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole,

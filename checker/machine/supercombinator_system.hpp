@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "checker/lts/transition_system.hpp"
+#include "checker/machine/confluence.hpp"
 #include "checker/machine/supercombinator.hpp"
 #include "checker/machine/whole_rules.hpp"
 
@@ -65,6 +66,7 @@ private:
     class Firing;
 
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> make_copy() const;
+    [[nodiscard]] std::optional<ProofPlan> make_plan(lts::Followed followed, diagnostics::Pollable& budget) const;
     [[nodiscard]] const WholeRules* find_whole_rules(diagnostics::Pollable& budget) const;
     [[nodiscard]] const std::vector<bool>& find_cycle_rules(const WholeRules& rules,
                                                             diagnostics::Pollable& budget) const;
@@ -79,6 +81,8 @@ private:
         std::shared_ptr<const WholeRules> whole;             ///< null: not computed, or too many
         bool too_many = false;                               ///< whether there are too many rules to be useful
         std::shared_ptr<const std::vector<bool>> on_cycles;  ///< rules_on_tau_cycles; null: not computed
+        /// Plans for the reduced forms. Outer value: whether it is known; inner value: whether there is a reduced form.
+        std::optional<std::optional<ProofPlan>> plan_of_taus, plan_of_steps;
     };
 
     std::shared_ptr<const Supercombinator> combined_;

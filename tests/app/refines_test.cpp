@@ -297,12 +297,12 @@ assert STOP [T= STOP
                       HasSubstr("1 of 4 checks hold, 3 inconclusive")));
 }
 
-// A process with 61 * 59 * ... * 37 states, and two claims that are decided immediately.
+// A process with 61 * 59 * ... * 37 states, all of which its claim needs, and two claims that are decided immediately.
 const std::string too_large = R"(channel a, b, c, d, e, f, g : {0..60}
 C(ch, n, m) = ch!n -> C(ch, (n + 1) % m, m)
 Big = C(a,0,61) ||| C(b,0,59) ||| C(c,0,53) ||| C(d,0,47) ||| C(e,0,43) ||| C(f,0,41) ||| C(g,0,37)
 Small = a!0 -> Small
-assert Big :[deadlock free]
+assert RUN({|a, b, c, d, e, f, g|}) [T= Big
 assert Small :[deadlock free]
 assert STOP [T= Small
 )";
@@ -318,6 +318,36 @@ TEST(Refines, OneThatIsNotDecidedDoesNotKeepTheOthersFromTheirAnswers) {
     EXPECT_EQ(results[1]["answer"], "holds");
     EXPECT_EQ(results[2]["answer"], "fails");
     EXPECT_EQ(results[2]["counterexamples"].size(), 1U);
+}
+
+// A ring of hidden events in which each part waits for the one before it, and a visible event of each.
+TEST(Refines, AnAnswerWithoutASearchSaysWhy) {
+    const TemporaryFile script("ring.csp", R"(channel turn, work : {0..19}
+Part(i) = turn.i -> work.i -> turn.((i + 1) % 20) -> Part(i)
+First = turn.1 -> Part(0)
+Ring = || i : {0..19} @ [{turn.i, turn.((i + 1) % 20), work.i}] if i == 0 then First else Part(i)
+assert Ring \ {|turn|} :[divergence free]
+assert Ring :[deterministic [FD]]
+assert Ring :[deadlock free [F]]
+)");
+    const Json results = refines(script.path())["results"];
+    ASSERT_EQ(results.size(), 3U);
+    const auto decision = [&](std::size_t i) {
+        return std::pair(results[i]["decided_by"].get<std::string>(), results[i]["visited_states"].get<int>());
+    };
+    EXPECT_EQ(decision(0), std::pair(std::string("no tau cycle"), 0));
+    EXPECT_EQ(decision(1), std::pair(std::string("no choice"), 0));
+    EXPECT_EQ(decision(2).first, "search");
+    for (const Json& result : results) EXPECT_EQ(result["answer"], "holds");
+    EXPECT_THAT(run({"cspm", script.path()}).out,
+                AllOf(HasSubstr("no search was necessary: no cycle of hidden events is possible\n"),
+                      HasSubstr("no search was necessary: no event is hidden, and each event has only one way")));
+    EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out, HasSubstr("No Search: no cycle of hidden events"));
+    for (const Json& result : refines(script.path(), {"--no-reduction"})["results"]) {
+        EXPECT_EQ(result["decided_by"], "search");
+        EXPECT_GT(result["visited_states"], 1);
+        EXPECT_EQ(result["answer"], "holds");
+    }
 }
 
 TEST(Refines, EachAssertionMayHaveATimeLimit) {

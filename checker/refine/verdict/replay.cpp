@@ -271,7 +271,7 @@ void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Even
                   "the run is not a beginning of the trace");
     // A single run cannot show that no other run continues. If there are too many runs to check, the result of the
     // search is not confirmed, as for a refinement that holds.
-    constexpr std::size_t most_states = 20'000;
+    constexpr std::size_t most_states = 2'000;
     try {
         Powerset states(system, budget, most_states);
         for (Event event : prefix) states.perform_event(event);

@@ -19,7 +19,7 @@ const char* const script = R"(cat > s.csp <<'END'
 channel up, down, left, right
 N(a, b, n) = n < 40 & a -> N(a, b, n + 1) [] n > 0 & b -> N(a, b, n - 1)
 Both = N(up, down, 0) ||| N(left, right, 1)
-assert Both :[deadlock free [F]]
+assert RUN({up, down, left, right}) [T= Both
 assert STOP [T= Both |\ {left}
 END
 export XDG_CACHE_HOME="$PWD/cache"
