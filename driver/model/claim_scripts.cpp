@@ -13,7 +13,7 @@
 namespace robochart::driver {
 namespace {
 
-const csp_emit::ComponentProcesses& component_of(const claims::CheckedClaim& claim,
+const csp_emit::ComponentProcesses& processes_of(const claims::CheckedClaim& claim,
                                                  const csp_emit::Emission& emission) {
     const auto found =
         std::ranges::find(emission.components, claim.component.path, &csp_emit::ComponentProcesses::path);
@@ -31,7 +31,7 @@ ScriptedClaim make_script(const Project& project, const csp_emit::Emission& emis
     claims::require_channels(claim, result.letters, emission.provenance);
     const claims::Automaton automaton = claims::make_automaton(claim, result.letters, project.diagnostics.budget());
     result.decision =
-        claims::decide_by_processes(claim, result.letters, automaton, number, component_of(claim, emission).process,
+        claims::decide_by_processes(claim, result.letters, automaton, number, processes_of(claim, emission).process,
                                     csp_emit::outputs_of(emission.provenance, claim.component.path));
     return result;
 }
