@@ -324,7 +324,8 @@ struct Session::Impl {
     }
 
     /// Stores the verdict of a function. If it reaches a limit, the verdict is inconclusive.
-    void decide_result(const Decl& assertion, AssertionResult& result, const std::function<refine::Verdict()>& verdict) {
+    void decide_result(const Decl& assertion, AssertionResult& result,
+                       const std::function<refine::Verdict()>& verdict) {
         try {
             result.verdict = loaded.evaluated_at(assertion.span, verdict);
         } catch (const process::Interrupted& stopped) {

@@ -91,9 +91,9 @@ std::optional<Mismatch> Follower::follow_event(Node& node, process::Event event,
 
 bool Follower::is_unknown(Node node) const {
     return unknown_ && std::ranges::any_of(form_.states(node), [this](lts::StateView state) {
-        const std::optional<ModelState> at = system_.model_state_of(state);
-        return at && unknown_(model_.packed_state(*at));
-    });
+               const std::optional<ModelState> at = system_.model_state_of(state);
+               return at && unknown_(model_.packed_state(*at));
+           });
 }
 
 /// If the model cannot be run in cycles, the check ends at the first sign of this. The behaviour of the code after that

@@ -16,14 +16,14 @@ struct ClassProject {
     std::unique_ptr<Project> project;
     std::vector<ir::ReplacedData> data;
     std::vector<ir::KeptData> kept;  ///< empty if the settings or a CSP block choose the carriers
-    bool small_carriers = false;  ///< the replaced data have few values in the finite instantiation
+    bool small_carriers = false;     ///< the replaced data have few values in the finite instantiation
 };
 
 /// True if the settings choose carriers of numbers.
 [[nodiscard]] bool chooses_ranges(const Project& project);
 
-/// True if all claims are decided in the finite instantiation: because the settings ask for it or choose ranges, because
-/// a CSP block replaces the instantiation, or because a swarm is decided.
+/// True if all claims are decided in the finite instantiation: because the settings ask for it or choose ranges,
+/// because a CSP block replaces the instantiation, or because a swarm is decided.
 [[nodiscard]] bool keeps_carriers(const Project& project, const Settings& settings);
 
 /// The project with classes of values, without the claims that observe values. Null if carriers are kept, or if no data

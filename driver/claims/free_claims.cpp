@@ -65,7 +65,8 @@ std::string reason_of(const FreeProject& free) {
 
 void FreeClaims::add_to(std::vector<WaitingClaim>& claims) {
     for (const ListedClaim& claim : own_.claims())
-        claims.push_back(TimeClaims::waiting(claim, [this, claim](const Turn& turn) { return decide_in(turn, claim); }));
+        claims.push_back(
+            TimeClaims::waiting(claim, [this, claim](const Turn& turn) { return decide_in(turn, claim); }));
 }
 
 /// A claim that carriers may limit gets a part of its turn, then a part with free data, then the rest.

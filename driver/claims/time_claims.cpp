@@ -139,8 +139,8 @@ void add_failing_run(const ClaimContext& context, const csp_emit::Obligation& ob
 
 /// Decides the assertion without compiling components. Returns false if the search reaches a state that cannot be
 /// evaluated, or a limit.
-bool decide_with_terms(const ClaimContext& context, const csp_emit::Obligation& obligation,
-                       const cspm::Decl& assertion, AssertionReport& report) {
+bool decide_with_terms(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
+                       AssertionReport& report) {
     constexpr std::uint64_t most_states = 100'000;
     constexpr std::chrono::seconds longest{10};
     refine::Limits limits = limits_of_check(context.search, obligation.title);
@@ -160,9 +160,9 @@ bool decide_with_terms(const ClaimContext& context, const csp_emit::Obligation& 
     }
 }
 
-/// A compilation failed, because a state of some component cannot be evaluated. Decides the assertion if the runs of the
-/// whole process do not reach such a state before a violation. Otherwise, if an expression of the model has no value,
-/// looks for a run that reaches it.
+/// A compilation failed, because a state of some component cannot be evaluated. Decides the assertion if the runs of
+/// the whole process do not reach such a state before a violation. Otherwise, if an expression of the model has no
+/// value, looks for a run that reaches it.
 void look_at_failure(const ClaimContext& context, const csp_emit::Obligation& obligation, const cspm::Decl& assertion,
                      AssertionReport& report) {
     if (decide_with_terms(context, obligation, plain_assertion(assertion), report)) return;
@@ -578,12 +578,8 @@ void TimeClaims::decide_whole(const ClaimContext& context, const csp_emit::Oblig
     premises_.apply_premise(context, obligation, one);
     second_look_->add_to(obligation, one);
     if (is_in_carriers() && (one.answer == Answer::holds || one.answer == Answer::fails))
-        add(one.basis, {GroundKind::carriers,
-                        "this claim compares values, those of the finite instantiation",
-                        {},
-                        {},
-                        {},
-                        {}});
+        add(one.basis,
+            {GroundKind::carriers, "this claim compares values, those of the finite instantiation", {}, {}, {}, {}});
     add_bounds(reached_, watch_, obligation, one);
 }
 

@@ -195,8 +195,7 @@ private:
         if (!is_replaceable(system_, place.type)) return Keep{KeepReason::type, {}};
         if (uses.needs_values) return uses.needs_values;
         if (place.opaque) return Keep{KeepReason::other_place, {}};
-        const auto computed =
-            std::ranges::find_if(uses.writes, [](const Written& written) { return !written.closed; });
+        const auto computed = std::ranges::find_if(uses.writes, [](const Written& written) { return !written.closed; });
         if (computed == uses.writes.end() || uses.conditions.empty() || may_be_chosen(uses)) return std::nullopt;
         return Keep{KeepReason::computed, computed->expr->span};
     }

@@ -12,22 +12,22 @@ namespace robochart::ir {
 
 /// Why values keep their carriers. The place of the reason is an expression, unless the comment says otherwise.
 enum class KeepReason {
-    type,          ///< values of the type have no classes: functions, relations, matrices; no place
-    other_place,   ///< a place of another type shares them, or a controller or platform initialises them; no place
-    part,          ///< an assignment changes a part of them
-    selector,      ///< they select the part of a variable that an assignment changes
-    other_data,    ///< a condition also reads other data
-    clock,         ///< an expression also reads a clock
-    undefined,     ///< an expression may be undefined, and the machine stops there
-    time,          ///< a wait or a deadline takes them
-    probability,   ///< a probability depends on them
-    contract,      ///< a precondition or postcondition of an operation reads them
-    form,          ///< a condition is neither linear nor about windows of a sequence
-    many,          ///< there are too many conditions or classes; no place
-    computed,      ///< they are computed, and a condition reads them
-    from_carriers, ///< they are computed from data with carriers
-    computed_from, ///< data with carriers are computed from them
-    observed       ///< a claim observes values of events; no place
+    type,           ///< values of the type have no classes: functions, relations, matrices; no place
+    other_place,    ///< a place of another type shares them, or a controller or platform initialises them; no place
+    part,           ///< an assignment changes a part of them
+    selector,       ///< they select the part of a variable that an assignment changes
+    other_data,     ///< a condition also reads other data
+    clock,          ///< an expression also reads a clock
+    undefined,      ///< an expression may be undefined, and the machine stops there
+    time,           ///< a wait or a deadline takes them
+    probability,    ///< a probability depends on them
+    contract,       ///< a precondition or postcondition of an operation reads them
+    form,           ///< a condition is neither linear nor about windows of a sequence
+    many,           ///< there are too many conditions or classes; no place
+    computed,       ///< they are computed, and a condition reads them
+    from_carriers,  ///< they are computed from data with carriers
+    computed_from,  ///< data with carriers are computed from them
+    observed        ///< a claim observes values of events; no place
 };
 
 /// The reason with its expression.

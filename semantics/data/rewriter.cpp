@@ -254,8 +254,8 @@ StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPt
     StmtPtr result = chosen_class(target, variable, sources.begin()->first, origin);
     for (auto image = std::next(sources.begin()); image != sources.end(); ++image) {
         const ExprPtr condition = is_one_of(places_.class_of(source), *read, image->second, value->span);
-        result = StatementMaker(*result_).if_then_else(
-            condition, chosen_class(target, variable, image->first, origin), result, origin);
+        result = StatementMaker(*result_).if_then_else(condition, chosen_class(target, variable, image->first, origin),
+                                                       result, origin);
     }
     return result;
 }

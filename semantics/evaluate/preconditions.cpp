@@ -18,8 +18,8 @@ bool binds_names(ExprKind kind) {
 bool depends_on_state(const Expr& expr) {
     bool result = false;
     visit_operands(expr, [&](const Expr& part) {
-        result = result || part.kind == ExprKind::variable || part.kind == ExprKind::trigger_value ||
-                 is_clock(part.kind);
+        result =
+            result || part.kind == ExprKind::variable || part.kind == ExprKind::trigger_value || is_clock(part.kind);
     });
     return result;
 }

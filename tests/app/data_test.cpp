@@ -28,8 +28,8 @@ struct Answers {
     std::map<std::string, std::uint64_t> states;
     std::map<std::string, std::size_t> classes;
     std::map<std::string, std::string> kept;  ///< why data keep their carriers, by the first place
-    std::set<std::string> bounded;  ///< claims whose answer rests on bounds
-    std::set<std::string> free;     ///< claims that are decided with free values of computed data
+    std::set<std::string> bounded;            ///< claims whose answer rests on bounds
+    std::set<std::string> free;               ///< claims that are decided with free values of computed data
     std::string text;
 };
 
@@ -674,7 +674,9 @@ TEST(Carriers, TheReportSaysWhyDataKeepThem) {
     EXPECT_EQ(found.kept.at("h"), "`head(s)` may be undefined") << found.text;
     EXPECT_TRUE(found.classes.contains("q") || found.kept.contains("q")) << found.text;
     const auto ran = run({"check", model.path(), "--core", "--no-cache", "--untimed"});
-    EXPECT_THAT(ran.out, ::testing::HasSubstr("carrier      sum: `sum + x` computes a value, and a condition reads it (")) << ran.out;
+    EXPECT_THAT(ran.out,
+                ::testing::HasSubstr("carrier      sum: `sum + x` computes a value, and a condition reads it ("))
+        << ran.out;
     EXPECT_THAT(ran.out, ::testing::HasSubstr("m.rct:5)")) << ran.out;
 }
 
@@ -712,8 +714,9 @@ TEST(Carriers, AChannelOfVariablesWithOneNameIsThatOfTheSharedOne) {
 /// The user has chosen these carriers.
 TEST(Carriers, ThatTheUserChoosesHaveNoReason) {
     const testing::TemporaryFile model(
-        "m.rct", "stm S { event e : nat var x : nat, y : nat initial i state A { } transition t0 { from i to A } "
-                 "transition t1 { from A to A trigger e ? x condition x > y } }");
+        "m.rct",
+        "stm S { event e : nat var x : nat, y : nat initial i state A { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger e ? x condition x > y } }");
     EXPECT_FALSE(answers_for(model.path()).kept.empty());
     EXPECT_TRUE(answers_for(model.path(), {"--concrete"}).kept.empty());
     EXPECT_TRUE(answers_for(model.path(), {"--range", "nat=0..3"}).kept.empty());

@@ -119,7 +119,8 @@ TEST(MissingElementsOfTheEmptySequence, AreSaid) {
     EXPECT_THAT(ran.out, HasSubstr("belt.rct:5: the sequence is empty"));
 }
 
-/// Two machines: Worker computes a remainder by a number that only Feeder sends. Feeder sends 2, 1 and then 3 or, if it `may`, 0.
+/// Two machines: Worker computes a remainder by a number that only Feeder sends. Feeder sends 2, 1 and then 3 or, if it
+/// `may`, 0.
 std::vector<std::pair<std::string, std::string>> fed_worker(bool may) {
     const std::string last = may ? "0" : "3";
     return {{"m/m.rct",
@@ -130,10 +131,12 @@ std::vector<std::pair<std::string, std::string>> fed_worker(bool may) {
              " state D { }\n transition t0 { from i to A }\n"
              " transition t1 { from A to B trigger go action n ! 2 }\n"
              " transition t2 { from B to C trigger go action n ! 1 }\n"
-             " transition t3 { from C to D trigger go action n ! " + last + " }\n}\n"
-             "controller Pair {\n event go\n event done : nat\n sref w = Worker\n sref f = Feeder\n"
-             " connection Pair on go to f on go\n connection f on n to w on n\n"
-             " connection w on done to Pair on done\n}\n"},
+             " transition t3 { from C to D trigger go action n ! " +
+                 last +
+                 " }\n}\n"
+                 "controller Pair {\n event go\n event done : nat\n sref w = Worker\n sref f = Feeder\n"
+                 " connection Pair on go to f on go\n connection f on n to w on n\n"
+                 " connection w on done to Pair on done\n}\n"},
             {"m/m.assertions",
              "untimed csp Nothing csp-begin Nothing = STOP csp-end\n"
              "untimed assertion Diverges : Pair is divergence-free\n"
