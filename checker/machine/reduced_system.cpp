@@ -27,17 +27,17 @@ constexpr std::size_t pilot_found = 200'000;              // number of found sta
 struct Allowance {
     double round, step;
 };
-constexpr Allowance large_allowance{60'000, 2'000};
+constexpr Allowance large_allowance{60'000, 2'000};  // the most that a pilot search gets
 /// A process with at least so many states gets the large allowance if a smaller one has shown no gain.
 constexpr std::size_t states_for_large_allowance = 10'000;
 
 /// The allowance of the first pilot search. It is small compared with the search of a small process, and for a process
 /// of large components, small compared with its compilation.
 Allowance first_allowance(const Supercombinator& combined) {
-    constexpr double least_of_a_round = 8'000, of_an_edge = 0.5;
+    constexpr double least_of_a_round = 8'000, of_an_edge = 0.5, of_a_step = 200;
     double edges = 0;
     for (const ComponentPtr& component : combined.components) edges += static_cast<double>(component->edge_count());
-    return {std::clamp(of_an_edge * edges, least_of_a_round, large_allowance.round), large_allowance.step};
+    return {std::clamp(of_an_edge * edges, least_of_a_round, large_allowance.round), of_a_step};
 }
 /// A reduced search may take this many times the work of a full search, because it saves memory. The first round that
 /// has expanded enough states decides.
@@ -190,9 +190,8 @@ std::optional<ProofPlan> SupercombinatorSystem::make_plan(lts::Followed followed
     const auto plan_with = [&](const Allowance& allowance) {
         return PilotRounds(combined_, terms_, facts_.whole, followed, allowance, budget).run();
     };
-    const Allowance first = first_allowance(*combined_);
-    std::optional<ProofPlan> plan = plan_with(first);
-    if (plan || first.round == large_allowance.round) return plan;
+    std::optional<ProofPlan> plan = plan_with(first_allowance(*combined_));
+    if (plan) return plan;
     const std::unique_ptr<SupercombinatorSystem> copy = make_copy();
     return has_states(*copy, states_for_large_allowance, budget) ? plan_with(large_allowance) : std::nullopt;
 }
