@@ -23,6 +23,7 @@
 #include "counterexample/interpreter.hpp"
 #include "driver/claims/bounds.hpp"
 #include "driver/claims/causes.hpp"
+#include "driver/claims/certificates.hpp"
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/probability_claims.hpp"
 #include "driver/claims/related_values.hpp"
@@ -235,11 +236,14 @@ void decide_recurrence(const Context& context, const csp_emit::Obligation& oblig
 
 /// Decides a claim that consists of several assertions. If all of them must hold, the first that fails ends the check.
 /// If one suffices, the first that holds ends the check, and the claim fails only if all of them fail. If none holds
-/// and one is inconclusive, the claim is inconclusive.
-void decide_claim(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+/// and one is inconclusive, the claim is inconclusive. Returns the assertions on which a positive answer is based.
+std::vector<const cspm::Decl*> decide_claim(const Context& context, const csp_emit::Obligation& obligation,
+                                            AssertionReport& report) {
     std::optional<std::string> unknown;  // the reason of the first inconclusive assertion
     Basis before;                        // basis of assertions that do not decide the claim alone
+    std::vector<const cspm::Decl*> all;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
+        all.push_back(assertion.get());
         for (Ground& ground : std::exchange(report.basis, {})) add(before, std::move(ground));
         decide_one(context, obligation, *assertion, report);
         if (report.answer == Answer::inconclusive && !unknown) unknown = report.reason;
@@ -257,6 +261,7 @@ void decide_claim(const Context& context, const csp_emit::Obligation& obligation
         report.basis.clear();
     }
     if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
+    return obligation.one_suffices && !all.empty() ? std::vector{all.back()} : all;
 }
 
 /// Decides the premises of claims. A premise that several claims share is decided once.
@@ -294,7 +299,7 @@ private:
         obligation.assertions = claim.premise->assertions;
         AssertionReport report;
         report.answer = Answer::holds;
-        decide_claim(context, obligation, report);
+        (void)decide_claim(context, obligation, report);
         if (report.answer != Answer::holds) return report;
         obligation.kind = ir::PropertyKind::refines;
         obligation.recurrence = claim.premise->recurrence;
@@ -504,6 +509,8 @@ public:
 
     /// Claims that the carriers limit are decided with free data, too.
     void set_free_claims(FreeClaims* free) { free_ = free; }
+    /// Claims that hold get certificates, if the settings name a folder for them.
+    void write_certificates() { certifies_ = !search_.settings.claims.certificates.empty(); }
 
     [[nodiscard]] bool is_in_carriers() const { return values_ == Values::of_carriers; }
 
@@ -531,7 +538,11 @@ private:
         const bool first = free_->comes_first();
         AssertionReport one = first ? announced_[at] : decide_alone(part_of(turn, 20), obligation, at);
         if (first || is_limited_by_carriers(one)) {
-            if (free_->answer(part_of(turn, 4), obligation, one)) return store(std::move(one), at);
+            if (free_->answer(part_of(turn, 4), obligation, one)) {
+                if (certifies_ && one.answer == Answer::holds)
+                    one.certificate = {{}, "it was decided for free values of computed data"};
+                return store(std::move(one), at);
+            }
             if (first || (one.answer == Answer::inconclusive && !turn.is_over()))
                 one = decide_alone(turn, obligation, at);
         }
@@ -544,7 +555,10 @@ private:
         AssertionReport one = announced_[at];
         try {
             if (!session_ && !open_session()) return one;  // the results contain the reason
-            decide_whole({project_, search, emission_, *session_, guards_, takes_}, obligation, one);
+            const auto assertions =
+                decide_whole({project_, search, emission_, *session_, guards_, takes_}, obligation, one);
+            if (certifies_ && one.answer == Answer::holds)
+                one.certificate = certificate_of(obligation, one, first_ + at + 1, assertions, search);
         } catch (const diagnostics::LimitReached& limit) {
             if (run_is_over(search_.services.budget())) throw;
             one = announced_[at];
@@ -567,7 +581,21 @@ private:
         return decided;
     }
 
-    void decide_whole(const Context& context, const csp_emit::Obligation& obligation, AssertionReport& one) {
+    /// The certificates of a claim that holds, whose assertions are given.
+    CertificateReport certificate_of(const csp_emit::Obligation& obligation, const AssertionReport& one,
+                                     std::size_t number, const std::vector<const cspm::Decl*>& assertions,
+                                     const SearchContext& search) {
+        if (assertions.empty()) return {{}, "there are no certificates for this kind of claim"};
+        if (obligation.recurrence) return {{}, "there are no certificates that something happens again and again"};
+        if (obligation.premise != nullptr) return {{}, "the claim has a premise, which has no certificate"};
+        return driver::write_certificates(*session_, {std::to_string(number), one.title, one.place, assertions},
+                                          search);
+    }
+
+    /// Returns the assertions on which a positive answer is based; none for claims that are decided without assertions.
+    std::vector<const cspm::Decl*> decide_whole(const Context& context, const csp_emit::Obligation& obligation,
+                                                AssertionReport& one) {
+        std::vector<const cspm::Decl*> assertions;
         if (obligation.firing) {
             one.reason.clear();
             decide_firing(context, *obligation.firing, one);
@@ -576,7 +604,7 @@ private:
             rules_.decide_property(project_.system.properties[obligation.property], context.search, one);
         } else if (!obligation.assertions.empty()) {
             one.reason.clear();
-            decide_claim(context, obligation, one);
+            assertions = decide_claim(context, obligation, one);
             if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
         }
         if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {
@@ -599,6 +627,7 @@ private:
                             {},
                             {}});
         add_bounds(reached_, watch_, obligation, one);
+        return assertions;
     }
 
     /// Stores the current knowledge about a claim, in case the run ends now.
@@ -628,6 +657,7 @@ private:
     std::unique_ptr<cspm::Session> session_;
     bool given_back_ = false;
     FreeClaims* free_ = nullptr;  ///< null: none
+    bool certifies_ = false;      ///< claims that hold get certificates
     std::optional<SecondLook> second_look_;
     std::size_t first_ = 0;                   ///< index of the first claim in the results
     std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them
@@ -774,6 +804,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
             };
             times.push_back(std::make_unique<TimeClaims>(of, search, time, takes, values, results));
             times.back()->add_to(claims);
+            times.back()->write_certificates();
             if (free.project) times.back()->set_free_claims(hidden.back().get());
         };
         if (free.project) hidden.push_back(std::make_unique<HiddenClaims>(free, search, time));

@@ -56,9 +56,10 @@ enum class Times { both, timed, untimed };
 struct ClaimSettings {
     std::vector<std::string> names;  ///< selected claims (claim_selection.hpp); empty: all
     Times times = Times::both;
-    bool core = false;      ///< also the core properties of every component
-    bool sizes = false;     ///< also the sizes of the components' processes
-    bool concrete = false;  ///< decides claims in the finite instantiation; otherwise, classes replace data
+    bool core = false;         ///< also the core properties of every component
+    bool sizes = false;        ///< also the sizes of the components' processes
+    bool concrete = false;     ///< decides claims in the finite instantiation; otherwise, classes replace data
+    std::string certificates;  ///< folder for certificates of claims that hold; "": none
 };
 
 /// The Markov models on which probabilistic claims are decided.
