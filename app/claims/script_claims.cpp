@@ -8,6 +8,7 @@
 #include "app/claims/script_basis.hpp"
 #include "app/command/run.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "driver/claims/certificates.hpp"
 
 namespace robochart::app {
 namespace {
@@ -53,6 +54,7 @@ driver::AssertionReport in_report(const ScriptAssertion& assertion, const proces
     report.statistics = assertion.result.verdict.statistics;
     report.searched = !assertion.result.verdict.known;
     report.basis = assertion.basis;
+    report.certificate = assertion.certificate;
     if (!assertion.errors.empty()) report.reason = assertion.errors.front();
     if (assertion.result.verdict.counterexample && !options.script.brief)
         report.counterexample = counterexample_text(assertion, events, options);
@@ -142,6 +144,8 @@ void ScriptClaims::decide_one(const driver::SearchContext& search, const cspm::D
         one.result = open_.open_session().check(assertion, bounds);
         one.answer = answer(one.result.verdict.outcome);
         one.basis = basis_of(open_.open_session(), assertion, one.result, search);
+        if (one.answer == driver::Answer::holds && !options_.claims.certificates.empty())
+            certify(assertion, search, one);
         if (one.result.verdict.counterexample && !options_.script.brief)
             one.behaviour =
                 open_.open_session().behaviour_with_values(assertion, *one.result.verdict.counterexample, bounds);
@@ -151,6 +155,13 @@ void ScriptClaims::decide_one(const driver::SearchContext& search, const cspm::D
         one.errors.push_back(
             fmt::format("{}: {}{}", sources_.path_and_line(error.span), error.what(), call_stack(error.stack)));
     }
+}
+
+void ScriptClaims::certify(const cspm::Decl& assertion, const driver::SearchContext& search, ScriptAssertion& one) {
+    const std::size_t script = report_.assertions.size() - script_.assertions.size();  // entries of earlier scripts
+    const std::string number = script == 0 ? std::to_string(one.number) : fmt::format("{}.{}", script, one.number);
+    one.certificate =
+        driver::write_certificates(open_.open_session(), {number, one.text, one.place, {&assertion}}, search);
 }
 
 void ScriptClaims::store_result(std::size_t at, ScriptAssertion one) {

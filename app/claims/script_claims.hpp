@@ -49,6 +49,8 @@ public:
 private:
     bool decide_in(const driver::Turn&, std::size_t at, const Show& show);
     void decide_one(const driver::SearchContext&, const cspm::Decl& assertion, ScriptAssertion& one);
+    /// Writes the certificate of an assertion that holds.
+    void certify(const cspm::Decl& assertion, const driver::SearchContext&, ScriptAssertion& one);
     void store_result(std::size_t at, ScriptAssertion one);
     void note_progress(const refine::Progress&, std::size_t at);
     void say_not_begun(const std::string& why);

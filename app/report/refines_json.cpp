@@ -242,6 +242,7 @@ Json script_result_json(const ScriptAssertion& a, EventMap& events, const Option
     json["distinguished_replicas"] = verdict.statistics.distinguished;
     if (verdict.known) json["known"] = true;
     if (!a.basis.empty()) json["basis"] = grounds_json(a.basis);
+    if (a.certificate) json["certificate"] = certificate_json(*a.certificate);
     return json;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/command/findings.hpp"
 #include "app/report/script_report.hpp"
+#include "driver/claims/certificates.hpp"
 
 namespace robochart::app {
 namespace {
@@ -204,6 +205,7 @@ std::string refines_plain(const ScriptAssertion& a, const process::EventTable& e
             out += fmt::format("    No Search: {}\n", reason);
         if (a.result.verdict.counterexample) out += plain_counterexample(a, names, options);
     }
+    if (a.certificate) out += fmt::format("    {}\n", driver::certificate_text(*a.certificate));
     for (const std::string& error : a.errors) out += fmt::format("    {}\n", error);
     return out;
 }

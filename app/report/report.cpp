@@ -16,6 +16,7 @@
 #include "base/diagnostics/paint.hpp"
 #include "conformance/model/rules.hpp"
 #include "counterexample/text.hpp"
+#include "driver/claims/certificates.hpp"
 
 namespace robochart::app {
 namespace {
@@ -108,6 +109,7 @@ std::string assertion_rest(const driver::AssertionReport& a, const std::string& 
     if (!a.reason.empty()) out += fmt::format("               {}\n", a.reason);
     for (const std::string& line : basis_lines(a.basis, listed_grounds))
         out += fmt::format("               {}\n", line);
+    if (a.certificate) out += fmt::format("               {}\n", driver::certificate_text(*a.certificate));
     if (a.probability) out += probability_text(*a.probability, "               ");
     if (!a.run && a.counterexample.empty()) return out;
     if (!shared.shown_at.empty()) return out + fmt::format("               by the run of {} above\n", shared.shown_at);
@@ -438,7 +440,9 @@ Exit Report::exit_code() const {
     const auto code = [&](conformance::Outcome outcome) {
         return std::ranges::any_of(conformance, [&](const auto& c) { return c.result.outcome == outcome; });
     };
-    if (nothing_checked || !refused.empty() || any(driver::Answer::error) ||
+    const bool unwritten = std::ranges::any_of(
+        assertions, [](const driver::AssertionReport& a) { return a.certificate && a.certificate->failed; });
+    if (nothing_checked || !refused.empty() || unwritten || any(driver::Answer::error) ||
         code(conformance::Outcome::not_generated) || code(conformance::Outcome::error))
         return Exit::bad_input;
     if (any(driver::Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::rounds) ||

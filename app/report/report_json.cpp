@@ -53,6 +53,7 @@ Json assertion_json(const driver::AssertionReport& a) {
     if (a.probability) json["probability"] = probability_json(*a.probability);
     if (!a.reason.empty()) json["reason"] = a.reason;
     if (!a.basis.empty()) json["basis"] = grounds_json(a.basis);
+    if (a.certificate) json["certificate"] = certificate_json(*a.certificate);
     if (a.run) json["counterexample"] = run_counterexample_json(*a.run);
     return json;
 }
@@ -183,6 +184,11 @@ Json refused_json(const RefusedReport& refused) {
 }
 
 }  // namespace
+
+Json certificate_json(const driver::CertificateReport& certificate) {
+    if (certificate.folders.empty()) return {{"reason", certificate.reason}};
+    return {{"level", "product"}, {"reduced", false}, {"folders", certificate.folders}};
+}
 
 Json grounds_json(const driver::Basis& basis) {
     return json_array(basis, ground_json);

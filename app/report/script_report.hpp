@@ -25,6 +25,7 @@ struct ScriptAssertion {
     driver::Answer answer = driver::Answer::inconclusive;
     std::vector<std::string> errors;  ///< reasons why there is no answer
     driver::Basis basis = {};         ///< basis of the answer
+    std::optional<driver::CertificateReport> certificate = {};
     cspm::AssertionResult result;
     std::map<process::Event, std::string> events = {};  ///< names of the events in its JSON
     std::optional<process::Behaviour> behaviour;        ///< behaviour of each part at the end of a counterexample
@@ -46,6 +47,7 @@ struct ScriptReport {
 
 /// The basis of a verdict in JSON, in the form that all reports use.
 [[nodiscard]] diagnostics::Json grounds_json(const driver::Basis&);
+[[nodiscard]] diagnostics::Json certificate_json(const driver::CertificateReport&);
 /// Stores the names of the events that the JSON of an assertion contains. They are copied because another thread may
 /// add events to the table while the JSON is printed.
 void name_events(ScriptAssertion&, const process::EventTable&, const Options&);

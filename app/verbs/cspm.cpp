@@ -419,6 +419,7 @@ Exit run_cspm(const Options& options) {
         throw UsageError("--format junit does not support types; use text or json");
     if (options.script.typecheck || options.script.types) return check_types(options);
     if (options.script.exported) return export_process(options);
+    require_empty_certificates(options);
     const auto known = std::make_shared<Known>();
     Report& report = known->report;
     report.model = fmt::format("{}", fmt::join(options.load.inputs, " "));

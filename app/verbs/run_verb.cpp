@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/verbs/verbs.hpp"
+#include "driver/claims/certificates.hpp"
 
 namespace robochart::app {
+
+void require_empty_certificates(const Options& options) {
+    if (options.claims.certificates.empty()) return;
+    const std::string why = driver::why_not_empty(options.claims.certificates);
+    if (!why.empty()) throw UsageError("--certify: " + why);
+}
 
 Exit run_verb(const Options& options) {
     switch (options.verb) {

@@ -31,6 +31,9 @@ Exit run_tune(const Options&);
 Exit run_step(const Options&);  ///< reads commands from standard input
 Exit run_lsp();                 ///< serves an editor on stdin and stdout until it exits
 
+/// Throws UsageError if the folder for certificates is not empty.
+void require_empty_certificates(const Options&);
+
 /// Writes csp-gen/… below the output folder.
 [[nodiscard]] bool write_csp(driver::Project&, const Options&, Report&);
 /// Writes cpp/COMPONENT/… below the output folder.

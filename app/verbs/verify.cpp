@@ -675,6 +675,7 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
     if (!options.conform.traces.empty()) return compare_traces(parts, options, report);
     if (const driver::Project* const stopped = first_refused(parts, options))
         return refuse_parts(*stopped, parts, options, report);
+    require_empty_certificates(options);
     return run_parts(parts, options, report);
 }
 

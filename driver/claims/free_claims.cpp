@@ -78,7 +78,11 @@ bool FreeClaims::decide_in(const Turn& turn, const ListedClaim& claim) {
     const bool first = data_.comes_first();
     AssertionReport one = first ? own_.undecided(claim) : decide_alone(part_of(turn, 20), claim);
     if (first || is_limited_by_carriers(one)) {
-        if (answer(part_of(turn, 4), obligation, one)) return own_.store(std::move(one), claim);
+        if (answer(part_of(turn, 4), obligation, one)) {
+            if (!search_.settings.claims.certificates.empty() && one.answer == Answer::holds)
+                one.certificate = {{}, "it was decided for free values of computed data"};
+            return own_.store(std::move(one), claim);
+        }
         if (first || (one.answer == Answer::inconclusive && !turn.is_over())) one = decide_alone(turn, claim);
     }
     return own_.store(std::move(one), claim);

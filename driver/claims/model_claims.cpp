@@ -100,6 +100,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
                 return is_decided_in_carriers(classes, of.system, obligation) == (values == Values::of_carriers);
             };
             times.push_back(std::make_unique<TimeClaims>(of, search, time, takes, values, results));
+            times.back()->write_certificates();
         };
         const std::size_t first = results.assertions.size();
         add(decided, Values::of_project);

@@ -16,12 +16,14 @@
 #include "counterexample/failing_run.hpp"
 #include "counterexample/interpreter.hpp"
 #include "driver/claims/causes.hpp"
+#include "driver/claims/certificates.hpp"
 #include "driver/claims/claim_answers.hpp"
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/component_processes.hpp"
 #include "driver/claims/related_values.hpp"
 #include "driver/claims/sizes.hpp"
 #include "driver/model/claim_scripts.hpp"
+#include "driver/model/project_claims.hpp"
 
 namespace robochart::driver {
 namespace {
@@ -289,11 +291,14 @@ void decide_recurrence(const ClaimContext& context, const csp_emit::Obligation& 
 
 /// Decides a claim that consists of several assertions. If all of them must hold, the first that fails ends the check.
 /// If one suffices, the first that holds ends the check, and the claim fails only if all of them fail. If none holds
-/// and one is inconclusive, the claim is inconclusive.
-void decide_claim(const ClaimContext& context, const csp_emit::Obligation& obligation, AssertionReport& report) {
+/// and one is inconclusive, the claim is inconclusive. Returns the assertions on which a positive answer is based.
+std::vector<cspm::DeclPtr> decide_claim(const ClaimContext& context, const csp_emit::Obligation& obligation,
+                                        AssertionReport& report) {
     std::optional<std::string> unknown;  // the reason of the first inconclusive assertion
     Basis before;                        // basis of assertions that do not decide the claim alone
+    std::vector<cspm::DeclPtr> all;
     for (const cspm::DeclPtr& assertion : obligation.assertions) {
+        all.push_back(assertion);
         for (Ground& ground : std::exchange(report.basis, {})) add(before, std::move(ground));
         decide_one(context, obligation, *assertion, report);
         if (report.answer == Answer::inconclusive && !unknown) unknown = report.reason;
@@ -311,6 +316,7 @@ void decide_claim(const ClaimContext& context, const csp_emit::Obligation& oblig
         report.basis.clear();
     }
     if (report.answer == Answer::fails && !report.run) report.reason = obligation.reason;
+    return obligation.one_suffices && !all.empty() ? std::vector{all.back()} : all;
 }
 
 AssertionReport decide_premise(const ClaimContext& context, const csp_emit::Obligation& claim) {
@@ -323,7 +329,7 @@ AssertionReport decide_premise(const ClaimContext& context, const csp_emit::Obli
     obligation.assertions = claim.premise->assertions;
     AssertionReport report;
     report.answer = Answer::holds;
-    decide_claim(context, obligation, report);
+    (void)decide_claim(context, obligation, report);
     if (report.answer != Answer::holds) return report;
     obligation.kind = ir::PropertyKind::refines;
     obligation.recurrence = claim.premise->recurrence;
@@ -530,7 +536,9 @@ AssertionReport TimeClaims::decide(const Turn& turn, const ListedClaim& claim) {
     AssertionReport one = undecided(claim);
     try {
         if (!session_ && !open_session()) return one;  // the results contain the reason
-        decide_whole({project_, search, emission_, *session_, guards_, takes_}, *claim.obligation, one);
+        const auto assertions =
+            decide_whole({project_, search, emission_, *session_, guards_, takes_}, *claim.obligation, one);
+        if (certifies_ && one.answer == Answer::holds) one.certificate = certificate_of(claim, one, assertions, search);
     } catch (const diagnostics::LimitReached& limit) {
         if (run_is_over(search_.services.budget())) throw;
         one = undecided(claim);
@@ -548,8 +556,21 @@ bool TimeClaims::store(AssertionReport report, const ListedClaim& claim) {
     return decided;
 }
 
-void TimeClaims::decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,
-                              AssertionReport& one) {
+CertificateReport TimeClaims::certificate_of(const ListedClaim& claim, const AssertionReport& one,
+                                             const std::vector<cspm::DeclPtr>& assertions,
+                                             const SearchContext& search) {
+    if (assertions.empty()) return {{}, "there are no certificates for this kind of claim"};
+    if (claim.obligation->recurrence) return {{}, "there are no certificates that something happens again and again"};
+    if (claim.obligation->premise != nullptr) return {{}, "the claim has a premise, which has no certificate"};
+    std::vector<const cspm::Decl*> plain;
+    for (const cspm::DeclPtr& assertion : assertions) plain.push_back(assertion.get());
+    return driver::write_certificates(*session_,
+                                      {std::to_string(first_ + claim.number + 1), one.title, one.place, plain}, search);
+}
+
+std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,
+                                                    AssertionReport& one) {
+    std::vector<cspm::DeclPtr> assertions;
     const std::optional<std::size_t> claim = claim_of(context.project, obligation);
     if (obligation.firing) {
         one.reason.clear();
@@ -561,8 +582,12 @@ void TimeClaims::decide_whole(const ClaimContext& context, const csp_emit::Oblig
         one.reason = "not decided: " + obligation.reason;
     } else if (!obligation.assertions.empty()) {
         one.reason.clear();
-        decide_claim(context, obligation, one);
-        if (claim) complete_answer(context.project, reading_context(context), context.search, obligation, *claim, one);
+        assertions = decide_claim(context, obligation, one);
+        if (claim) {
+            complete_answer(context.project, reading_context(context), context.search, obligation, *claim, one);
+            const cspm::DeclPtr& standstill = context.project.claims->scripted.at(*claim).decision.standstill;
+            if (standstill) assertions.push_back(standstill);
+        }
         if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
     }
     if (obligation.recurrence && (obligation.assertions.empty() || one.answer == Answer::holds)) {
@@ -581,6 +606,7 @@ void TimeClaims::decide_whole(const ClaimContext& context, const csp_emit::Oblig
         add(one.basis,
             {GroundKind::carriers, "this claim compares values, those of the finite instantiation", {}, {}, {}, {}});
     add_bounds(reached_, watch_, obligation, one);
+    return assertions;
 }
 
 /// Stores the current knowledge about a claim, in case the run ends now.

@@ -76,6 +76,8 @@ public:
     /// The claim, with a function that decides it within a turn.
     [[nodiscard]] static WaitingClaim waiting(const ListedClaim& claim, std::function<bool(const Turn&)> decide);
 
+    /// Claims that hold get certificates, if the settings name a folder for them.
+    void write_certificates() { certifies_ = !search_.settings.claims.certificates.empty(); }
     /// Frees the session that the claims share. The next claim opens the script again.
     void give_back();
     void measure_if_asked();
@@ -83,7 +85,12 @@ public:
 private:
     [[nodiscard]] bool is_in_carriers() const { return values_ == Values::of_carriers; }
     bool open_session();
-    void decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation, AssertionReport& one);
+    /// Returns the assertions on which a positive answer is based; none for claims that are decided without assertions.
+    std::vector<cspm::DeclPtr> decide_whole(const ClaimContext& context, const csp_emit::Obligation& obligation,
+                                            AssertionReport& one);
+    /// The certificates of a claim that holds, whose assertions are given.
+    CertificateReport certificate_of(const ListedClaim& claim, const AssertionReport& one,
+                                     const std::vector<cspm::DeclPtr>& assertions, const SearchContext& search);
     void note_progress(const refine::Progress& progress, std::size_t at);
 
     Project& project_;
@@ -100,6 +107,7 @@ private:
     Premises premises_;
     std::unique_ptr<cspm::Session> session_;
     bool given_back_ = false;
+    bool certifies_ = false;  ///< claims that hold get certificates
     std::optional<SecondLook> second_look_;
     std::size_t first_ = 0;                   ///< index of the first claim in the results
     std::vector<AssertionReport> announced_;  ///< the claims before anything was known about them

@@ -56,6 +56,13 @@ struct ProbabilityReport {
     std::vector<probability::Row> rows;
 };
 
+/// The certificates of a claim that holds (docs/certificates.md). A claim may consist of several assertions.
+struct CertificateReport {
+    std::vector<std::string> folders;
+    std::string reason;   ///< why there is no certificate
+    bool failed = false;  ///< a certificate could not be written
+};
+
 /// One assertion with its answer.
 struct AssertionReport {
     std::string title;  ///< "A1 [timed] AggregationFSM is deadlock-free"
@@ -71,8 +78,9 @@ struct AssertionReport {
     refine::Statistics statistics;
     /// True if this run computed at least a part of the answer, so it is not only from the cache.
     bool searched = false;
-    std::optional<runs::Run> run;  ///< the counterexample of a model
-    std::string counterexample;    ///< the counterexample of a script, as text
+    std::optional<CertificateReport> certificate;  ///< no value if none was asked for, or the claim does not hold
+    std::optional<runs::Run> run;                  ///< the counterexample of a model
+    std::string counterexample;                    ///< the counterexample of a script, as text
 };
 
 /// Sets the place of a claim.

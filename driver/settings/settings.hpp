@@ -58,9 +58,10 @@ struct ClaimSettings {
     /// Selected core properties (core_name()); empty: all, if `core` asks for them.
     std::vector<std::string> core_names;
     Times times = Times::both;
-    bool core = false;      ///< also the core properties of every component
-    bool sizes = false;     ///< also the sizes of the components' processes
-    bool concrete = false;  ///< decides claims in the finite instantiation; otherwise, classes replace data
+    bool core = false;         ///< also the core properties of every component
+    bool sizes = false;        ///< also the sizes of the components' processes
+    bool concrete = false;     ///< decides claims in the finite instantiation; otherwise, classes replace data
+    std::string certificates;  ///< folder for certificates of claims that hold; "": none
 };
 
 /// The Markov models on which probabilistic claims are decided.

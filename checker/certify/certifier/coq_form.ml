@@ -7,7 +7,9 @@ type 'a array = 'a Array.t
 
 let number x = string_of_int x
 let pair a b = Printf.sprintf "(%s, %s)" a b
-let list f l = "[" ^ String.concat "; " (List.map f l) ^ "]"
+
+(* The brackets of lists would hide those of primitive arrays. *)
+let list f l = "(" ^ String.concat " :: " (List.map f l @ [ "nil" ]) ^ ")"
 let nat x = Printf.sprintf "%d%%nat" x
 
 (* A primitive array; its last entry is the value outside of its bounds. *)
@@ -29,9 +31,9 @@ let rec region (Region (inside, rules)) =
 
 let system out name (process : Formats.process) layout =
   let row edges = list (fun (e, target) -> pair (number e) (number target)) edges in
-  let component rows = array ~default:"[]" row rows in
+  let component rows = array ~default:"nil" row rows in
   define out (name ^ "_rows") "array (array (list (ev * int)))"
-    (array ~default:"make 0 []" component process.component_edges);
+    (array ~default:"make 0 nil" component process.component_edges);
   define out name "system"
     (Printf.sprintf
        "{| edges := fun k v => get (get %s_rows (of_Z (Z.of_nat k))) v;\n   start := %s;\n   whole := %s |}" name
@@ -50,11 +52,11 @@ let normal_form out (nodes : Search.node array) (evidence : int list evidence) =
   let origins source members = array ~default:no_origin origin (Array.init members source) in
   by_node "node_arcs" "array (ev * int)" ~default:"make 0 (0, 0)" (fun n ->
       array ~default:"(0, 0)" (fun (a, k) -> pair (number a) (number k)) nodes.(n).arcs);
-  by_node "node_acceptances" "array (list ev)" ~default:"make 0 []" (fun n ->
-      array ~default:"[]" (fun set -> words (Array.to_list set)) nodes.(n).acceptances);
+  by_node "node_acceptances" "array (list ev)" ~default:"make 0 nil" (fun n ->
+      array ~default:"nil" (fun set -> words (Array.to_list set)) nodes.(n).acceptances);
   by_node "node_diverges" "bool" ~default:"false" (fun n -> string_of_bool nodes.(n).node_diverges);
-  by_node "node_members" "array (list int)" ~default:"make 0 []" (fun n ->
-      array ~default:"[]" words (Array.init (size n) (evidence.member n)));
+  by_node "node_members" "array (list int)" ~default:"make 0 nil" (fun n ->
+      array ~default:"nil" words (Array.init (size n) (evidence.member n)));
   define out "root_origins" "array origin" (origins evidence.origin_in_root (size 0));
   by_node "arc_origins" "array (array origin)" ~default:("make 0 (make 0 " ^ no_origin ^ ")") (fun n ->
       array
@@ -66,7 +68,7 @@ let normal_form out (nodes : Search.node array) (evidence : int list evidence) =
       if nodes.(n).node_diverges then pair (number (evidence.diverging_member n)) (number (evidence.loop_entry n))
       else "(0, 0)");
   let loop f = Array.init evidence.loop_size f in
-  define out "loop_states" "array (list int)" (array ~default:"[]" words (loop evidence.loop));
+  define out "loop_states" "array (list int)" (array ~default:"nil" words (loop evidence.loop));
   define out "loop_nexts" "array int" (array ~default:"0" number (loop evidence.loop_next));
   define out "normal" "normal_form"
     (Printf.sprintf
@@ -94,7 +96,7 @@ let pairs_of out (found : Search.found) ~choose =
   let key j = (Search.node_at store j, Search.words_at store j) in
   Array.stable_sort (fun i j -> compare (key i) (key j)) order;
   let column name kind ~default f = define out name ("array (" ^ kind ^ ")") (array ~default f order) in
-  column "pair_states" "list int" ~default:"[]" (fun j -> words (Search.words_at store j));
+  column "pair_states" "list int" ~default:"nil" (fun j -> words (Search.words_at store j));
   column "pair_nodes" "int" ~default:"0" (fun j -> number (Search.node_at store j));
   column "pair_ranks" "int" ~default:"0" (fun j -> number (Search.rank_at store j));
   define out "found" "pairs (list int)"

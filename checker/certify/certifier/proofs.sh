@@ -9,10 +9,10 @@ echo 'let text = {proofs|'
 echo 'From Coq Require Import List Bool ZArith Lia Uint63 PArray.'
 for name in Claims Processes Loops Certificate Moves Packing Program; do
   echo "Module $name."
-  sed -e 's/^From Certify Require Import/Import/' "$1/$name.v"
+  sed -e 's/^From \(Coq\|Certify\) Require Import/Import/' "$1/$name.v"
   echo "End $name."
 done
-echo 'Import ListNotations Claims Processes Loops Certificate Moves Packing Program.'
+echo 'Import Claims Processes Loops Certificate Moves Packing Program.'
 echo 'Open Scope list_scope.'
 echo 'Open Scope uint63_scope.'
 echo '|proofs}'

@@ -37,20 +37,20 @@ let grouped n =
 let plural n word = Printf.sprintf "%s %s%s" (grouped n) word (if n = 1 then "" else "s")
 
 let show ~most ~quiet folder =
-  let assertion, answer =
+  let source, answer =
     match Formats.read_claim folder with
     | exception Formats.Unreadable why -> ("", Certificate_check.Refused why)
-    | claim -> (claim.assertion, Certificate_check.certify claim ~most)
+    | claim -> (claim.source, Certificate_check.certify claim ~most)
   in
   match answer with
   | Certificate_check.Certified figures ->
       if not quiet then
-        Printf.printf "CERTIFIED  %s: %s (product level, unreduced, %s, %s)\n%!" (printable folder) (printable assertion)
+        Printf.printf "CERTIFIED  %s: %s: product level, unreduced, %s, %s\n%!" (printable folder) (printable source)
           (plural figures.pairs "pair") (plural figures.components "component");
       true
   | Refused why ->
       Printf.printf "REFUSED    %s: %s%s\n%!" (printable folder)
-        (if assertion = "" then "" else printable assertion ^ ": ")
+        (if source = "" then "" else printable source ^ ": ")
         (printable why);
       false
 

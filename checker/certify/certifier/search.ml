@@ -14,88 +14,96 @@ type words = int list
 
 let mix a b =
   let h = (a lxor (b * 0x1E3779B97F4A7C15)) * 0x2545F4914F6CDD1D in
+  let h = (h lxor (h lsr 31)) * 0x1B873593CC9E2D51 in
   h lxor (h lsr 29)
 
 let hash_words words node = List.fold_left mix node words land max_int
 
+(* Large arrays of numbers, which the garbage collector does not scan. *)
+type numbers = (int, Bigarray.int_elt, Bigarray.c_layout) Bigarray.Array1.t
+
+let new_numbers size filler : numbers =
+  let result = Bigarray.Array1.create Bigarray.int Bigarray.c_layout size in
+  Bigarray.Array1.fill result filler;
+  result
+
+let longer (old : numbers) used : numbers =
+  let result = Bigarray.Array1.create Bigarray.int Bigarray.c_layout (2 * Bigarray.Array1.dim old) in
+  Bigarray.Array1.blit (Bigarray.Array1.sub old 0 used) (Bigarray.Array1.sub result 0 used);
+  result
+
 (* Pairs in arrays, found by a hash table. Of each pair: its words, its node, its rank. *)
 type store = {
   width : int;
-  mutable data : int array;
+  mutable data : numbers;
   mutable filled : int;
-  mutable slots : int array;
+  mutable slots : numbers;
   mutable mask : int;
 }
 
-let new_store width = { width; data = Array.make (1024 * (width + 2)) 0; filled = 0; slots = Array.make 4096 (-1); mask = 4095 }
+let new_store width =
+  { width; data = new_numbers (1024 * (width + 2)) 0; filled = 0; slots = new_numbers 4096 (-1); mask = 4095 }
+
 let row store j = j * (store.width + 2)
-let node_at store j = store.data.(row store j + store.width)
-let rank_at store j = store.data.(row store j + store.width + 1)
-let set_rank store j rank = store.data.(row store j + store.width + 1) <- rank
+let node_at store j = store.data.{row store j + store.width}
+let rank_at store j = store.data.{row store j + store.width + 1}
+let set_rank store j rank = store.data.{row store j + store.width + 1} <- rank
 
 let words_at store j =
   let first = row store j in
-  if store.width = 1 then [ store.data.(first) ]
+  if store.width = 1 then [ store.data.{first} ]
   else
-    let rec from i rest = if i < first then rest else from (i - 1) (store.data.(i) :: rest) in
+    let rec from i rest = if i < first then rest else from (i - 1) (store.data.{i} :: rest) in
     from (first + store.width - 1) []
 
 let is_at store words node j =
-  let rec same i = function [] -> true | w :: rest -> store.data.(i) = w && same (i + 1) rest in
+  let rec same i = function [] -> true | w :: rest -> store.data.{i} = w && same (i + 1) rest in
   node_at store j = node && same (row store j) words
 
 let slot_of store words node =
   let rec probe i =
-    let j = store.slots.(i) in
+    let j = store.slots.{i} in
     if j < 0 || is_at store words node j then i else probe ((i + 1) land store.mask)
   in
   probe (hash_words words node land store.mask)
 
 let grow_slots store =
   store.mask <- (2 * store.mask) + 1;
-  store.slots <- Array.make (store.mask + 1) (-1);
+  store.slots <- new_numbers (store.mask + 1) (-1);
   for j = 0 to store.filled - 1 do
-    store.slots.(slot_of store (words_at store j) (node_at store j)) <- j
+    store.slots.{slot_of store (words_at store j) (node_at store j)} <- j
   done
 
 (* The number of the pair, and whether it is new. *)
 let insert store words node =
   let slot = slot_of store words node in
-  let j = store.slots.(slot) in
+  let j = store.slots.{slot} in
   if j >= 0 then (j, false)
   else begin
     let j = store.filled in
     let first = row store j in
-    if first + store.width + 2 > Array.length store.data then begin
-      let larger = Array.make (2 * Array.length store.data) 0 in
-      Array.blit store.data 0 larger 0 first;
-      store.data <- larger
-    end;
-    List.iteri (fun i w -> store.data.(first + i) <- w) words;
-    store.data.(first + store.width) <- node;
-    store.data.(first + store.width + 1) <- 0;
+    if first + store.width + 2 > Bigarray.Array1.dim store.data then store.data <- longer store.data first;
+    List.iteri (fun i w -> store.data.{first + i} <- w) words;
+    store.data.{first + store.width} <- node;
+    store.data.{first + store.width + 1} <- 0;
     store.filled <- j + 1;
-    store.slots.(slot) <- j;
+    store.slots.{slot} <- j;
     if 2 * store.filled > store.mask then grow_slots store;
     (j, true)
   end
 
 let find store words node =
-  let j = store.slots.(slot_of store words node) in
+  let j = store.slots.{slot_of store words node} in
   if j < 0 then store.filled else j
 
 (* A growing array of numbers. *)
-type row = { mutable values : int array; mutable used : int }
+type row = { mutable values : numbers; mutable used : int }
 
-let new_row () = { values = Array.make 1024 0; used = 0 }
+let new_row () = { values = new_numbers 1024 0; used = 0 }
 
 let push row x =
-  if row.used = Array.length row.values then begin
-    let larger = Array.make (2 * row.used) 0 in
-    Array.blit row.values 0 larger 0 row.used;
-    row.values <- larger
-  end;
-  row.values.(row.used) <- x;
+  if row.used = Bigarray.Array1.dim row.values then row.values <- longer row.values row.used;
+  row.values.{row.used} <- x;
   row.used <- row.used + 1
 
 (* The specification as an explicit graph, explored on demand. *)
@@ -374,8 +382,8 @@ let run_to name found j =
       let rec back j events =
         if j = 0 then events
         else
-          let event = parents.values.((2 * j) + 1) in
-          back parents.values.(2 * j) (if event = 0 then events else name event :: events)
+          let event = parents.values.{(2 * j) + 1} in
+          back parents.values.{2 * j} (if event = 0 then events else name event :: events)
       in
       Printf.sprintf "after <%s>" (String.concat ", " (back j []))
 
@@ -427,8 +435,8 @@ let set_ranks found ~lenient =
   let first = found.tau_first.values and targets = found.tau_targets.values in
   let finish j =
     let rank = ref 0 in
-    for t = first.(j) to first.(j + 1) - 1 do
-      rank := max !rank (rank_at store targets.(t) + 1)
+    for t = first.{j} to first.{j + 1} - 1 do
+      rank := max !rank (rank_at store targets.{t} + 1)
     done;
     set_rank store j !rank;
     Bytes.set colour j 'n'
@@ -443,8 +451,8 @@ let set_ranks found ~lenient =
       end
       else begin
         Bytes.set colour j '1';
-        for t = first.(j) to first.(j + 1) - 1 do
-          let u = targets.(t) in
+        for t = first.{j} to first.{j + 1} - 1 do
+          let u = targets.{t} in
           match Bytes.get colour u with
           | '0' -> stack := u :: !stack
           | '1' -> if not lenient then raise (Violation_at (u, "it can perform taus for ever"))

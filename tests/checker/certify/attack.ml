@@ -188,7 +188,16 @@ let forge_root (nodes : Search.node array) =
   let at = Random.int (Array.length nodes) in
   Array.mapi (fun i node -> if i = 0 then nodes.(at) else if i = at then nodes.(0) else node) nodes
 
-let forges = [ Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
+(* Every node has all states, arcs and acceptances that some node has. *)
+let forge_members (nodes : Search.node array) =
+  let all f = List.sort_uniq compare (List.concat_map (fun node -> Array.to_list (f node)) (Array.to_list nodes)) in
+  let members = Array.of_list (all (fun (node : Search.node) -> node.members)) in
+  let arcs = Array.of_list (all (fun (node : Search.node) -> node.arcs)) in
+  let acceptances = Array.of_list (all (fun (node : Search.node) -> node.acceptances)) in
+  let witnesses = Array.map (fun _ -> Random.int (Array.length members)) acceptances in
+  Array.map (fun (node : Search.node) -> { node with members; arcs; acceptances; witnesses }) nodes
+
+let forges = [ forge_members; Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
 
 (* Functions that lie in some places, always in the same way. *)
 let lying proof =
@@ -218,6 +227,21 @@ let lying proof =
           diverging_member = (fun k -> lie 13 k (e.diverging_member k) (fun r -> r mod 4));
           loop_entry = (fun k -> lie 14 k (e.loop_entry k) (fun r -> r mod 4)) } in
       Of_refinement (m, ls, s, li, i, normal, evidence, pairs p)
+
+(* Members are derived from each other in circles, wherever there is a tau between them. *)
+let circular = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let lts = packed ls s in
+      let source k j honest =
+        let taus_to f = List.exists (fun (a, u) -> a = 0 && u = e.member k j) (lts.succ0 (e.member k f)) in
+        match List.find_opt taus_to (List.init (e.size0 k) Fun.id) with
+        | Some from -> { by_event = false; from; depth = Random.int 2 }
+        | None -> honest in
+      let evidence =
+        { e with origin_in_root = (fun j -> source n.root j (e.origin_in_root j));
+          origin_after = (fun k a j -> source (snd (n.arc k a)) j (e.origin_after k a j)) } in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
+  | other -> other
 
 let attacks = ref 0 and wrong = ref 0 and lost = ref 0 and held = ref 0 and failed = ref 0 and unreadable = ref 0
 let lies_accepted = ref 0 and files_accepted = ref 0
@@ -261,6 +285,7 @@ let attack_question seed trial question spec impl truth =
     Certificate_check.accepted (tell proof) in
   List.iter (fun forge ->
     if accepted_attack (attempt forge Fun.id) && not truth then report_wrong "a forged normal form" seed trial;
+    if accepted_attack (attempt forge circular) && not truth then report_wrong "a circle" seed trial;
     for _ = 1 to 3 do
       if accepted_attack (attempt forge lying) then (if truth then incr lies_accepted else report_wrong "a lie" seed trial)
     done) forges;

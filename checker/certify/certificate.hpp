@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Certificates of assertions that hold (docs/certificates.md). A certificate contains the claim and the compiled
+// processes of both sides, without reductions. A separate program, proved correct in Coq, finds the proof in it or
+// refuses it (checker/certify/certifier); nothing here has to be right for that.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "base/diagnostics/budget.hpp"
+#include "checker/cspm/session.hpp"
+
+namespace robochart::certify {
+
+/// The files of a certificate.
+struct Certificate {
+    std::string claim;           ///< claim.txt
+    std::string specification;   ///< specification.txt; "" for a property of one process
+    std::string implementation;  ///< implementation.txt
+};
+
+/// A certificate, or the reason why there is none.
+struct CertificateResult {
+    std::optional<Certificate> certificate;
+    std::string reason;  ///< "" if there is a certificate
+};
+
+/// Compiles the processes of an assertion again, without minimisation, and returns its certificate. It does not check
+/// that the assertion holds. `source` says which claim the assertion belongs to, and where. Passes on evaluation
+/// errors.
+[[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
+                                                 const std::string& source, const refine::Limits& limits);
+
+/// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
+/// files, so a run that is stopped leaves no folder that is taken for a certificate. Returns the cause in words on
+/// failure, "" on success.
+[[nodiscard]] std::string write_certificate(const std::string& root, const std::string& folder,
+                                            const Certificate& certificate, diagnostics::Budget* budget);
+
+/// The name of a certificate's folder: the number and the letters and digits of the title.
+[[nodiscard]] std::string folder_name(const std::string& number, const std::string& title);
+
+}  // namespace robochart::certify

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// A component that is off has one more state than the component, without transitions.
+#include "checker/certify/process_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "checker/lts/graph.hpp"
+#include "checker/machine/content.hpp"
+#include "checker/machine/supercombinator_system.hpp"
+
+namespace robochart::certify {
+namespace {
+
+using lts::Event;
+using process::EventSet;
+
+/// The number of tau and of tick in every certificate; other events are numbered by their place in the list.
+constexpr std::uint32_t tau_number = 0, tick_number = 1, first_number = 2;
+
+class Writer {
+public:
+    Writer(const lts::EventTable& events, EventSet used, diagnostics::Pollable& budget) : budget_(budget) {
+        std::ranges::sort(used);
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        result_.text = "robochart-verify process 1\n";
+        std::string names;
+        for (const Event event : used) {
+            if (event == process::tau || event == process::tick) continue;
+            numbers_.emplace(event, first_number + static_cast<std::uint32_t>(numbers_.size()));
+            names += one_line(events.name(event)) + "\n";
+        }
+        result_.text += fmt::format("events {}\n{}", numbers_.size(), names);
+    }
+
+    void begin_components(std::size_t count) {
+        result_.components = count;
+        result_.text += fmt::format("components {}\n", count);
+    }
+    void begin_component(std::size_t states, std::size_t initial, const std::string& name) {
+        result_.text += fmt::format("component {} {} {}\n", states, initial, one_line(name));
+    }
+    /// The transitions of one state, in ascending order without duplicates.
+    void add_row(std::vector<std::pair<Event, std::uint32_t>> row) {
+        budget_.poll();
+        for (auto& [event, target] : row) event = number_of(event);
+        std::ranges::sort(row);
+        row.erase(std::unique(row.begin(), row.end()), row.end());
+        for (const auto& [event, target] : row)
+            fmt::format_to(std::back_inserter(result_.text), "{}{} {}", &event == &row.front().first ? "" : " ", event,
+                           target);
+        result_.text += '\n';
+    }
+    void begin_region(std::size_t participants, std::size_t rules) {
+        result_.rules += rules;
+        result_.text += fmt::format("region {} {}\n", participants, rules);
+    }
+    void add_slot(std::size_t slot) { result_.text += fmt::format("slot {}\n", slot); }
+    void add_rule(Event event, std::uint32_t level, const std::vector<std::pair<std::uint32_t, Event>>& requirements,
+                  const std::vector<machine::Assignment>& assignments) {
+        budget_.poll();
+        const auto out = std::back_inserter(result_.text);
+        fmt::format_to(out, "rule {} {} {}", number_of(event), level == machine::no_level ? "-" : std::to_string(level),
+                       requirements.size());
+        for (const auto& [participant, required] : requirements)
+            fmt::format_to(out, " {} {}", participant, number_of(required));
+        for (const machine::Assignment& assignment : assignments)
+            fmt::format_to(out, " {} {}", assignment.slot, assignment.value);
+        result_.text += '\n';
+    }
+    [[nodiscard]] ProcessText finish() {
+        result_.text += "end\n";
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] std::uint32_t number_of(Event event) const {
+        if (event == process::tau) return tau_number;
+        return event == process::tick ? tick_number : numbers_.at(event);
+    }
+
+    diagnostics::Pollable& budget_;
+    std::map<Event, std::uint32_t> numbers_;
+    ProcessText result_;
+};
+
+void write_region(const machine::Supercombinator& process, std::size_t index, Writer& writer) {
+    const machine::Region& region = process.regions[index];
+    writer.begin_region(region.participants.size(), region.rules.size());
+    for (const machine::Participant& participant : region.participants) {
+        if (participant.is_region)
+            write_region(process, participant.index, writer);
+        else
+            writer.add_slot(participant.index);
+    }
+    const auto requirement = [&](const machine::Requirement& one) {
+        return std::pair{one.participant, region.alphabets[one.participant][one.event]};
+    };
+    for (const machine::Rule& rule : region.rules) {
+        std::vector<std::pair<std::uint32_t, Event>> requirements{requirement(rule.lead)};
+        for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
+            requirements.push_back(requirement(region.requirements[i]));
+        const auto first = region.assignments.begin();
+        writer.add_rule(rule.event, rule.level, requirements,
+                        {first + rule.first_assignment, first + rule.end_assignment});
+    }
+}
+
+void write_component(const machine::Component& component, machine::Local initial, const std::string& name,
+                     Writer& writer) {
+    writer.begin_component(component.size() + 1, initial, name);
+    for (machine::Local state = 0; state <= component.size(); ++state) {
+        std::vector<std::pair<Event, std::uint32_t>> row;
+        for (const machine::Component::Edge& edge : component.edges(state))
+            row.emplace_back(component.alphabet()[edge.event], edge.target);
+        writer.add_row(std::move(row));
+    }
+}
+
+/// The name of a component: its process in its first state, if that is short.
+std::string component_name(const machine::Component& component, std::size_t slot, const process::TermStore& terms) {
+    constexpr std::size_t longest = 100;
+    const std::string name = component.size() == 0 ? "" : process::describe(terms, component.term_of(0));
+    return name.empty() || name.size() > longest ? fmt::format("component {}", slot) : name;
+}
+
+ProcessText compiled_text(const machine::SupercombinatorSystem& system, const process::TermStore& terms,
+                          diagnostics::Pollable& budget) {
+    const machine::Supercombinator& process = system.combined();
+    EventSet used;
+    machine::add_events(process, used);
+    Writer writer(system.events(), std::move(used), budget);
+    writer.begin_components(process.components.size());
+    for (std::size_t slot = 0; slot < process.components.size(); ++slot) {
+        const machine::Component& component = *process.components[slot];
+        write_component(component, process.initial[slot], component_name(component, slot, terms), writer);
+    }
+    write_region(process, process.regions.size() - 1, writer);
+    return writer.finish();
+}
+
+/// Thrown to stop an exploration.
+struct TooManyStates {};
+
+ProcessText explicit_text(lts::TransitionSystem& system, diagnostics::Pollable& budget) {
+    const lts::Exploration found = lts::explore(system, [&](std::size_t states) {
+        budget.poll();
+        if (states > most_explicit_states) throw TooManyStates{};
+    });
+    EventSet used;
+    machine::add_events(found.graph, used);
+    std::ranges::sort(used);
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    Writer writer(system.events(), used, budget);
+    writer.begin_components(1);
+    writer.begin_component(found.graph.size(), 0, "the process");
+    for (lts::StateIndex state = 0; state < found.graph.size(); ++state) {
+        std::vector<std::pair<Event, std::uint32_t>> row;
+        for (const lts::Edge& edge : found.graph.edges(state)) row.emplace_back(edge.event, edge.target);
+        writer.add_row(std::move(row));
+    }
+    writer.begin_region(1, used.size());
+    writer.add_slot(0);
+    for (const Event event : used) writer.add_rule(event, machine::no_level, {{0, event}}, {});
+    return writer.finish();
+}
+
+}  // namespace
+
+std::string one_line(const std::string& text) {
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+    std::string result;
+    bool gap = false;  // after a control character, spaces are left out
+    for (const char c : text) {
+        if (is_control(c) && !gap) result += ' ';
+        gap = is_control(c) || (gap && c == ' ');
+        if (!gap) result += c;
+    }
+    return result;
+}
+
+std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
+                                        diagnostics::Pollable& budget) {
+    if (const auto* const compiled = dynamic_cast<const machine::SupercombinatorSystem*>(&process))
+        return compiled_text(*compiled, terms, budget);
+    try {
+        return explicit_text(process, budget);
+    } catch (const TooManyStates&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace robochart::certify

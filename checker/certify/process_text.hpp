@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The text of a compiled process in a certificate: events, components, rules (docs/certificates.md, "Processes").
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "base/diagnostics/pollable.hpp"
+#include "checker/lts/transition_system.hpp"
+#include "checker/process/term.hpp"
+
+namespace robochart::certify {
+
+/// A process as text, with its size.
+struct ProcessText {
+    std::string text;
+    std::size_t components = 0;
+    std::size_t rules = 0;
+};
+
+/// A process that is not compiled is written as one component, which has all its states. More states than this are
+/// refused.
+inline constexpr std::size_t most_explicit_states = 200'000;
+
+/// The text in one line: a space replaces each group of control characters and the spaces after it.
+[[nodiscard]] std::string one_line(const std::string& text);
+
+/// Returns the text of the process, whose components are named by their terms. No value if it has too many states to be
+/// one component. Polls the budget, and passes on the exceptions of the process.
+[[nodiscard]] std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
+                                                      diagnostics::Pollable& budget);
+
+}  // namespace robochart::certify

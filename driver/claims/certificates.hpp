@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes the certificates of claims that hold (docs/certificates.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "checker/cspm/session.hpp"
+#include "driver/results/results.hpp"
+#include "driver/settings/search_context.hpp"
+
+namespace robochart::driver {
+
+/// The claim of certificates.
+struct CertifiedClaim {
+    std::string number;  ///< in the names of folders
+    std::string title;
+    std::string place;
+    std::vector<const cspm::Decl*> assertions;  ///< all of them hold, and together they are the claim
+};
+
+/// Writes a certificate for each assertion of a claim that holds, to the folder that the settings name. If one of them
+/// has no certificate, none is written.
+[[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
+
+/// Certificates of earlier runs must not be taken for those of this run. Returns the reason if the folder contains
+/// files, "" if it is empty or does not exist.
+[[nodiscard]] std::string why_not_empty(const std::string& folder);
+
+/// One line about the certificates.
+[[nodiscard]] std::string certificate_text(const CertificateReport&);
+
+}  // namespace robochart::driver

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// Certificates: their files, and what robochart-certify says of them. Random scripts are decided by the naive checker.
+// Certificates are made for claims that hold and, as a faulty checker would, for claims that fail: the certifier must
+// accept the former and refuse the latter.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "base/cache/sha256.hpp"
+#include "checker/certify/certificate.hpp"
+#include "checker/certify/process_text.hpp"
+#include "checker/cspm/types/type_check.hpp"
+#include "tests/checker/cspm/support.hpp"
+#include "tests/checker/processes/random_cases.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace robochart::certify {
+namespace {
+
+using cspm::test::Reading;
+using refine::RandomCases;
+
+/// The paths of programs, or "" if they are not there.
+const std::string certifier = ROBOCHART_CERTIFY;
+const std::string coq = ROBOCHART_COQC;
+const char* const no_certifier = "robochart-certify is not built, because there is no ocamlopt";
+
+struct Ran {
+    int exit = -1;
+    std::string out;
+};
+
+/// Runs a command of the shell.
+Ran run(const std::string& command) {
+    Ran result;
+    FILE* const pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> piece{};
+    while (pipe != nullptr && fgets(piece.data(), piece.size(), pipe) != nullptr) result.out += piece.data();
+    const int status = pclose(pipe);
+    result.exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+    return result;
+}
+
+/// Runs the certifier on a folder.
+Ran certify(const std::string& folder, const std::string& options = "") {
+    return run(fmt::format("'{}' {} '{}' 2>&1", certifier, options, folder));
+}
+
+/// A script with its session.
+class Opened {
+public:
+    explicit Opened(const std::string& text) : reading_(text) {
+        (void)cspm::check_types(reading_.script, reading_.diagnostics);
+        EXPECT_TRUE(reading_.ok()) << reading_.report();
+        session_.emplace(reading_.script);
+        assertions_ = session_->assertions();
+    }
+    [[nodiscard]] CertificateResult certificate(std::size_t number, const std::string& source = "test") {
+        return make_certificate(*session_, *assertions_.at(number), source, {});
+    }
+
+private:
+    Reading reading_;
+    std::optional<cspm::Session> session_;
+    std::vector<cspm::DeclPtr> assertions_;
+};
+
+const std::string two_cells =
+    "channel in, mid, out\nCELL = in -> mid -> CELL\nOTHER = mid -> out -> OTHER\n"
+    "PAIR = (CELL [|{mid}|] OTHER) \\ {mid}\nSPEC = in -> (out -> SPEC |~| in -> out -> SPEC) [] STOP\n"
+    "ONE = in -> ONE\nassert PAIR :[deadlock free [F]]\nassert RUN({in, out}) [T= PAIR\nassert not STOP [T= PAIR\n"
+    "assert PAIR :[deterministic]\nassert STOP [T= ONE\n";
+
+TEST(Certificates, AreTextsWithDigests) {
+    Opened script(two_cells);
+    const CertificateResult result = script.certificate(1, "the claim\n(a.csp:8)");
+    ASSERT_TRUE(result.certificate) << result.reason;
+    const Certificate& files = *result.certificate;
+    EXPECT_TRUE(files.claim.starts_with("robochart-verify certificate 1\nclaim: refinement in the traces model\n"));
+    EXPECT_NE(files.claim.find("\nassertion: assert RUN({in, out}) [T= PAIR\nsource: the claim (a.csp:8)\n"),
+              std::string::npos)
+        << files.claim;
+    EXPECT_NE(files.claim.find("\nlevel: product, unreduced\n"), std::string::npos);
+    EXPECT_NE(files.claim.find("\nspecification-sha256: " + diagnostics::sha256(files.specification) + "\n"),
+              std::string::npos);
+    EXPECT_NE(files.claim.find("\nimplementation-sha256: " + diagnostics::sha256(files.implementation) + "\n"),
+              std::string::npos);
+    const std::size_t end = files.claim.find("end-sha256: ");
+    ASSERT_NE(end, std::string::npos);
+    EXPECT_EQ(files.claim.substr(end), "end-sha256: " + diagnostics::sha256(files.claim.substr(0, end)) + "\n");
+    EXPECT_TRUE(files.implementation.starts_with("robochart-verify process 1\nevents 3\n")) << files.implementation;
+    EXPECT_TRUE(files.implementation.ends_with("\nend\n"));
+}
+
+TEST(Certificates, AreNotMadeForOtherKindsOfAssertions) {
+    Opened script(two_cells);
+    EXPECT_EQ(script.certificate(2).reason,
+              "it rests on an assertion that fails, and certificates say that assertions hold");
+    EXPECT_EQ(script.certificate(3).reason, "there are no certificates for this kind of assertion");
+    Opened timed(
+        "channel a, tock\nTimed(\\ _ @ 1) {\nP = a -> P\nassert P :[divergence free]\n}\n"
+        "Q = a -> Q\nassert Q :[deadlock free] :[tau priority]: {tock}\n");
+    EXPECT_EQ(timed.certificate(0).reason,
+              "there are no certificates for assertions inside modules and timed sections");
+    EXPECT_EQ(timed.certificate(1).reason, "there are no certificates for `tau priority`");
+}
+
+TEST(Certificates, HaveTextsWithoutControlCharacters) {
+    EXPECT_EQ(one_line("assert P\n    [T= Q"), "assert P [T= Q");
+    EXPECT_EQ(one_line("a\x1b[0m\tb  c"), "a [0m b  c");
+}
+
+TEST(Certificates, HaveNumberedFolders) {
+    EXPECT_EQ(folder_name("3", "A [FD= B_1 \\ {x}"), "3-A-FD-B-1-x");
+    EXPECT_EQ(folder_name("2.1", "../../etc"), "2.1-etc");
+    EXPECT_EQ(folder_name("7", "\xe2\x9c\x93"), "7");
+    EXPECT_LE(folder_name("1", std::string(500, 'a')).size(), 60U);
+}
+
+TEST(Certificates, AreRefusedIfTheClaimFails) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(two_cells);
+    const tests::TemporaryFolder folder;
+    const auto write = [&](std::size_t number) {
+        const CertificateResult result = script.certificate(number);
+        ASSERT_TRUE(result.certificate) << result.reason;
+        ASSERT_EQ(write_certificate(folder.path(), fmt::format("{}", number), *result.certificate, nullptr), "");
+    };
+    write(0);
+    write(1);
+    write(4);
+    const Ran ran = certify(folder.path());
+    EXPECT_EQ(ran.exit, 1);
+    EXPECT_NE(ran.out.find("/0: test: product level, unreduced, "), std::string::npos);
+    EXPECT_NE(ran.out.find("after <>, in the state ("), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("it can perform in; the specification allows only {}"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("2 certified, 1 refused"), std::string::npos) << ran.out;
+}
+
+/// Every file of a certificate is protected by a digest.
+TEST(Certificates, AreRefusedIfAByteChanges) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(two_cells);
+    const CertificateResult result = script.certificate(1);
+    ASSERT_TRUE(result.certificate) << result.reason;
+    const tests::TemporaryFolder folder;
+    int copies = 0;
+    const auto damage = [&](std::string Certificate::*file, std::size_t step) {
+        const std::string text = (*result.certificate).*file;
+        for (std::size_t at = 0; at < text.size(); at += step) {
+            Certificate changed = *result.certificate;
+            (changed.*file)[at] = static_cast<char>((changed.*file)[at] ^ 1);
+            ASSERT_EQ(write_certificate(folder.path(), fmt::format("{}", copies++), changed, nullptr), "");
+            changed = *result.certificate;
+            (changed.*file).resize(at);
+            ASSERT_EQ(write_certificate(folder.path(), fmt::format("{}", copies++), changed, nullptr), "");
+        }
+    };
+    damage(&Certificate::claim, 7);
+    damage(&Certificate::specification, 11);
+    damage(&Certificate::implementation, 11);
+    const Ran ran = certify(folder.path(), "--quiet");
+    EXPECT_EQ(ran.exit, 1);
+    EXPECT_NE(ran.out.find(fmt::format("0 certified, {} refused", copies)), std::string::npos) << ran.out;
+}
+
+TEST(Certificates, AreNotCompleteWithoutTheirClaim) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(two_cells);
+    const tests::TemporaryFolder folder;
+    ASSERT_EQ(write_certificate(folder.path(), "1", *script.certificate(1).certificate, nullptr), "");
+    std::filesystem::remove(folder.in("1/claim.txt"));
+    const Ran ran = certify(folder.path());
+    EXPECT_EQ(ran.exit, 1);
+    EXPECT_NE(ran.out.find("0 certified, 1 refused"), std::string::npos) << ran.out;
+}
+
+/// The answers of the certifier by folder.
+std::map<std::string, bool> answers_in(const std::string& output) {
+    std::map<std::string, bool> result;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        const bool accepted = line.starts_with("CERTIFIED");
+        if (!accepted && !line.starts_with("REFUSED")) continue;
+        const std::string path = line.substr(11, line.find(": ") - 11);
+        result[std::filesystem::path(path).filename().string()] = accepted;
+    }
+    return result;
+}
+
+/// Components with more than 61 bits of states need several words.
+TEST(Certificates, OfWideStatesAreChecked) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(
+        "channel c : {0..69}\nWIDE = ||| i : {0..69} @ (if i < 3 then c.i -> STOP else STOP)\n"
+        "LIMIT(n) = if n == 0 then STOP else c?i -> LIMIT(n - 1)\n"
+        "assert LIMIT(3) [T= WIDE\nassert LIMIT(2) [T= WIDE\nassert WIDE :[divergence free]\n");
+    const tests::TemporaryFolder folder;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const CertificateResult result = script.certificate(i);
+        ASSERT_TRUE(result.certificate) << result.reason;
+        EXPECT_NE(result.certificate->implementation.find("\ncomponents 70\n"), std::string::npos);
+        ASSERT_EQ(write_certificate(folder.path(), fmt::format("{}", i), *result.certificate, nullptr), "");
+    }
+    const Ran ran = certify(folder.path());
+    EXPECT_EQ(answers_in(ran.out), (std::map<std::string, bool>{{"0", true}, {"1", false}, {"2", true}})) << ran.out;
+}
+
+/// The theorem's file needs Coq alone.
+TEST(Certificates, BecomeTheoremsOfCoq) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    if (coq.empty()) GTEST_SKIP() << "there is no coqc";  // it is large, so scripts/setup.sh does not install it
+    Opened script(two_cells);
+    const tests::TemporaryFolder folder;
+    for (const std::size_t number : {0U, 1U, 4U}) {
+        const std::string name = fmt::format("{}", number);
+        ASSERT_EQ(write_certificate(folder.path(), name, *script.certificate(number).certificate, nullptr), "");
+        const Ran made = certify(folder.in(name), "--coq");
+        if (number == 4U) {
+            EXPECT_EQ(made.exit, 1) << made.out;
+            continue;
+        }
+        ASSERT_EQ(made.exit, 0) << made.out;
+        const std::string file = folder.write(fmt::format("Holds{}.v", number), made.out);
+        const Ran ran = run(fmt::format("cd '{}' && '{}' -q '{}' 2>&1", folder.path(), coq, file));
+        EXPECT_EQ(ran.exit, 0) << ran.out;
+        EXPECT_NE(ran.out.find("Axioms:\n"), std::string::npos) << ran.out;
+        EXPECT_EQ(ran.out.find("holds"), std::string::npos) << ran.out;
+    }
+}
+
+TEST(Certificates, OfRandomScriptsAreAcceptedIfAndOnlyIfTheClaimHolds) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    const int required = refine::wanted_checks(1'000);
+    RandomCases cases(41);
+    std::map<bool, int> counted;
+    for (int checks = 0; checks < required;) {
+        const RandomCases::Explored explored = cases.next();
+        const std::string text = refine::script_with_assertions(explored.test_case);
+        if (text.find("chase(") != std::string::npos) continue;  // the naive checker may follow another tau
+        Opened script(text);
+        const tests::TemporaryFolder folder;
+        std::map<std::string, bool> truth;
+        for (std::size_t i = 0; i < refine::questions().size(); ++i) {
+            const CertificateResult result = script.certificate(i);
+            if (!result.certificate) continue;
+            const std::string name = fmt::format("{}", i);
+            ASSERT_EQ(write_certificate(folder.path(), name, *result.certificate, nullptr), "");
+            truth[name] = expected(refine::questions()[i], explored.graphs, explored.test_case.trace);
+        }
+        const Ran ran = certify(folder.path());
+        ASSERT_EQ(answers_in(ran.out), truth) << ran.out << text;
+        for (const auto& [name, holds] : truth) ++counted[holds];
+        checks += static_cast<int>(truth.size());
+        ASSERT_FALSE(truth.empty()) << text;
+    }
+    std::cout << counted[true] << " claims that hold are certified, " << counted[false] << " that fail are refused\n";
+    EXPECT_GT(counted[true], 0);
+    EXPECT_GT(counted[false], 0);
+}
+
+}  // namespace
+}  // namespace robochart::certify
