@@ -27,8 +27,7 @@ driver::Evidence::Files files_of(const driver::Project& project) {
     for (std::size_t i = 0; i < project.sources.size(); ++i) {
         const auto source = static_cast<diagnostics::SourceId>(i);
         const std::filesystem::path path = project.sources.path(source);
-        const bool model =
-            frontend::is_model_path(path.string()) || frontend::is_assertion_path(path.string());
+        const bool model = frontend::is_model_path(path.string()) || frontend::is_assertion_path(path.string());
         if (std::filesystem::exists(path) && model)
             files.emplace_back(path.filename().string(), driver::content_digest(project.sources.source_text(source)));
     }

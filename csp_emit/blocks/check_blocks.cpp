@@ -89,7 +89,8 @@ public:
         for (const Time time : {Time::untimed, Time::timed}) {
             const AssertionTime other = time == Time::timed ? AssertionTime::untimed : AssertionTime::timed;
             const bool needed = std::ranges::any_of(files, [&](std::size_t file) {
-                return in_script(file) && std::ranges::any_of(model_.files[file]->csp_blocks,
+                return in_script(file) &&
+                       std::ranges::any_of(model_.files[file]->csp_blocks,
                                            [&](const CspBlock& block) { return block.time != other; });
             });
             if (needed) check_emission(copy, time);

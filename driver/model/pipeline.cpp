@@ -157,7 +157,8 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
 fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
     if (unit.again) return path(unit.files.back());
-    const auto model = std::ranges::find_if(unit.files, [&](std::size_t file) { return frontend::is_model_path(path(file)); });
+    const auto model =
+        std::ranges::find_if(unit.files, [&](std::size_t file) { return frontend::is_model_path(path(file)); });
     return path(model == unit.files.end() ? unit.files.front() : *model);
 }
 

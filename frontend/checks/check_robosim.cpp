@@ -175,8 +175,8 @@ void check_caller(const Machine& caller, const Stmt& call, const Machine& operat
     report("output", "operations", missing_names(needed.outputs.operations, offered.outputs.operations));
 }
 
-/// Reports operations that call themselves, directly or through others. The depth-first search has its own stack, because
-/// chains of calls may be long.
+/// Reports operations that call themselves, directly or through others. The depth-first search has its own stack,
+/// because chains of calls may be long.
 class Recursion {
 public:
     Recursion(const Definitions& defined, Diagnostics& out) : defined_(defined), out_(out) {}
@@ -233,9 +233,8 @@ void check_callers(const Component& controller, Diagnostics& out) {
     for (const Declaration* part : controller.order) {
         const auto* caller = follow_to<Machine>(part);
         if (caller == nullptr || !seen.insert(caller).second) continue;
-        for_calls(*caller, defined, [&](const Stmt& call, const Machine& operation) {
-            check_caller(*caller, call, operation, out);
-        });
+        for_calls(*caller, defined,
+                  [&](const Stmt& call, const Machine& operation) { check_caller(*caller, call, operation, out); });
         if (caller->kind == DeclKind::operation) recursion.search_from(*caller);
     }
 }

@@ -118,7 +118,8 @@ void check_time(const Machine& machine, Diagnostics& out) {
     for_actions(machine, [&](const Stmt& action) { check_action(action, out); });
     check_declarations(machine, out);
     // RoboSim has no untimed semantics.
-    if (first_timed != nullptr && machine.dialect == Dialect::robochart) out.report(rules::untimed, first_timed->span, {machine.name});
+    if (first_timed != nullptr && machine.dialect == Dialect::robochart)
+        out.report(rules::untimed, first_timed->span, {machine.name});
 }
 
 }  // namespace robochart::frontend

@@ -88,8 +88,8 @@ bool names_clash(const Declaration& a, const Declaration& b) {
 
 namespace {
 
-/// Assertions are named on the command line and in reports, so their names must be unique in a package and dialect. Files of one
-/// package in different folders may be copies of a project; each folder is checked separately.
+/// Assertions are named on the command line and in reports, so their names must be unique in a package and dialect.
+/// Files of one package in different folders may be copies of a project; each folder is checked separately.
 void check_assertions(const Model& model, Diagnostics& out) {
     std::map<std::tuple<std::string_view, std::string, Dialect>, std::vector<const File*>> together;
     for (const auto& file : model.files)

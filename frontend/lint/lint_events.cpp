@@ -50,8 +50,7 @@ private:
     }
 
     void add(const Communication& communication) {
-        if (communication.event_target != nullptr)
-            first_.emplace(communication.event_target->name, communication.span);
+        if (communication.event_target != nullptr) first_.emplace(communication.event_target->name, communication.span);
     }
 
     /// Adds the events that RoboSim reads as `$e`.
@@ -127,8 +126,8 @@ void check_machine(const Component& controller, const Declaration& part, const M
                 .notes.push_back({event->name_span, "the event is declared here"});
     }
     const bool robosim = controller.dialect == Dialect::robosim;
-    report_loose(robosim ? rules::w_loose_robosim : rules::w_loose_machine, part.name_span, loose, describe_part(part, machine, "machine"),
-                 controller.name, out);
+    report_loose(robosim ? rules::w_loose_robosim : rules::w_loose_machine, part.name_span, loose,
+                 describe_part(part, machine, "machine"), controller.name, out);
 }
 
 void check_controller_events(const Component& controller, Diagnostics& out) {

@@ -60,8 +60,8 @@ std::unique_ptr<File> read(SourceManager& sources, const fs::path& path, Diagnos
 
 bool is_empty(const File& file) {
     return !file.has_syntax_errors && file.declarations.empty() && file.assertions.empty() && file.csp_blocks.empty() &&
-           file.kept.empty() && file.simulations.empty() && file.probabilistic_definitions.empty() && file.probabilistic_assertions.empty() &&
-           file.imports.empty() && file.package.empty();
+           file.kept.empty() && file.simulations.empty() && file.probabilistic_definitions.empty() &&
+           file.probabilistic_assertions.empty() && file.imports.empty() && file.package.empty();
 }
 
 /// A file in the folder of the named file, with the data that decides whether it is needed.
@@ -153,7 +153,8 @@ std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostic
     for (const Neighbour& file : chosen) result.push_back(file.path);
     if (!is_assertions(named))
         for (const Neighbour& other : open)
-            if (is_assertions(other.path) && same_dialect(other.path, named) && (!other.readable || sets_overlap(other.mentions, chosen.front().declares)))
+            if (is_assertions(other.path) && same_dialect(other.path, named) &&
+                (!other.readable || sets_overlap(other.mentions, chosen.front().declares)))
                 result.push_back(other.path);
     std::ranges::sort(result);
     return result;

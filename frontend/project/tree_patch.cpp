@@ -90,8 +90,8 @@ bool same_contexts(const std::unique_ptr<Context>& a, const std::unique_ptr<Cont
 }
 
 bool same_members(const Context& a, const Context& b) {
-    return same_contexts(a.input, b.input) && same_contexts(a.output, b.output) && all_same(a.variables, b.variables) && all_same(a.events, b.events) && all_same(a.clocks, b.clocks) &&
-           all_same(a.signatures, b.signatures);
+    return same_contexts(a.input, b.input) && same_contexts(a.output, b.output) && all_same(a.variables, b.variables) &&
+           all_same(a.events, b.events) && all_same(a.clocks, b.clocks) && all_same(a.signatures, b.signatures);
 }
 
 bool same_parts(const Component& a, const Component& b) {

@@ -336,9 +336,9 @@ const Variable* AssertionResolver::find_constant(const AssertionParameter& param
         if (variable->name == parameter.name.parts.back()) return variable;
         candidates.push_back(variable->name);
     }
-    auto& finding = finder_.out().report(rules::no_constant, parameter.name.span,
-                                         {std::string(to_text(context.kind)), context.name,
-                                          constant ? "constant" : "parameter", parameter.name.text()});
+    auto& finding = finder_.out().report(
+        rules::no_constant, parameter.name.span,
+        {std::string(to_text(context.kind)), context.name, constant ? "constant" : "parameter", parameter.name.text()});
     const std::string meant = diagnostics::nearest_spelling(parameter.name.parts.back(), candidates);
     if (!meant.empty())
         finding.fixes.push_back({parameter.name.spans.back(), meant, diagnostics::suggestion_verb(false)});
@@ -497,8 +497,8 @@ void AssertionResolver::resolve_assertion(Assertion& assertion) {
         check_dialect(assertion.subject_path, assertion.subject);
         check_dialect(assertion.other_path, assertion.other);
         const auto& steps = assertion.subject_path.steps;
-        const bool other = assertion.subject_path.process != nullptr ||
-                           (!steps.empty() && steps.back()->kind != DeclKind::simulation);
+        const bool other =
+            assertion.subject_path.process != nullptr || (!steps.empty() && steps.back()->kind != DeclKind::simulation);
         if (assertion.kind == AssertionKind::schedulable && other)
             finder_.out().report(rules::not_a_simulation, assertion.subject.span, {assertion.subject.text()});
     }

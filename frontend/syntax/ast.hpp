@@ -101,8 +101,8 @@ enum class ExprKind {
     since,          ///< since(name): Clock
     since_entry,    ///< sinceEntry(name): State
     parenthesised,  ///< ( args[0] ) kept for the printer
-    register_,      ///< RoboSim: `$n`, or `$e?v : p`: name; args empty, or args[0] v (a name or `$x`), args[1] p or null
-    cycle,          ///< RoboSim: `cycle`, the length of a cycle
+    register_,  ///< RoboSim: `$n`, or `$e?v : p`: name; args empty, or args[0] v (a name or `$x`), args[1] p or null
+    cycle,      ///< RoboSim: `cycle`, the length of a cycle
     // The kinds up to `simulation` occur only in probabilistic assertions.
     path,  ///< path formula: `path`; args[0] optional bound on the steps with its relation `text`, otherwise operands
     probability,  ///< Prob `text` args[1] of [args[0]]; without args[1] a query (`=?`); args[2] optional simulation
@@ -481,9 +481,9 @@ enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
 struct CspBlock;
 
-/// The target of a component name: the declarations on the path to it. A simulation is the only step of its path. A step that is a reference is stored as the
-/// Reference, so that the names of the steps form the path `M::ctrl_ref::stm_ref`; `Reference::target` leads to the
-/// definition.
+/// The target of a component name: the declarations on the path to it. A simulation is the only step of its path. A
+/// step that is a reference is stored as the Reference, so that the names of the steps form the path
+/// `M::ctrl_ref::stm_ref`; `Reference::target` leads to the definition.
 struct ComponentPath {
     std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a CSP process
     const CspBlock* process = nullptr;      ///< set if the name is that of a csp block
@@ -530,8 +530,8 @@ struct Assertion final {
     const Event* missed = nullptr;  ///< filled by resolve: event_missed
 };
 
-/// RoboSim: `simulation N of M { cycleDef e input context {…} output context {…} }` names the RoboChart component M, run
-/// in cycles. The contexts are given if M is a machine.
+/// RoboSim: `simulation N of M { cycleDef e input context {…} output context {…} }` names the RoboChart component M,
+/// run in cycles. The contexts are given if M is a machine.
 struct Simulation final : Context {
     Simulation() : Context(DeclKind::simulation) {}
     QualifiedName subject;

@@ -51,8 +51,8 @@ bool is_reserved(std::string_view word) {
 }
 
 std::span<const std::string_view> robosim_words() {
-    static constexpr std::array<std::string_view, 6> words = {"context", "cycle", "cycleDef", "exec", "input",
-                                                              "output"};
+    static constexpr std::array<std::string_view, 6> words = {"context", "cycle", "cycleDef",
+                                                              "exec",    "input", "output"};
     return words;
 }
 

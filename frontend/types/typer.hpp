@@ -16,10 +16,10 @@ namespace robochart::frontend {
 /// The context of an expression.
 struct Surroundings {
     Place place;
-    const Scope* scope = nullptr;        ///< the scope of the machine, operation or interface; null at file level
-    const Function* function = nullptr;  ///< the function whose `result` and parameters are in scope
-    const Machine* machine = nullptr;    ///< the machine whose states `sinceEntry` may name
-    std::vector<const Variable*> bound;  ///< variables of enclosing binders, innermost last
+    const Scope* scope = nullptr;          ///< the scope of the machine, operation or interface; null at file level
+    const Function* function = nullptr;    ///< the function whose `result` and parameters are in scope
+    const Machine* machine = nullptr;      ///< the machine whose states `sinceEntry` may name
+    std::vector<const Variable*> bound;    ///< variables of enclosing binders, innermost last
     const Registers* registers = nullptr;  ///< the registers that `$` names; null outside of RoboSim machines
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resolves the names after `$`, which RoboSim reads from and writes to registers. The candidates are those of RoboTool's
-// scoping, without its fallback to names that have no register.
+// Resolves the names after `$`, which RoboSim reads from and writes to registers. The candidates are those of
+// RoboTool's scoping, without its fallback to names that have no register.
 #include <fmt/format.h>
 
 #include "base/diagnostics/spelling.hpp"
@@ -116,8 +116,8 @@ void Typer::unknown_register(const QualifiedName& name, Span whole, bool written
     const Variable* const own = around.scope != nullptr ? find_in(around.scope->variables, name) : nullptr;
     const Span sign{whole.source, whole.begin, name.span.begin};
     if (own != nullptr) {
-        auto& finding = finder_.out().report(
-            rules::own_marked, whole, {own->name, std::string(to_text(own->kind)), owner_name(around)});
+        auto& finding = finder_.out().report(rules::own_marked, whole,
+                                             {own->name, std::string(to_text(own->kind)), owner_name(around)});
         finding.notes.push_back({own->name_span, "it is declared here"});
         finding.fixes.push_back({sign, "", "remove the `$`"});
         return;
@@ -127,11 +127,9 @@ void Typer::unknown_register(const QualifiedName& name, Span whole, bool written
         finder_.keys_of(written ? registers.outputs.variables : registers.inputs.variables);
     for (std::string& event : finder_.keys_of(written ? registers.outputs.events : registers.inputs.events))
         candidates.push_back(std::move(event));
-    auto& finding =
-        finder_.report_unknown(name, written ? "output" : "input",
-                               fmt::format("in the {} context of `{}`", written ? "output" : "input",
-                                           owner_name(around)),
-                               candidates);
+    auto& finding = finder_.report_unknown(
+        name, written ? "output" : "input",
+        fmt::format("in the {} context of `{}`", written ? "output" : "input", owner_name(around)), candidates);
     if (finder_.out().error_count() > diagnostics::Diagnostics::max_kept) return;
     const auto note = [&](DeclKind kind, std::string_view clause) {
         const Context* const interface = finder_.names().interface_with(simple, kind);

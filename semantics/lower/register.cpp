@@ -52,9 +52,9 @@ void add_module(Lowering& lowering, const ast::Component& source) {
 /// True for a component whose behaviour is written in RoboSim.
 bool is_robosim(const ast::Declaration& declaration) {
     const auto* context = dynamic_cast<const ast::Context*>(&declaration);
-    const bool component =
-        declaration.kind == ast::DeclKind::state_machine || declaration.kind == ast::DeclKind::operation ||
-        declaration.kind == ast::DeclKind::controller || declaration.kind == ast::DeclKind::module;
+    const bool component = declaration.kind == ast::DeclKind::state_machine ||
+                           declaration.kind == ast::DeclKind::operation ||
+                           declaration.kind == ast::DeclKind::controller || declaration.kind == ast::DeclKind::module;
     return component && context != nullptr && context->dialect == ast::Dialect::robosim;
 }
 
@@ -70,8 +70,8 @@ void report_robosim(const Lowering& lowering) {
             ++count;
         }
     if (first == nullptr) return;
-    const bool others = !lowering.machine_sources.empty() || !lowering.controller_sources.empty() ||
-                        !lowering.module_sources.empty();
+    const bool others =
+        !lowering.machine_sources.empty() || !lowering.controller_sources.empty() || !lowering.module_sources.empty();
     std::string what = std::string(to_text(first->kind)) + " `" + first->name + "`";
     if (count > 1) what += " (and " + std::to_string(count - 1) + " more)";
     lowering.diagnostics.report(others ? rules::robosim_passed_over : rules::robosim_only, first->name_span, {what});

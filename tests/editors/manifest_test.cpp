@@ -36,9 +36,9 @@ TEST(Manifest, LanguagesCoverTheFilesOfTheProgram) {
     const json manifest = load_json("package.json");
     for (const json& language : manifest.at("contributes").at("languages"))
         languages[language.at("extensions").at(0)] = language.at("id");
-    const std::map<std::string, std::string> expected{
-        {".rct", "robochart"}, {".assertions", "robochart-assertions"}, {".csp", "cspm"}, {".sleec", "sleec"},
-        {".rst", "robosim"},   {".rsa", "robosim-assertions"}};
+    const std::map<std::string, std::string> expected{{".rct", "robochart"}, {".assertions", "robochart-assertions"},
+                                                      {".csp", "cspm"},      {".sleec", "sleec"},
+                                                      {".rst", "robosim"},   {".rsa", "robosim-assertions"}};
     EXPECT_EQ(languages, expected);
 }
 

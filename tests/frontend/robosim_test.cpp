@@ -59,7 +59,8 @@ stm Switch {
 }
 )";
 
-const std::string lamp_claims = R"(assertion A0 : Lamp::Switch is deadlock-free with cycleDef of Lamp::Switch set to 2, and constant most of Lamp::Switch set to 1
+const std::string lamp_claims =
+    R"(assertion A0 : Lamp::Switch is deadlock-free with cycleDef of Lamp::Switch set to 2, and constant most of Lamp::Switch set to 1
 assertion A1 : Lamp::Switch refines N in the tick-tock model with cycleDef of N set to 2 and cycleDef of Lamp::Switch set to 2
 assertion A2 : N is not schedulable
 simulation N of Chart { cycleDef { cycle == 1 } input context { uses Lamp::Button } output context { requires Lamp::Light } }
@@ -128,14 +129,15 @@ TEST(RoboSim, RoboChartKeepsItsWords) {
 /// The same simple name in both dialects: each file means the component of its own, and a simulation that of RoboChart.
 TEST(RoboSim, EachDialectMeansItsOwnComponents) {
     const std::string machine = "initial i state A { } transition t0 { from i to A } ";
-    const auto reading = resolved({{"a.rct", "stm S { event e " + machine + "transition t1 { from A to A trigger e } }"},
-                                   {"b.rst", "stm S { cycleDef cycle == 1 input context { } output context { } " +
-                                                 machine + "transition t1 { from A to A exec } } " +
-                                                 "controller C { cycleDef cycle == 1 sref s = S }"},
-                                   {"c.assertions", "assertion A : S is deadlock-free"},
-                                   {"d.rsa", "assertion B : S is deadlock-free\n"
-                                             "simulation N of S { cycleDef cycle == 1 input context { event e } output "
-                                             "context { } }"}});
+    const auto reading = resolved(
+        {{"a.rct", "stm S { event e " + machine + "transition t1 { from A to A trigger e } }"},
+         {"b.rst", "stm S { cycleDef cycle == 1 input context { } output context { } " + machine +
+                       "transition t1 { from A to A exec } } " + "controller C { cycleDef cycle == 1 sref s = S }"},
+         {"c.assertions", "assertion A : S is deadlock-free"},
+         {"d.rsa",
+          "assertion B : S is deadlock-free\n"
+          "simulation N of S { cycleDef cycle == 1 input context { event e } output "
+          "context { } }"}});
     EXPECT_TRUE(reading->findings.ok()) << reading->report();
     const Declaration* const chart_machine = reading->model.files[0]->declarations[0].get();
     const Declaration* const sim_machine = reading->model.files[1]->declarations[0].get();
@@ -150,8 +152,8 @@ TEST(RoboSim, EachDialectMeansItsOwnComponents) {
 
 /// A machine with a state, two contexts, and further members on lines of their own, from line 5.
 std::string machine(const std::string& input, const std::string& output, const std::string& members) {
-    return "stm S { cycleDef cycle == 1 var n : nat = 0\ninput context { " + input +
-           " }\noutput context { " + output + " }\ninitial i state A { } transition t0 { from i to A }\n" + members +
+    return "stm S { cycleDef cycle == 1 var n : nat = 0\ninput context { " + input + " }\noutput context { " + output +
+           " }\ninitial i state A { } transition t0 { from i to A }\n" + members +
            "\ntransition t9 { from A to A exec condition n > 3 } transition t8 { from A to A exec action n = n + 1 } }";
 }
 
@@ -171,9 +173,10 @@ TEST(RoboSim, ConstructsOfRoboChartAreNamed) {
 
 TEST(RoboSim, ItsConstructsAreNamedInRoboChart) {
     const auto with = [](const std::string& members) {
-        return resolved({{"t.rct", "stm S { event e : nat var x : nat = 0\ninitial i state A { } transition t0 { from i "
-                                   "to A }\ntransition t9 { from A to A trigger e?x condition x > 3 }\n" +
-                                       members + "\n}"}})
+        return resolved({{"t.rct",
+                          "stm S { event e : nat var x : nat = 0\ninitial i state A { } transition t0 { from i "
+                          "to A }\ntransition t9 { from A to A trigger e?x condition x > 3 }\n" +
+                              members + "\n}"}})
             ->codes();
     };
     EXPECT_EQ(with(""), "");
@@ -183,8 +186,10 @@ TEST(RoboSim, ItsConstructsAreNamedInRoboChart) {
     EXPECT_EQ(with("input context { event go }").substr(0, 8), "RC-P36@4");
     EXPECT_EQ(with("cycleDef 1"), "RC-P36@4");
     EXPECT_THAT(with("transition t1 { from A to A trigger e?x action exec }"), ::testing::HasSubstr("RC-N01@4"));
-    EXPECT_EQ(resolved({{"t.assertions", "simulation N of S { }"}, {"s.rct", "stm S { initial i state A { } transition "
-                                                                             "t { from i to A } }"}})
+    EXPECT_EQ(resolved({{"t.assertions", "simulation N of S { }"},
+                        {"s.rct",
+                         "stm S { initial i state A { } transition "
+                         "t { from i to A } }"}})
                   ->codes()
                   .substr(0, 8),
               "RC-P36@1");
@@ -210,7 +215,8 @@ TEST(RoboSim, RegistersAreReadAndWrittenInTheirDirection) {
 
 TEST(RoboSim, StoresHaveTheTypeOfTheirEvent) {
     const auto with = [](const std::string& type, const std::string& stored) {
-        return codes_of(machine("event e" + type, "", "transition t1 { from A to A exec condition $e?" + stored + " }"));
+        return codes_of(
+            machine("event e" + type, "", "transition t1 { from A to A exec condition $e?" + stored + " }"));
     };
     EXPECT_EQ(with(" : nat", "n"), "");
     EXPECT_EQ(with("", "n"), "Tg5@5");
@@ -223,8 +229,9 @@ TEST(RoboSim, StoresHaveTheTypeOfTheirEvent) {
 
 TEST(RoboSim, ContextsAndCyclesAreChecked) {
     EXPECT_EQ(codes_of("operation f() { initial i final g transition t { from i to g } }"), "RC-Y01@1 RC-Y01@1");
-    const std::string body = "input context { } output context { } initial i state A { } transition t0 { from i to A } "
-                             "transition t1 { from A to A exec } }";
+    const std::string body =
+        "input context { } output context { } initial i state A { } transition t0 { from i to A } "
+        "transition t1 { from A to A exec } }";
     EXPECT_EQ(codes_of("stm S { " + body), "RC-Y07@1");
     EXPECT_EQ(codes_of("stm S { cycleDef cycle == 0 " + body), "RC-Y07@1");
     EXPECT_EQ(codes_of("stm S { cycleDef cycle == -1 " + body), "RC-Y07@1");
@@ -259,12 +266,14 @@ TEST(RoboSim, ClaimsAreAboutTimeAndCycles) {
 }
 
 TEST(RoboSim, ClaimsCompareAndNameWhatExists) {
-    const std::string module = "interface Io { event go }\nmodule M { cycleDef 1 robotic platform P { uses Io } "
-                               "cref c = C connection P on go to c on go }\ncontroller C { cycleDef 1 event go sref s = "
-                               "S connection C on go to s on go }\nstm S { cycleDef 1 input context { event go } output "
-                               "context { } initial i state A { } transition t { from i to A } transition u { from A to A "
-                               "exec condition $go } transition v { from A to A exec condition not $go } }\nstm T { cycleDef 1 input context { } output context { event other } initial i "
-                               "state A { entry $other } transition t { from i to A } transition u { from A to A exec } }";
+    const std::string module =
+        "interface Io { event go }\nmodule M { cycleDef 1 robotic platform P { uses Io } "
+        "cref c = C connection P on go to c on go }\ncontroller C { cycleDef 1 event go sref s = "
+        "S connection C on go to s on go }\nstm S { cycleDef 1 input context { event go } output "
+        "context { } initial i state A { } transition t { from i to A } transition u { from A to A "
+        "exec condition $go } transition v { from A to A exec condition not $go } }\nstm T { cycleDef 1 input context "
+        "{ } output context { event other } initial i "
+        "state A { entry $other } transition t { from i to A } transition u { from A to A exec } }";
     const auto with = [&](const std::string& claims) {
         return resolved({{"m.rst", module}, {"claims.rsa", claims}})->codes();
     };
@@ -288,7 +297,8 @@ TEST(RoboSim, DeepNestingIsOneFinding) {
     for (int i = 0; i < 10'000; ++i) text += "state A { ";
     EXPECT_EQ(resolved(text)->codes(), "RC-P02@1");
     std::string condition(10'000, '(');
-    EXPECT_EQ(codes_of(machine("event e", "", "transition t1 { from A to A condition " + condition + "$e")), "RC-P02@5");
+    EXPECT_EQ(codes_of(machine("event e", "", "transition t1 { from A to A condition " + condition + "$e")),
+              "RC-P02@5");
 }
 
 // ---------------------------------------------------------------- public models
@@ -303,8 +313,8 @@ std::vector<fs::path> projects_in(const fs::path& suite) {
     return result;
 }
 
-/// Models that are wrong for the reasons that suite/robosim/README.md and the reference give: a constant is assigned and
-/// `abs` has no parameter; `$` before a local variable, and a record stored in a vector.
+/// Models that are wrong for the reasons that suite/robosim/README.md and the reference give: a constant is assigned
+/// and `abs` has no parameter; `$` before a local variable, and a record stored in a vector.
 const std::map<std::string, std::multiset<std::string>> wrong_models = {
     {"MobileRobotOA", {"RC-N01", "RC-T13", "RC-T13", "RC-T13", "RC-T13", "RC-T30", "RC-T30"}},
     {"AutonomousSegregation", {"RC-Y05", "RC-Y05", "RC-T08"}}};
@@ -320,7 +330,8 @@ TEST(RoboSim, ThePublicModelsLoad) {
             if (finding.rule->severity == diagnostics::Severity::error) errors.emplace(finding.rule->code);
         const auto wrong = wrong_models.find(project.filename().string());
         EXPECT_EQ(errors, wrong == wrong_models.end() ? std::multiset<std::string>() : wrong->second)
-            << project << "\n" << reading.report();
+            << project << "\n"
+            << reading.report();
     }
 }
 
@@ -347,13 +358,15 @@ TEST(RoboSim, FormattingIsStable) {
 TEST(RoboSim, TheStandardLayout) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;
-    const auto source = sources.add("t.rst", "stm S { cycleDef ( cycle ==1 ) input context{ uses  I\n event e:nat } output "
-                                             "context { } transition t { from A to B\nexec\ncondition $ e ? x : ( x > 1 ) "
-                                             "action $ out ! $ y;$op( 1 ) ; $x.f=2; exec } }");
-    EXPECT_EQ(format(sources, source, false, findings).value_or(""),
-              "stm S {\n\tcycleDef (cycle == 1)\n\tinput context { uses I event e : nat }\n\toutput context {}\n\t"
-              "transition t {\n\t\tfrom A to B\n\t\texec\n\t\tcondition $e?x : (x > 1)\n\t\taction $out!$y; $op(1); $x.f "
-              "= 2; exec\n\t}\n}\n");
+    const auto source = sources.add("t.rst",
+                                    "stm S { cycleDef ( cycle ==1 ) input context{ uses  I\n event e:nat } output "
+                                    "context { } transition t { from A to B\nexec\ncondition $ e ? x : ( x > 1 ) "
+                                    "action $ out ! $ y;$op( 1 ) ; $x.f=2; exec } }");
+    EXPECT_EQ(
+        format(sources, source, false, findings).value_or(""),
+        "stm S {\n\tcycleDef (cycle == 1)\n\tinput context { uses I event e : nat }\n\toutput context {}\n\t"
+        "transition t {\n\t\tfrom A to B\n\t\texec\n\t\tcondition $e?x : (x > 1)\n\t\taction $out!$y; $op(1); $x.f "
+        "= 2; exec\n\t}\n}\n");
 }
 
 }  // namespace

@@ -17,8 +17,10 @@ constexpr const char* model = "file:///p/lamp.rst";
 
 /// A machine; `member` is a line of its own.
 std::string machine(const std::string& member) {
-    return "stm Switch {\n\tcycleDef cycle == 1\n\tinput context { event /*^declared*/pressed }\n\toutput context { event "
-           "lit }\n\tinitial i\n\tstate Off { }\n\ttransition t0 { from i to Off }\n\ttransition t1 { from Off to Off exec "
+    return "stm Switch {\n\tcycleDef cycle == 1\n\tinput context { event /*^declared*/pressed }\n\toutput context { "
+           "event "
+           "lit }\n\tinitial i\n\tstate Off { }\n\ttransition t0 { from i to Off }\n\ttransition t1 { from Off to Off "
+           "exec "
            "condition $/*^used*/pressed action $lit }\n" +
            member + "\n\ttransition t9 { from Off to Off exec }\n}\n";
 }
