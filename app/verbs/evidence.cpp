@@ -15,6 +15,7 @@
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/containers.hpp"
 #include "driver/claims/model_claims.hpp"
+#include "frontend/syntax/dialect.hpp"
 
 namespace robochart::app {
 
@@ -26,8 +27,8 @@ driver::Evidence::Files files_of(const driver::Project& project) {
     for (std::size_t i = 0; i < project.sources.size(); ++i) {
         const auto source = static_cast<diagnostics::SourceId>(i);
         const std::filesystem::path path = project.sources.path(source);
-        const std::string ending = path.extension().string();
-        if (std::filesystem::exists(path) && (ending == ".rct" || ending == ".assertions"))
+        const bool model = frontend::is_model_path(path.string()) || frontend::is_assertion_path(path.string());
+        if (std::filesystem::exists(path) && model)
             files.emplace_back(path.filename().string(), driver::content_digest(project.sources.source_text(source)));
     }
     diagnostics::sort_unique(files);

@@ -20,6 +20,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/fixes.hpp"
 #include "base/diagnostics/render.hpp"
+#include "frontend/syntax/dialect.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "sleec/syntax/format.hpp"
 
@@ -33,8 +34,8 @@ namespace syntax = frontend::syntax;
 enum class Language { model, assertions, rules };
 
 std::optional<Language> language_of(const fs::path& path) {
-    if (path.extension() == ".rct") return Language::model;
-    if (path.extension() == ".assertions") return Language::assertions;
+    if (frontend::is_model_path(path.string())) return Language::model;
+    if (frontend::is_assertion_path(path.string())) return Language::assertions;
     if (path.extension() == ".sleec") return Language::rules;
     return std::nullopt;
 }

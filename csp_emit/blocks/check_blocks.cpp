@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -69,15 +70,27 @@ public:
     }
 
     void check_unit(const std::vector<std::size_t>& files) {
-        const bool has_blocks =
-            std::ranges::any_of(files, [&](std::size_t file) { return !model_.files[file]->csp_blocks.empty(); });
+        // Blocks of RoboSim name processes that the script does not have.
+        const auto in_script = [&](std::size_t file) {
+            return model_.files[file]->dialect == frontend::Dialect::robochart;
+        };
+        std::vector<std::size_t> alone;
+        std::ranges::remove_copy_if(files, std::back_inserter(alone), in_script);
+        read_alone(alone);
+        const bool has_blocks = std::ranges::any_of(
+            files, [&](std::size_t file) { return in_script(file) && !model_.files[file]->csp_blocks.empty(); });
         if (!has_blocks) return;
         Copy copy = copy_of(model_, sources_, files, false, out_.budget());
-        if (!copy.good) return read_alone(files);
+        if (!copy.good) {
+            std::vector<std::size_t> rest;
+            std::ranges::copy_if(files, std::back_inserter(rest), in_script);
+            return read_alone(rest);
+        }
         for (const Time time : {Time::untimed, Time::timed}) {
             const AssertionTime other = time == Time::timed ? AssertionTime::untimed : AssertionTime::timed;
             const bool needed = std::ranges::any_of(files, [&](std::size_t file) {
-                return std::ranges::any_of(model_.files[file]->csp_blocks,
+                return in_script(file) &&
+                       std::ranges::any_of(model_.files[file]->csp_blocks,
                                            [&](const CspBlock& block) { return block.time != other; });
             });
             if (needed) check_emission(copy, time);

@@ -154,7 +154,8 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
 fs::path naming_file(const Project& whole, const frontend::Unit& unit) {
     const auto path = [&](std::size_t file) { return whole.sources.path(whole.model->files[file]->source); };
     if (unit.again) return path(unit.files.back());
-    const auto model = std::ranges::find_if(unit.files, [&](std::size_t file) { return path(file).ends_with(".rct"); });
+    const auto model =
+        std::ranges::find_if(unit.files, [&](std::size_t file) { return frontend::is_model_path(path(file)); });
     return path(model == unit.files.end() ? unit.files.front() : *model);
 }
 
@@ -497,7 +498,8 @@ bool core_wanted(const Part& part, const Settings& settings) {
     const bool checks = settings.load.claims == ClaimUse::decide;
     const auto& files = project.model->files;
     const bool claims = !project.system.properties.empty() || std::ranges::any_of(files, [](const auto& file) {
-        return !file->probabilistic_assertions.empty() ||
+        const bool robosim = file->dialect == frontend::Dialect::robosim && !file->assertions.empty();
+        return robosim || !file->probabilistic_assertions.empty() ||
                std::ranges::any_of(file->kept, [](const auto& foreign_part) { return foreign_part.claims; });
     });
     const bool instead = checks && !claims && settings.claims.names.empty() && !settings.claims.sizes;

@@ -87,10 +87,14 @@ private:
 
 void check_connections(const Component& component, Diagnostics& out) {
     Uses uses(component, out);
+    // In RoboSim a connection copies registers: several may leave an event, and none is synchronous.
+    const bool synchronises = component.dialect == Dialect::robochart;
     for (const auto& connection : component.connections) {
-        uses.add(*connection, connection->from, true);
-        uses.add(*connection, connection->to, false);
-        check_asynchrony(component, *connection, out);
+        if (synchronises) {
+            uses.add(*connection, connection->from, true);
+            uses.add(*connection, connection->to, false);
+            check_asynchrony(component, *connection, out);
+        }
         const auto* from = dynamic_cast<const Event*>(connection->from.event_target);
         const auto* to = dynamic_cast<const Event*>(connection->to.event_target);
         if (from != nullptr && to != nullptr) check_events(*connection, *from, *to, out);

@@ -69,9 +69,9 @@ void check_final(const State& state, Diagnostics& out) {
 
 // ---------------------------------------------------------------- probabilities
 
-/// The value of an expression over literals and constants that have values. The function follows at most `constants`
-/// references, because constants may refer to each other cyclically.
-std::optional<double> constant_value(const Expr& expr, int constants = 20) {
+}  // namespace
+
+std::optional<double> constant_value(const Expr& expr, int constants) {
     const auto arg = [&](std::size_t i) { return constant_value(*expr.args[i], constants); };
     if (expr.kind == ExprKind::parenthesised) return arg(0);
     if (expr.kind == ExprKind::name) {
@@ -114,6 +114,8 @@ std::optional<double> constant_value(const Expr& expr, int constants = 20) {
     }
     return std::nullopt;
 }
+
+namespace {
 
 void check_probability(const Transition& transition, Diagnostics& out) {
     const bool from_probabilistic = transition.source != nullptr && transition.source->kind == DeclKind::probabilistic;

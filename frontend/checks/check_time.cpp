@@ -117,7 +117,9 @@ void check_time(const Machine& machine, Diagnostics& out) {
     });
     for_actions(machine, [&](const Stmt& action) { check_action(action, out); });
     check_declarations(machine, out);
-    if (first_timed != nullptr) out.report(rules::untimed, first_timed->span, {machine.name});
+    // RoboSim has no untimed semantics.
+    if (first_timed != nullptr && machine.dialect == Dialect::robochart)
+        out.report(rules::untimed, first_timed->span, {machine.name});
 }
 
 }  // namespace robochart::frontend

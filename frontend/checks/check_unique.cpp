@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -87,11 +88,12 @@ bool names_clash(const Declaration& a, const Declaration& b) {
 
 namespace {
 
-/// Assertions are named on the command line and in reports, so their names must be unique in a package. Files of one
-/// package in different folders may be copies of a project; each folder is checked separately.
+/// Assertions are named on the command line and in reports, so their names must be unique in a package and dialect.
+/// Files of one package in different folders may be copies of a project; each folder is checked separately.
 void check_assertions(const Model& model, Diagnostics& out) {
-    std::map<std::pair<std::string_view, std::string>, std::vector<const File*>> together;
-    for (const auto& file : model.files) together[{file->folder, file->package.text()}].push_back(file.get());
+    std::map<std::tuple<std::string_view, std::string, Dialect>, std::vector<const File*>> together;
+    for (const auto& file : model.files)
+        together[{file->folder, file->package.text(), file->dialect}].push_back(file.get());
     for (const auto& [where, files] : together) {
         Seen assertions(out);
         for (const File* file : files) {

@@ -2,6 +2,8 @@
 // The well-formedness rules of a resolved model, grouped by area (private to the front end).
 #pragma once
 
+#include <optional>
+
 #include "base/diagnostics/diagnostic.hpp"
 #include "frontend/names/names.hpp"
 
@@ -31,6 +33,16 @@ void check_ends(const Model& model, const Names& names, Diagnostics& out);
 void check_directions(const Component& component, Diagnostics& out);
 /// Checks rules TT1, TE1, TE4, TE5 and CE2, about clocks and deadlines, and RC-U01, about untimed checks.
 void check_time(const Machine& machine, Diagnostics& out);
+/// Checks rules RC-Y01, RC-Y02, RC-Y07, RC-Y09 and RC-Y12: contexts, cycles and callers of a RoboSim component.
+void check_robosim(const Context& context, Diagnostics& out);
+/// Checks rules RC-Y01, RC-Y02, RC-Y07 and RC-Y10: a simulation whose subject is resolved.
+void check_simulation(const Simulation& simulation, Diagnostics& out);
+/// Checks rules RC-Y07 and RC-Y15: the lengths that a claim of RoboSim gives to cycles are positive numbers, and the
+/// components that it compares have a common register.
+void check_claim(const Assertion& assertion, Diagnostics& out);
+/// The value of an expression over literals and constants that have values. The function follows at most `constants`
+/// references, because constants may refer to each other cyclically.
+[[nodiscard]] std::optional<double> constant_value(const Expr& expr, int constants = 20);
 /// Checks rule RC-N03: declarations, assertions and csp blocks have different names.
 void check_unique(const Model& model, const Names& names, Diagnostics& out);
 /// Checks rule RC-N04: imported names are declared.

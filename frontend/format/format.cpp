@@ -90,10 +90,10 @@ bool same_tokens(const Words& a, const Words& b) {
            std::ranges::equal(comments, other_comments, same_comments);
 }
 
-/// True if `other`, which is tokenized here, has the same tokens and comments.
-bool same_tokens(const Words& words, const std::string& other, bool is_assertions) {
+/// True if `other`, which is tokenized here in the dialect of `path`, has the same tokens and comments.
+bool same_tokens(const Words& words, const std::string& other, const std::string& path, bool is_assertions) {
     diagnostics::SourceManager sources;
-    const auto source = sources.add("", other);
+    const auto source = sources.add(path, other);
     const TokenStream stream = words_of(sources, source, is_assertions);
     return same_tokens(words, {sources.source_text(source), stream});
 }
@@ -111,11 +111,11 @@ std::optional<std::vector<diagnostics::Span>> kept_parts(const diagnostics::Sour
 
 }  // namespace
 
-bool same_words(const std::string& a, const std::string& b, bool is_assertions) {
+bool same_words(const std::string& a, const std::string& b, bool is_assertions, const std::string& path) {
     diagnostics::SourceManager sources;
-    const auto source = sources.add("", a);
+    const auto source = sources.add(path, a);
     const TokenStream stream = words_of(sources, source, is_assertions);
-    return same_tokens({sources.source_text(source), stream}, b, is_assertions);
+    return same_tokens({sources.source_text(source), stream}, b, path, is_assertions);
 }
 
 std::optional<std::string> format(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
@@ -126,7 +126,7 @@ std::optional<std::string> format(const diagnostics::SourceManager& sources, dia
     const TokenStream stream = words_of(sources, source, is_assertions);
     std::string result = is_assertions ? AssertionLayout(text, stream, std::move(*foreign_spans)).run(line_end(text))
                                        : ModelLayout(text, stream).run(line_end(text));
-    if (!same_tokens({text, stream}, result, is_assertions))
+    if (!same_tokens({text, stream}, result, sources.path(source), is_assertions))
         throw std::logic_error("formatting " + sources.path(source) + " would change its words");
     return result;
 }

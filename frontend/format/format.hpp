@@ -17,7 +17,8 @@ namespace robochart::frontend {
 [[nodiscard]] std::optional<std::string> format(const diagnostics::SourceManager&, diagnostics::SourceId,
                                                 bool is_assertions, diagnostics::Diagnostics&);
 
-/// True if two texts have the same tokens and comments; blanks and line ends are ignored.
-[[nodiscard]] bool same_words(const std::string& a, const std::string& b, bool is_assertions);
+/// True if two texts have the same tokens and comments in the dialect of `path`; blanks and line ends are ignored.
+[[nodiscard]] bool same_words(const std::string& a, const std::string& b, bool is_assertions,
+                              const std::string& path = {});
 
 }  // namespace robochart::frontend

@@ -11,6 +11,8 @@ Doc AssertionLayout::format_member(Gap gap) {
     const std::size_t timed = at_word("timed") || at_word("untimed") ? 1 : 0;
     if (at_word("assertion", timed)) return format_assertion(gap);
     if (at_word("csp", timed)) return csp_block(gap);
+    const bool simulates = at_word("simulation") && at_word("of", 2);
+    if (simulates) return format_simulation(gap);
     return at_probabilistic_part() ? probabilistic_part(gap) : format_token(gap);
 }
 
@@ -32,6 +34,17 @@ Doc AssertionLayout::csp_block(Gap gap) {
         while (at(",")) result = cat({result, format_token(Gap::none), format_names(Gap::blank)});
     }
     return doc_.cat(result, format_token(Gap::blank));
+}
+
+/// `simulation N of M { cycleDef e input context {…} output context {…} }`, one part per line
+Doc AssertionLayout::format_simulation(Gap gap) {
+    const Doc head = cat({format_words(gap, 3), format_names(Gap::blank), format_token(Gap::blank)});
+    Doc body = 0;
+    for (Gap next = Gap::first; !at("}") && !at_end(); next = Gap::member)
+        body = doc_.cat(body, at("cycleDef") ? format_cycle(next) : format_registers(next));
+    body = doc_.cat(body, closing_comments());
+    const Doc close = body != 0 ? doc_.hard() : 0;
+    return cat({head, doc_.nest_indented(body), close, advance()});
 }
 
 /// `timed assertion NAME : … in the … model with … .`
@@ -95,9 +108,10 @@ Doc AssertionLayout::format_parameters() {
     return result;
 }
 
-/// `constant v of X set to e`
+/// `constant v of X set to e`, `cycleDef of X set to e`
 Doc AssertionLayout::format_parameter(Gap gap) {
-    Doc result = cat({format_phrase(gap), format_phrase(Gap::blank)});
+    const Doc set = at("cycleDef") ? format_token(gap) : format_phrase(gap);
+    Doc result = cat({set, format_phrase(Gap::blank)});
     const std::size_t count = at_word("assigned") ? 1 : 2;
     result = doc_.cat(result, format_words(Gap::blank, count));
     return doc_.cat(result, format_expression(Gap::blank));

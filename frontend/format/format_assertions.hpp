@@ -27,6 +27,7 @@ private:
     Doc format_parameters();
     Doc format_parameter(Gap gap);
     Doc csp_block(Gap gap);
+    Doc format_simulation(Gap gap);
     Doc format_kept_part(Gap gap);
 
     // Probabilistic assertions (format_probability.cpp)

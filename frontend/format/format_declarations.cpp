@@ -50,7 +50,7 @@ Doc ModelLayout::format_declaration(Gap gap) {
         std::string_view word;
         ModelPart part;
     };
-    static constexpr std::array<Row, 38> rows = {{{"import", &ModelLayout::format_import},
+    static constexpr std::array<Row, 41> rows = {{{"import", &ModelLayout::format_import},
                                                   {"interface", &ModelLayout::format_block},
                                                   {"robotic", &ModelLayout::format_block},
                                                   {"controller", &ModelLayout::format_block},
@@ -82,6 +82,9 @@ Doc ModelLayout::format_declaration(Gap gap) {
                                                   {"connection", &ModelLayout::format_connection},
                                                   {"precondition", &ModelLayout::format_contract},
                                                   {"postcondition", &ModelLayout::format_contract},
+                                                  {"cycleDef", &ModelLayout::format_cycle},
+                                                  {"input", &ModelLayout::format_registers},
+                                                  {"output", &ModelLayout::format_registers},
                                                   {"entry", &ModelLayout::format_action},
                                                   {"during", &ModelLayout::format_action},
                                                   {"exit", &ModelLayout::format_action},

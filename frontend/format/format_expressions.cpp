@@ -103,6 +103,7 @@ Doc ExpressionLayout::format_atom() {
     if (at("<{")) return sequence_with_set();
     if (at("<")) return format_list(Gap::done, &ExpressionLayout::sequence_element);
     if (at("{")) return format_list(Gap::done, &ExpressionLayout::set_element);
+    if (at("$")) return format_register();
     const bool function = at("since") || at("sinceEntry") || at("inverse") || at("transpose");
     if (!at_name())
         return cat(
@@ -110,6 +111,39 @@ Doc ExpressionLayout::format_atom() {
     const Doc name = format_names(Gap::done);
     if (probabilistic_) return behind_name(name);
     return at("(|") ? doc_.cat(name, format_list(Gap::none, &ExpressionLayout::format_field)) : name;
+}
+
+/// `$n`, `$e?v`, `$e?$x : p`
+Doc ExpressionLayout::format_register() {
+    Doc result = format_token(Gap::done);
+    result = doc_.cat(result, format_names(Gap::none));
+    if (!at("?")) return result;
+    result = doc_.cat(result, format_token(Gap::none));
+    if (at("$")) result = doc_.cat(result, format_token(Gap::none));
+    result = doc_.cat(result, format_names(Gap::none));
+    return at(":") ? cat({result, format_token(Gap::blank), format_operand(Gap::blank, value_level)}) : result;
+}
+
+Doc ExpressionLayout::format_cycle(Gap gap) {
+    const Doc word = format_token(gap);
+    return doc_.cat(word, format_expression(Gap::blank));
+}
+
+Doc ExpressionLayout::format_registers(Gap gap) {
+    const Doc before = this->format_gap(gap);
+    const Doc head = cat({format_words(Gap::done, 2), format_token(Gap::blank)});
+    Doc body = 0;
+    for (Gap next = Gap::open; !at("}") && !at_end(); next = Gap::line) body = doc_.cat(body, register_member(next));
+    body = doc_.cat(body, closing_comments());
+    const Doc close = body != 0 ? doc_.line() : 0;
+    return doc_.cat(before, doc_.group(cat({head, doc_.nest_indented(body), close, advance()}), body_limit));
+}
+
+/// `uses I`, `requires I`, `event e : T`
+Doc ExpressionLayout::register_member(Gap gap) {
+    const bool event = at("event");
+    const Doc word = format_token(gap);
+    return doc_.cat(word, event ? format_typed(Gap::blank) : format_names(Gap::blank));
 }
 
 /// `>` closes the sequence `< … >`, so only operators from the level of `+` on are read in its elements.

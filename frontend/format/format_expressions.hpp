@@ -31,6 +31,10 @@ protected:
     /// `a : T`
     Doc format_typed(Gap gap);
     Doc format_type(Gap gap);
+    /// `cycleDef e` of RoboSim
+    Doc format_cycle(Gap gap);
+    /// `input context { uses I event e : T }` of RoboSim, on one line if it fits.
+    Doc format_registers(Gap gap);
     /// `(p : @x = e)`
     Doc format_update(Gap gap);
 
@@ -46,6 +50,8 @@ private:
     Doc format_negation();
     Doc format_postfix();
     Doc format_atom();
+    Doc format_register();
+    Doc register_member(Gap gap);
     Doc sequence_element(Gap gap);
     Doc sequence_with_set();
     Doc set_element(Gap gap);

@@ -38,7 +38,7 @@ Doc ModelLayout::format_clauses(Gap gap) {
     if (at("to")) result = doc_.cat(result, format_phrase(Gap::blank));
     bool awaits = false;
     while (!at("}") && !at_end()) {
-        const bool trigger = at("trigger") || at("#");
+        const bool trigger = at("trigger") || at("exec") || at("#");
         result = doc_.cat(result, format_clause(Gap::line, awaits));
         awaits = trigger;
     }
@@ -49,6 +49,7 @@ Doc ModelLayout::format_clause(Gap gap, bool trigger_before) {
     const Gap near = trigger_before ? Gap::blank : gap;
     if (at("#")) return cat({format_token(near), format_token(Gap::none)});
     if (at("<{")) return format_deadline(near);
+    if (at("exec")) return format_token(gap);
     const bool trigger = at("trigger");
     const bool action = at("action");
     const Doc word = format_token(gap);

@@ -24,7 +24,11 @@ Doc ModelLayout::timed_statement(Gap gap) {
 Doc ModelLayout::basic_statement(Gap gap) {
     if (at("if")) return format_conditional(gap, &ModelLayout::format_statement);
     if (at("(")) return format_list(gap, &ModelLayout::format_statement);
-    if (at("skip")) return format_token(gap);
+    if (at("skip") || at("exec")) return format_token(gap);
+    if (at("$")) {
+        const Doc sign = format_token(gap);
+        return doc_.cat(sign, format_communication(Gap::none));
+    }
     if (at("#")) return cat({format_token(gap), format_token(Gap::none)});
     if (at("wait")) return cat({format_token(gap), format_list(Gap::none, &ModelLayout::format_expression)});
     if (at("send")) return cat({format_token(gap), format_communication(Gap::blank)});

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <set>
 
 #include "frontend/lint/lints.hpp"
@@ -23,21 +24,24 @@ public:
     Traffic(const Machine& machine, const std::map<std::string_view, const Machine*>& defined) : defined_(defined) {
         add(machine);
     }
-    [[nodiscard]] const Communication* first_communication(std::string_view event) const {
+    [[nodiscard]] std::optional<Span> first_use(std::string_view event) const {
         const auto found = first_.find(event);
-        return found != first_.end() ? found->second : nullptr;
+        return found != first_.end() ? std::optional(found->second) : std::nullopt;
     }
 
 private:
     void add(const Machine& machine) {
         if (!seen_.insert(&machine).second) return;
         walk_tree(machine, [&](const NodeContainer& container) {
-            for (const auto& transition : container.transitions)
+            for (const auto& transition : container.transitions) {
                 if (transition->trigger) add(*transition->trigger);
+                if (transition->condition) add_reads(*transition->condition);
+            }
         });
         for_actions(machine, [&](const Stmt& action) {
             walk_tree(action, [&](const Stmt& statement) {
                 if (statement.communication) add(*statement.communication);
+                for_expressions(statement, [&](const Expr& expr) { add_reads(expr); });
                 if (statement.kind != StmtKind::call || statement.declaration == nullptr) return;
                 const auto called = defined_.find(statement.declaration->name);
                 if (called != defined_.end()) add(*called->second);
@@ -46,12 +50,20 @@ private:
     }
 
     void add(const Communication& communication) {
-        if (communication.event_target != nullptr) first_.emplace(communication.event_target->name, &communication);
+        if (communication.event_target != nullptr) first_.emplace(communication.event_target->name, communication.span);
+    }
+
+    /// Adds the events that RoboSim reads as `$e`.
+    void add_reads(const Expr& expr) {
+        walk_tree(expr, [&](const Expr& part) {
+            if (part.kind == ExprKind::register_ && part.target != nullptr && part.target->kind == DeclKind::event)
+                first_.emplace(part.target->name, part.span);
+        });
     }
 
     const std::map<std::string_view, const Machine*>& defined_;
     std::set<const Machine*> seen_;
-    std::map<std::string_view, const Communication*> first_;
+    std::map<std::string_view, Span> first_;
 };
 
 /// The connected events of each component and of the container itself.
@@ -107,14 +119,15 @@ void check_machine(const Component& controller, const Declaration& part, const M
     std::vector<Loose> loose;
     for (const Event* event : visible_events(machine)) {
         const Connection::End* end = connected.end(part, event->name);
-        const Communication* use = traffic.first_communication(event->name);
-        if (use != nullptr && end == nullptr) loose.push_back({event, use->span, ""});
-        if (use == nullptr && end != nullptr)
+        const std::optional<Span> use = traffic.first_use(event->name);
+        if (use && end == nullptr) loose.push_back({event, *use, ""});
+        if (!use && end != nullptr)
             out.report(rules::w_deaf, end->event.span, {event->name, describe_part(part, machine, "machine")})
                 .notes.push_back({event->name_span, "the event is declared here"});
     }
-    report_loose(rules::w_loose_machine, part.name_span, loose, describe_part(part, machine, "machine"),
-                 controller.name, out);
+    const bool robosim = controller.dialect == Dialect::robosim;
+    report_loose(robosim ? rules::w_loose_robosim : rules::w_loose_machine, part.name_span, loose,
+                 describe_part(part, machine, "machine"), controller.name, out);
 }
 
 void check_controller(const Component& controller, Diagnostics& out) {
@@ -145,8 +158,9 @@ void check_part(const Component& module, const Declaration& part, const Context&
                 .notes.push_back({event->name_span, "the event is declared here"});
     }
     const std::string_view kind = controller != nullptr ? "controller" : "platform";
-    report_loose(controller != nullptr ? rules::w_loose_controller : rules::w_loose_platform, part.name_span, loose,
-                 describe_part(part, behind, kind), module.name, out);
+    const rules::Rule* rule = controller != nullptr ? &rules::w_loose_controller : &rules::w_loose_platform;
+    if (module.dialect == Dialect::robosim) rule = &rules::w_loose_robosim;
+    report_loose(*rule, part.name_span, loose, describe_part(part, behind, kind), module.name, out);
 }
 
 }  // namespace

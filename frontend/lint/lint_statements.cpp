@@ -16,6 +16,7 @@ namespace {
 std::string as_text(const Transition& transition) {
     std::string text = transition.source->name + "\n" + transition.target->name + "\n";
     if (transition.trigger) text += to_text(*transition.trigger);
+    if (transition.exec) text += "exec";
     for (const auto& reset : transition.resets) text += "\n#" + reset.name.text();
     if (transition.deadline) text += "\n<{" + to_text(*transition.deadline);
     if (transition.condition) text += "\ncondition " + to_text(strip_parentheses(*transition.condition));

@@ -60,6 +60,9 @@ void add_effect(const Stmt& statement, Effects& effects) {
         case StmtKind::clock_reset:
             effects.writes.insert(statement.declaration);
             break;
+        case StmtKind::exec:
+            effects.waits = true;
+            break;
         case StmtKind::skip:
         case StmtKind::sequence:
         case StmtKind::if_then_else:

@@ -72,13 +72,16 @@ private:
             for (const auto& variable : interface->variables) wanted_.insert(variable->name);
             for (const auto& clock : interface->clocks) wanted_.insert(clock->name);
         }
-        if (context.kind == DeclKind::operation)
+        if (context.kind == DeclKind::operation)  // its callers have events of these names
             for (const Event* event : visible_events(context)) wanted_.insert(event->name);
         for (const auto& variable : context.variables) {
             read(variable->type_expr.get());
             if (variable->initial) read(*variable->initial);
         }
         for (const auto& event : context.events) read(event->type_expr.get());
+        if (context.cycle) read(*context.cycle);
+        for (const Context* registers : {context.input.get(), context.output.get()})
+            if (registers != nullptr) this->add_context(*registers);
     }
 
     void add_machine(const Machine& machine) {
@@ -197,7 +200,8 @@ private:
     }
 
     void check_event(const Event& event) {
-        if (uses_.uses_of(event).others == 0 && !uses_.is_wanted(event.name))
+        const Use& use = uses_.uses_of(event);
+        if (use.others == 0 && use.reads == 0 && !uses_.is_wanted(event.name))
             out_.report(rules::w_unused, event.name_span, {"event", event.name, "used"});
     }
 

@@ -86,6 +86,8 @@ void lint_flow(const Machine& machine, const WrittenBy& written_by, Diagnostics&
 void lint_loops(const Machine& machine, const Never& never, Diagnostics& out);
 /// Reports differences that may be negative when they are cast to nat (RC-W10), and divisors that may be 0 (RC-W11).
 void lint_arithmetic(const Machine& machine, Diagnostics& out);
+/// Reports stores under `not` (RC-Y13), and states of a RoboSim machine from which no cycle can end (RC-Y14).
+void lint_cycles(const Machine& machine, Diagnostics& out);
 /// Reports names that hide others (RC-W12).
 void lint_shadowing(const File& file, const Context& context, const Names& names, Diagnostics& out);
 /// Reports duplicate transitions (RC-W14), assignments of a variable to itself (RC-W15), and statements that wait

@@ -31,6 +31,17 @@ void adopt_context(Context& context) {
         signature->parent = &context;
         for (auto& parameter : signature->parameters) parameter->parent = signature.get();
     }
+    for (auto* registers : {&context.input, &context.output}) {
+        if (!*registers) continue;
+        (*registers)->parent = &context;
+        adopt_context(**registers);
+    }
+}
+
+/// True for a component of this dialect, and for declarations that both dialects share.
+bool fits_dialect(const Declaration& declaration, Dialect dialect) {
+    const auto* context = dynamic_cast<const Context*>(&declaration);
+    return context == nullptr || context->dialect == dialect;
 }
 
 /// The recursion is bounded, because the parser limits the depth of composite states.
@@ -79,6 +90,7 @@ void Names::enter_file(File& file) {
     lost_declarations_ = lost_declarations_ || file.lost_declarations;
     packages_.push_back(package);
     for (auto& declaration : file.declarations) enter_declaration(*declaration, nullptr, package);
+    for (auto& simulation : file.simulations) enter_declaration(*simulation, nullptr, package);
 }
 
 void Names::enter_declaration(Declaration& declaration, const Declaration* parent, const std::string& prefix) {
@@ -129,17 +141,20 @@ bool stands_inside(const Declaration* declaration, const Declaration* around) {
     return declaration == around;
 }
 
-/// If several declarations have the name, returns the one in the nearest file, and the first of equally near ones. If
-/// `inside` is given, only declarations inside it count.
-const Declaration* Names::find_nearest(const std::string& full, const Kinds& kinds, const File* file,
+/// If several declarations have the name, returns one of the dialect if there is any, of these the one in the nearest
+/// file, and the first of equally near ones. If `inside` is given, only declarations inside it count.
+const Declaration* Names::find_nearest(const std::string& full, const Kinds& kinds, const Place& place,
                                        const Declaration* inside) const {
+    const File* const file = place.file;
+    const Dialect dialect = place.dialect.value_or(file != nullptr ? file->dialect : Dialect::robochart);
     const Declaration* best = nullptr;
-    std::size_t near = 0;
+    std::pair<bool, std::size_t> near;
     const std::vector<const Declaration*>& declared = declarations_of(full);
     for (const Declaration* declaration : declared) {
         if (!kinds.has(declaration->kind) || !stands_inside(declaration, inside)) continue;
         const File* const owner = declared.size() > 1 && file != nullptr ? file_of(*declaration) : nullptr;
-        const std::size_t how_near = owner != nullptr ? file_nearness(*file, *owner) : 0;
+        const std::pair how_near(fits_dialect(*declaration, dialect),
+                                 owner != nullptr ? file_nearness(*file, *owner) : std::size_t{0});
         if (best == nullptr || how_near > near) {
             best = declaration;
             near = how_near;
@@ -158,12 +173,14 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
     if (name.empty()) return nullptr;
     const std::string text = name.text();
     for (const Declaration* around = place.inside; around != nullptr; around = around->parent)
-        if (const Declaration* found = find_nearest(qualify_name(full_name(around), text), kinds, place.file, around))
+        if (const Declaration* found = find_nearest(qualify_name(full_name(around), text), kinds, place, around))
             return found;
     if (place.file != nullptr) {
-        const Declaration* const own = find_nearest(qualify_name(place.file->package.text(), text), kinds, place.file);
+        const Declaration* const own = find_nearest(qualify_name(place.file->package.text(), text), kinds, place);
         // A file without a package in another folder may belong to another project, so a nearer import is preferred.
-        if (own != nullptr && !place.file->package.empty()) return own;
+        const Dialect dialect = place.dialect.value_or(place.file->dialect);
+        const bool own_fits = own != nullptr && fits_dialect(*own, dialect);
+        if (own_fits && !place.file->package.empty()) return own;
         const std::size_t near = own == nullptr ? 0 : file_nearness(*place.file, *file_of(*own));
         for (const Import& import : place.file->imports) {
             const bool names_it = !import.wildcard && import.name.parts.back() == name.parts.front();
@@ -174,13 +191,14 @@ const Declaration* Names::find(const Place& place, const QualifiedName& name, co
             else if (names_it)
                 full = prefix + text.substr(name.parts.front().size());
             if (full.empty()) continue;
-            const Declaration* const found = find_nearest(full, kinds, place.file);
-            if (found != nullptr && (own == nullptr || file_nearness(*place.file, *file_of(*found)) > near))
-                return found;
+            const Declaration* const found = find_nearest(full, kinds, place);
+            if (found == nullptr) continue;
+            const bool fits_better = !own_fits && fits_dialect(*found, dialect);
+            if (own == nullptr || fits_better || file_nearness(*place.file, *file_of(*found)) > near) return found;
         }
         if (own != nullptr) return own;
     }
-    return find_nearest(text, kinds, place.file);
+    return find_nearest(text, kinds, place);
 }
 
 std::vector<std::string> Names::names_of_kinds(const Kinds& kinds) const {

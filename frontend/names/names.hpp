@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,7 +19,7 @@ namespace robochart::frontend {
 class Kinds {
 public:
     Kinds(std::initializer_list<DeclKind> kinds) {
-        for (const DeclKind kind : kinds) bits_ |= 1U << static_cast<unsigned>(kind);
+        for (const DeclKind kind : kinds) bits_ |= std::uint64_t{1} << static_cast<unsigned>(kind);
     }
     [[nodiscard]] bool has(DeclKind kind) const { return (bits_ >> static_cast<unsigned>(kind) & 1U) != 0; }
 
@@ -30,6 +31,7 @@ private:
 struct Place {
     const File* file = nullptr;
     const Declaration* inside = nullptr;
+    std::optional<Dialect> dialect = std::nullopt;  ///< the dialect of the component meant; no value: that of the file
 };
 
 /// The nearness of two files: the number of folders that contain both, plus one. A file is nearest to itself; toolkits
@@ -45,7 +47,7 @@ public:
     /// The declaration that a name refers to at a place. Searches the enclosing declarations, then the package, its
     /// imports and unnamed packages. Null if no declaration of these kinds is found. If several declarations have the
     /// name, the result is the one in the nearest file (`file_nearness`), because neighbouring projects may use the
-    /// same names.
+    /// same names. A component of the dialect is preferred to one of the other dialect.
     [[nodiscard]] const Declaration* find(const Place& place, const QualifiedName& name, const Kinds& kinds) const;
     /// All declarations with a full name.
     [[nodiscard]] const std::vector<const Declaration*>& declarations_of(const std::string& full_name) const;
@@ -84,7 +86,7 @@ private:
     void enter_declaration(Declaration& declaration, const Declaration* parent, const std::string& prefix);
     void enter_type(TypeDeclaration& type, const std::string& prefix);
     void enter_component(Component& component, const std::string& full);
-    [[nodiscard]] const Declaration* find_nearest(const std::string& full, const Kinds& kinds, const File* file,
+    [[nodiscard]] const Declaration* find_nearest(const std::string& full, const Kinds& kinds, const Place& place,
                                                   const Declaration* inside = nullptr) const;
     [[nodiscard]] const File* file_of(const Declaration& declaration) const;
 

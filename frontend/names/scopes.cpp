@@ -36,7 +36,27 @@ void for_interfaces(const Context& context, Use use) {
         if (const Context* interface = interface_of(clause)) use(*interface, clause.use);
 }
 
+/// Enters the events that a context of a RoboSim machine declares or uses.
+void add_register_events(Scope& scope, const Context* registers) {
+    if (registers == nullptr) return;
+    add(scope.events, registers->events);
+    for_interfaces(*registers, [&](const Context& interface, InterfaceUse use) {
+        if (use == InterfaceUse::uses) add(scope.events, interface.events);
+    });
+}
+
 }  // namespace
+
+Registers registers_of(const Context& owner) {
+    Registers result;
+    add_register_events(result.inputs, owner.input.get());
+    if (owner.input)
+        for_interfaces(*owner.input, [&](const Context& interface, InterfaceUse) {
+            add(result.inputs.variables, interface.variables);
+        });
+    if (owner.output) result.outputs = scope_of(*owner.output);
+    return result;
+}
 
 Scope scope_of(const Context& context) {
     Scope scope;
@@ -46,6 +66,8 @@ Scope scope_of(const Context& context) {
     add(scope.clocks, context.clocks);
     add(scope.operations, context.signatures);
     for_interfaces(context, [&](const Context& i, InterfaceUse use) { add_interface(scope, i, use); });
+    add_register_events(scope, context.input.get());
+    add_register_events(scope, context.output.get());
     return scope;
 }
 
@@ -59,7 +81,8 @@ const Declaration* component_around(const Declaration* declaration) {
         return kind == DeclKind::state || kind == DeclKind::initial || kind == DeclKind::final ||
                kind == DeclKind::junction || kind == DeclKind::probabilistic || kind == DeclKind::transition ||
                kind == DeclKind::variable || kind == DeclKind::constant || kind == DeclKind::parameter ||
-               kind == DeclKind::operation_signature || kind == DeclKind::event || kind == DeclKind::clock;
+               kind == DeclKind::operation_signature || kind == DeclKind::event || kind == DeclKind::clock ||
+               kind == DeclKind::input_context || kind == DeclKind::output_context;
     };
     while (declaration != nullptr && is_part(declaration->kind)) declaration = declaration->parent;
     return declaration;
@@ -118,6 +141,14 @@ std::vector<const Event*> visible_events(const Context& context) {
     for_interfaces(context, [&](const Context& i, InterfaceUse) {
         for (const auto& event : i.events) result.push_back(event.get());
     });
+    for (const Context* registers : {context.input.get(), context.output.get()}) {
+        if (registers == nullptr) continue;
+        for (const auto& event : registers->events) result.push_back(event.get());
+        for_interfaces(*registers, [&](const Context& i, InterfaceUse use) {
+            if (use != InterfaceUse::uses) return;
+            for (const auto& event : i.events) result.push_back(event.get());
+        });
+    }
     return result;
 }
 

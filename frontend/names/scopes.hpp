@@ -20,8 +20,16 @@ struct Scope {
     std::map<std::string_view, const OperationSignature*> operations;
 };
 
-/// Members of a context whose interface clauses are resolved.
+/// Members of a context whose interface clauses are resolved. The events of a RoboSim machine include those that its
+/// contexts declare and use, because connections end at them.
 [[nodiscard]] Scope scope_of(const Context& context);
+
+/// The registers of a RoboSim machine, operation or simulation, which `$` names.
+struct Registers {
+    Scope inputs;   ///< events that the input context declares or uses; variables that it requires or uses
+    Scope outputs;  ///< events, variables and operations of the output context
+};
+[[nodiscard]] Registers registers_of(const Context& owner);
 
 /// The interface of a clause; null if it was not found.
 [[nodiscard]] const Context* interface_of(const InterfaceClause& clause);
@@ -47,7 +55,7 @@ template <class Kind>
 [[nodiscard]] std::vector<const OperationSignature*> required_operations(const Context& context);
 /// Operations of provided interfaces and own signatures.
 [[nodiscard]] std::vector<const OperationSignature*> provided_operations(const Context& context);
-/// Own events and those of its interfaces.
+/// Own events, those of its interfaces, and those that its contexts declare and use.
 [[nodiscard]] std::vector<const Event*> visible_events(const Context& context);
 
 /// The definitions of operations in a controller: inline ones and those that `opref` refers to.

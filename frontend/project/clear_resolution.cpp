@@ -12,6 +12,7 @@ namespace {
 struct Reset {
     void visit(Import&) {}
     void visit(Context&) {}
+    void visit(Simulation& simulation) { simulation.subject_path = {}; }
     void visit(TypeDeclaration&) {}
     void visit(EnumLiteral&) {}
     void visit(OperationSignature&) {}

@@ -45,6 +45,7 @@ private:
     void dump_transition(const Transition& transition);
     void dump_variable(const Variable& variable);
     void dump_expressions(std::string_view word, const std::vector<ExprPtr>& list);
+    void dump_simulation(const Simulation& simulation);
     void dump_assertion(const Assertion& assertion);
     void csp_block(const CspBlock& block);
     [[nodiscard]] std::string parameter_list(const std::vector<VariablePtr>& list) const;
@@ -120,6 +121,12 @@ void Dumper::dump_context(const Context& context) {
         write_line("{}event {}{}", event->broadcast ? "_broadcast " : "", event->name, type);
     }
     for (const auto& clock : context.clocks) write_line("clock {}", clock->name);
+    if (context.cycle) write_line("cycleDef {}", text_with_type(*context.cycle));
+    for (const auto* registers : {&context.input, &context.output}) {
+        if (!*registers) continue;
+        write_line("{}", to_text((*registers)->kind));
+        with_indentation([&] { this->dump_context(**registers); });
+    }
     for (const auto& signature : context.signatures)
         write_line("{}({}){}", signature->name, parameter_list(signature->parameters),
                    signature->terminates ? " [terminates]" : "");
@@ -158,6 +165,7 @@ void Dumper::dump_transition(const Transition& transition) {
         if (resolved_) write_line("from{} to{}", target_text(transition.source), target_text(transition.target));
         if (transition.trigger)
             write_line("trigger {}{}", to_text(*transition.trigger), target_text(transition.trigger->event_target));
+        if (transition.exec) write_line("exec");
         if (transition.probability) write_line("probability {}", text_with_type(*transition.probability));
         for (const Transition::Reset& reset : transition.resets)
             write_line("#{}{}", reset.name.text(), target_text(reset.clock));
@@ -206,6 +214,13 @@ void Dumper::dump_declaration(const Declaration& declared) {
     }
 }
 
+void Dumper::dump_simulation(const Simulation& simulation) {
+    const auto& steps = simulation.subject_path.steps;
+    write_line("simulation {} of {}{}", simulation.name, simulation.subject.text(),
+               target_text(steps.empty() ? nullptr : steps.back()));
+    with_indentation([&] { dump_context(simulation); });
+}
+
 void Dumper::csp_block(const CspBlock& block) {
     std::string associated;
     for (const QualifiedName& name : block.associated) associated += " " + name.text();
@@ -230,6 +245,7 @@ void Dumper::dump_file(const File& file) {
         for (const Import& import : file.imports)
             write_line("import {}{}", import.name.text(), import.wildcard ? "::*" : "");
         for (const auto& declared : file.declarations) dump_declaration(*declared);
+        for (const auto& simulation : file.simulations) dump_simulation(*simulation);
         for (const Assertion& asserted : file.assertions) dump_assertion(asserted);
         for (const CspBlock& block : file.csp_blocks) csp_block(block);
         for (const ProbabilisticDefinition& definition : file.probabilistic_definitions)

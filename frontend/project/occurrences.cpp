@@ -20,7 +20,8 @@ namespace {
 
 const Kinds anything = {DeclKind::primitive_type, DeclKind::record_type, DeclKind::enumeration, DeclKind::enum_literal,
                         DeclKind::function,       DeclKind::interface,   DeclKind::platform,    DeclKind::operation,
-                        DeclKind::state_machine,  DeclKind::controller,  DeclKind::module,      DeclKind::reference};
+                        DeclKind::state_machine,  DeclKind::controller,  DeclKind::module,      DeclKind::reference,
+                        DeclKind::simulation};
 
 template <class Items>
 void add_all(std::vector<const Declaration*>& list, const Items& items) {
@@ -129,7 +130,15 @@ public:
 
     void visit(const Context& context) {
         place_.inside = &context;
-        add_declaration(context);
+        const bool named = context.kind != DeclKind::input_context && context.kind != DeclKind::output_context;
+        if (named) add_declaration(context);
+    }
+    void visit(const Simulation& simulation) {
+        place_.inside = &simulation;
+        add_declaration(simulation);
+        const Declaration* const subject =
+            simulation.subject_path.steps.empty() ? nullptr : simulation.subject_path.steps.back();
+        add_path(simulation.subject, subject);
     }
     void visit(const TypeDeclaration& type) {
         place_.inside = &type;
@@ -188,9 +197,11 @@ public:
         if (expr.name.empty()) return;
         if (const auto kind = defined_by(expr))
             return add_definition(expr.name.spans.back(), *kind, expr.name.parts.back());
+        if (expr.kind == ExprKind::register_ && !expr.args.empty()) stored_ = expr.args[0].get();
+        const bool writes = &expr == written_ || &expr == stored_;
         const bool absent = place_.file->is_assertions && expr.target == nullptr;
         if (absent && paths_.parts_of(place_, expr.name).back().target == nullptr) return;
-        add_path(expr.name, expr.target, &expr == written_ ? Access::write : Access::read);
+        add_path(expr.name, expr.target, writes ? Access::write : Access::read);
         if (expr.kind == ExprKind::record) add_fields(expr);
     }
     void visit(const Communication& communication) {
@@ -216,6 +227,7 @@ public:
     }
     void visit(const AssertionParameter& parameter) {
         add_path(parameter.context, nullptr);
+        if (parameter.kind == ParameterKind::cycle) return;
         const std::vector<Part> around = paths_.parts_of(place_, parameter.context);
         const Declaration* owner = around.empty() ? nullptr : around.back().target;
         const Declaration* target = parameter.target;
@@ -303,6 +315,7 @@ private:
     Place place_;
     const Communication* trigger_ = nullptr;
     const Expr* written_ = nullptr;
+    const Expr* stored_ = nullptr;  ///< the variable of the last `$e?v`
 };
 
 }  // namespace
@@ -323,6 +336,12 @@ std::vector<const Declaration*> members_of(const Declaration& declaration) {
     }
     if (const auto* context = dynamic_cast<const Context*>(behind)) {
         add_context(list, *context);
+        for (const Context* registers : {context->input.get(), context->output.get()}) {
+            if (registers == nullptr) continue;
+            add_context(list, *registers);
+            for (const InterfaceClause& clause : registers->interfaces)
+                if (const Context* interface = interface_of(clause)) add_context(list, *interface);
+        }
         for (const InterfaceClause& clause : context->interfaces)
             if (const Context* interface = interface_of(clause)) add_context(list, *interface);
     }

@@ -26,13 +26,16 @@ using diagnostics::Diagnostics;
 using diagnostics::SourceManager;
 
 bool is_model(const fs::path& path) {
-    return path.extension() == ".rct";
+    return is_model_path(path.string());
 }
 bool is_assertions(const fs::path& path) {
-    return path.extension() == ".assertions";
+    return is_assertion_path(path.string());
 }
 bool is_ours(const fs::path& path) {
     return is_model(path) || is_assertions(path);
+}
+bool same_dialect(const fs::path& a, const fs::path& b) {
+    return dialect_of(a.string()) == dialect_of(b.string());
 }
 
 /// Model and assertion files of a folder, sorted. An unreadable folder is an error, because needed files may be in it.
@@ -57,8 +60,8 @@ std::unique_ptr<File> read(SourceManager& sources, const fs::path& path, Diagnos
 
 bool is_empty(const File& file) {
     return !file.has_syntax_errors && file.declarations.empty() && file.assertions.empty() && file.csp_blocks.empty() &&
-           file.kept.empty() && file.probabilistic_definitions.empty() && file.probabilistic_assertions.empty() &&
-           file.imports.empty() && file.package.empty();
+           file.kept.empty() && file.simulations.empty() && file.probabilistic_definitions.empty() &&
+           file.probabilistic_assertions.empty() && file.imports.empty() && file.package.empty();
 }
 
 /// A file in the folder of the named file, with the data that decides whether it is needed.
@@ -128,8 +131,8 @@ std::vector<fs::path> candidate_files(const fs::path& named, bool alone, Diagnos
     return found;
 }
 
-/// The named file and all files that it needs, transitively. For a named model, assertion files of the folder are
-/// included; a named assertion file is the only assertion file.
+/// The named file and all files that it needs, transitively. For a named model, assertion files of its dialect in the
+/// folder are included; a named assertion file is the only assertion file.
 std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostics& out) {
     std::vector<Neighbour> open;
     for (const fs::path& path : candidate_files(named, alone, out)) open.push_back(survey_file(path));
@@ -150,7 +153,8 @@ std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostic
     for (const Neighbour& file : chosen) result.push_back(file.path);
     if (!is_assertions(named))
         for (const Neighbour& other : open)
-            if (is_assertions(other.path) && (!other.readable || sets_overlap(other.mentions, chosen.front().declares)))
+            if (is_assertions(other.path) && same_dialect(other.path, named) &&
+                (!other.readable || sets_overlap(other.mentions, chosen.front().declares)))
                 result.push_back(other.path);
     std::ranges::sort(result);
     return result;
@@ -205,55 +209,6 @@ std::vector<fs::path> files_of_inputs(const std::vector<std::string>& inputs, Di
     return result;
 }
 
-/// RoboSim files in a folder that is an input, or in the folder of a file that is an input.
-std::set<std::string> robosim_files(const std::vector<std::string>& inputs) {
-    std::set<std::string> result;
-    for (const std::string& input : inputs) {
-        std::error_code code;
-        const bool is_folder = fs::is_directory(input, code);
-        const fs::path path(input);
-        fs::path folder = path;
-        if (!is_folder) folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-        for (const std::string& file : diagnostics::files_below(folder.string(), is_folder).files)
-            if (fs::path(file).extension() == ".rst") result.insert(fs::path(file).lexically_normal().string());
-    }
-    return result;
-}
-
-/// The names after keywords that begin declarations. The text need not be RoboChart.
-std::set<std::string> names_declared(const std::string& path) {
-    static const std::set<std::string_view> declaring = {"interface", "record", "enumeration", "type",    "stm",
-                                                         "platform",  "module", "controller",  "function"};
-    SourceManager sources;
-    Diagnostics ignored;
-    std::string error;
-    const auto source = sources.load_file(path, error);
-    std::set<std::string> result;
-    if (!source) return result;
-    std::string_view before;
-    for (const Token& token : tokenize(sources, *source, false, ignored).tokens) {
-        if (token.kind == TokenKind::identifier && declaring.contains(before)) result.emplace(token.text);
-        before = token.text;
-    }
-    return result;
-}
-
-/// Adds a finding after each error about a name that only a RoboSim file declares.
-void report_robosim(const std::vector<std::string>& inputs, Diagnostics& out) {
-    std::vector<diagnostics::Diagnostic> unknown = out.sorted_findings();
-    std::erase_if(unknown, [](const diagnostics::Diagnostic& finding) { return finding.rule != &rules::unknown_name; });
-    if (unknown.empty()) return;
-    for (const std::string& file : robosim_files(inputs)) {
-        const std::set<std::string> declared = names_declared(file);
-        for (const diagnostics::Diagnostic& finding : unknown) {
-            const std::string& name = finding.arguments.at(1);
-            const std::size_t last = name.rfind(':');
-            const std::string simple = last == std::string::npos ? name : name.substr(last + 1);
-            if (declared.contains(simple)) out.report(rules::robosim_unread, finding.span, {simple, file});
-        }
-    }
-}
-
 void report_empty(const File& file, const SourceManager& sources, Diagnostics& out) {
     if (is_empty(file)) out.report(syntax::empty_file, {file.source, 0, 0}, {sources.path(file.source)});
 }
@@ -297,7 +252,6 @@ std::unique_ptr<Model> load_project(SourceManager& sources, const std::vector<st
         for (const auto& file : model->files) report_empty(*file, sources, out);
     add_toolkits(sources, *model, out);
     resolve(*model, out);
-    report_robosim(inputs, out);
     return model;
 }
 

@@ -25,10 +25,10 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
 [[nodiscard]] std::vector<std::string> project_files(const std::string& folder, bool deep);
 
 /// Reads, parses and resolves a project, and always returns a model, even if there are errors. If `path` is a folder,
-/// all `.rct` and `.assertions` files below it are loaded, sorted by path. If it is one file, the files of its folder
-/// that it needs are loaded as well, so that imports work. Assertions come only from the named file or, for a `.rct`
-/// file, from its folder. If a named assertion file is in a folder without models, the models of the parent folder are
-/// used. A missing path and unreadable or empty input are reported.
+/// all `.rct`, `.rst`, `.assertions` and `.rsa` files below it are loaded, sorted by path. If it is one file, the files
+/// of its folder that it needs are loaded as well, so that imports work. Assertions come only from the named file or,
+/// for a model, from the files of its dialect in its folder. If a named assertion file is in a folder without models,
+/// the models of the parent folder are used. A missing path and unreadable or empty input are reported.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
                                                   diagnostics::Diagnostics&);
 

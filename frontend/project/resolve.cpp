@@ -30,7 +30,9 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
     out.poll();
     if (!declaration.broken) check_inside(declaration, out);
     const auto* context = dynamic_cast<const Context*>(&declaration);
+    const bool robosim = context != nullptr && context->dialect == Dialect::robosim;
     if (context != nullptr && whole) check_component(*context, out);
+    if (robosim && !declaration.broken) check_robosim(*context, out);
     const auto* component = dynamic_cast<const Component*>(&declaration);
     if (component == nullptr) return;
     for (const auto& part : component->platforms) check(*part, whole, out);
@@ -38,8 +40,9 @@ void check(const Declaration& declaration, bool whole, Diagnostics& out) {
     for (const auto& part : component->machines) check(*part, whole, out);
     for (const auto& part : component->operations) check(*part, whole, out);
     if (!whole) return;
-    check_provision(*component, out);
     check_connections(*component, out);
+    if (robosim) return;
+    check_provision(*component, out);
     check_directions(*component, out);
 }
 
@@ -60,6 +63,9 @@ void check(const Model& model, const Names& names, Diagnostics& out) {
     const bool whole = std::ranges::none_of(model.files, [](const auto& file) { return file->has_syntax_errors; });
     for (const auto& file : model.files) {
         check_probabilistic(*file, out);
+        for (const auto& simulation : file->simulations) check_simulation(*simulation, out);
+        if (file->dialect == Dialect::robosim)
+            for (const Assertion& assertion : file->assertions) check_claim(assertion, out);
         for (const auto& declaration : file->declarations) check(*declaration, whole, out);
     }
 }

@@ -83,9 +83,15 @@ bool same_structure(const OperationSignature& a, const OperationSignature& b) {
     return same_head(a, b) && all_same(a.parameters, b.parameters);
 }
 
+bool same_members(const Context& a, const Context& b);
+
+bool same_contexts(const std::unique_ptr<Context>& a, const std::unique_ptr<Context>& b) {
+    return (a == nullptr) == (b == nullptr) && (a == nullptr || same_members(*a, *b));
+}
+
 bool same_members(const Context& a, const Context& b) {
-    return all_same(a.variables, b.variables) && all_same(a.events, b.events) && all_same(a.clocks, b.clocks) &&
-           all_same(a.signatures, b.signatures);
+    return same_contexts(a.input, b.input) && same_contexts(a.output, b.output) && all_same(a.variables, b.variables) &&
+           all_same(a.events, b.events) && all_same(a.clocks, b.clocks) && all_same(a.signatures, b.signatures);
 }
 
 bool same_parts(const Component& a, const Component& b) {
@@ -192,6 +198,9 @@ void move_into(Context& old, Context& fresh) {
     move_all(old.events, fresh.events);
     move_all(old.clocks, fresh.clocks);
     move_all(old.signatures, fresh.signatures);
+    old.cycle = std::move(fresh.cycle);
+    if (old.input) move_into(*old.input, *fresh.input);
+    if (old.output) move_into(*old.output, *fresh.output);
 }
 
 void move_into(Machine& old, Machine& fresh) {
@@ -243,6 +252,7 @@ std::string outside_of(File& file) {
     // Only assertions refer to the contents of an assertion file, and assertions are resolved again after every change.
     for (const Import& import : file.imports) out += import.name.text() + (import.wildcard ? "::* " : " ");
     for (const auto& declaration : file.declarations) out += to_text(*declaration);
+    for (const auto& simulation : file.simulations) out += simulation->name + " ";
     return out + "\n" + file.package.text();
 }
 

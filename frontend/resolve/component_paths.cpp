@@ -6,7 +6,8 @@
 
 namespace robochart::frontend {
 
-const Kinds component_kinds = {DeclKind::module, DeclKind::controller, DeclKind::state_machine, DeclKind::operation};
+const Kinds component_kinds = {DeclKind::module, DeclKind::controller, DeclKind::state_machine, DeclKind::operation,
+                               DeclKind::simulation};
 
 QualifiedName first_parts(const QualifiedName& name, std::size_t count) {
     QualifiedName result;
@@ -52,14 +53,17 @@ const Declaration* part_of(const Declaration* whole, const std::string& name) {
     return by_definition;
 }
 
-const Declaration* in_some_package(const Model& model, const std::string& name) {
+/// The only component of this name and dialect in any package.
+const Declaration* in_some_package(const Model& model, const std::string& name, Dialect dialect) {
     const Declaration* found = nullptr;
-    for (const auto& file : model.files)
+    for (const auto& file : model.files) {
+        if (file->dialect != dialect) continue;
         for (const auto& declaration : file->declarations) {
             if (declaration->name != name || !component_kinds.has(declaration->kind)) continue;
             if (found != nullptr) return nullptr;
             found = declaration.get();
         }
+    }
     return found;
 }
 
@@ -91,7 +95,8 @@ Way walk_components(Way from, const QualifiedName& name, std::size_t at) {
     return from;
 }
 
-Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name) {
+Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name,
+                  std::optional<Dialect> dialect) {
     Way best;
     const auto try_top = [&](const Declaration* top, std::size_t parts) {
         if (top == nullptr) return;
@@ -102,8 +107,11 @@ Way component_way(const Model& model, const Names& names, const File& file, cons
     };
     const std::size_t most = std::min(name.parts.size(), names.most_parts());
     for (std::size_t parts = 1; parts <= most; ++parts)
-        try_top(names.find({&file, nullptr}, first_parts(name, parts), component_kinds), parts);
-    if (best.used == 0 && !name.empty()) try_top(in_some_package(model, name.parts.front()), 1);
+        try_top(names.find({&file, nullptr, dialect}, first_parts(name, parts), component_kinds), parts);
+    const Dialect own = dialect.value_or(file.dialect);
+    const Dialect other = own == Dialect::robosim ? Dialect::robochart : Dialect::robosim;
+    for (const Dialect one : {own, other})
+        if (best.used == 0 && !name.empty()) try_top(in_some_package(model, name.parts.front(), one), 1);
     return best;
 }
 

@@ -3,6 +3,7 @@
 // them, and so do readers of the paths in probabilistic assertions.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "frontend/names/names.hpp"
@@ -36,8 +37,10 @@ struct Way {
 /// imports, unnamed packages, or the package with which the name begins. If it fails and only one component of all
 /// packages has the name, the result is that component. If several paths have equally long prefixes, the result is the
 /// path with the fewest names of definitions instead of references: `P::S` is the machine S of package P even if P has
-/// a controller P with a reference to S.
-[[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name);
+/// a controller P with a reference to S. Components of the dialect, which is the file's unless one is given, are
+/// preferred to those of the other.
+[[nodiscard]] Way component_way(const Model& model, const Names& names, const File& file, const QualifiedName& name,
+                                std::optional<Dialect> dialect = std::nullopt);
 /// Collects the paths of the inner states with this name, for a suggestion.
 void collect_paths_of(const NodeContainer& container, const std::string& name, const std::string& above,
                       std::vector<std::string>& paths);

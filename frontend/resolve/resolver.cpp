@@ -23,6 +23,7 @@ void Resolver::resolve_all_assertions() {
 
 void Resolver::visit_declarations(File& file, void (Resolver::*visit)(File&, Declaration&)) {
     for (auto& declaration : file.declarations) each_part(file, *declaration, visit);
+    for (auto& simulation : file.simulations) (this->*visit)(file, *simulation);
 }
 
 /// Visits the declaration and the components inside it.
@@ -65,6 +66,8 @@ void Resolver::function_header(File& file, Function& function) {
 }
 
 void Resolver::context_header(File& file, Context& context) {
+    for (auto* registers : {&context.input, &context.output})
+        if (*registers) context_header(file, **registers);
     for (InterfaceClause& clause : context.interfaces)
         clause.target = finder_.find({&file, &context}, clause.name, {DeclKind::interface}, "interface");
     // Sizes of vectors may name constants of the context itself.
@@ -85,6 +88,16 @@ void Resolver::resolve_references(File& file, Component& component) {
     for (auto& reference : component.references)
         reference->target = finder_.find({&file, &component}, reference->target_name, {reference->refers_to},
                                          to_text(reference->refers_to));
+    // A platform has the same meaning in both dialects.
+    for (auto& reference : component.references) {
+        const auto* part = dynamic_cast<const Context*>(reference->target);
+        if (part == nullptr || part->kind == DeclKind::platform || part->dialect == component.dialect) continue;
+        finder_.out()
+            .report(rules::mixed_dialects, reference->target_name.span,
+                    {part->name, std::string(to_text(part->kind)), std::string(to_text(part->dialect)), component.name,
+                     std::string(to_text(component.dialect))})
+            .notes.push_back({part->name_span, "it is declared here"});
+    }
 }
 
 void Resolver::resolve_body(File& file, Declaration& declaration) {

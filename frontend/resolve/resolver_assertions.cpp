@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/diagnostics/containers.hpp"
+#include "base/diagnostics/scanner.hpp"
 #include "base/diagnostics/spelling.hpp"
 #include "frontend/resolve/component_paths.hpp"
 #include "frontend/resolve/resolver.hpp"
@@ -41,7 +42,11 @@ public:
     void run(File& file);
 
 private:
+    void resolve_simulation(Simulation& simulation);
     void resolve_assertion(Assertion& assertion);
+    void check_dialect(const ComponentPath& path, const QualifiedName& name);
+    void check_block(const CspBlock& block);
+    void check_hidden(const CspBlock& block, std::size_t end, std::string_view event);
     void resolve_reachable(Assertion& assertion);
     bool find_state(Assertion& assertion);
     void resolve_clock(Assertion& assertion);
@@ -326,13 +331,14 @@ std::vector<const Variable*> parameters_of(const Declaration& context) {
 
 const Variable* AssertionResolver::find_constant(const AssertionParameter& parameter, const Declaration& context) {
     std::vector<std::string> candidates;
-    for (const Variable* variable : parameter.constant ? constants_of(context) : parameters_of(context)) {
+    const bool constant = parameter.kind == ParameterKind::constant;
+    for (const Variable* variable : constant ? constants_of(context) : parameters_of(context)) {
         if (variable->name == parameter.name.parts.back()) return variable;
         candidates.push_back(variable->name);
     }
-    auto& finding = finder_.out().report(rules::no_constant, parameter.name.span,
-                                         {std::string(to_text(context.kind)), context.name,
-                                          parameter.constant ? "constant" : "parameter", parameter.name.text()});
+    auto& finding = finder_.out().report(
+        rules::no_constant, parameter.name.span,
+        {std::string(to_text(context.kind)), context.name, constant ? "constant" : "parameter", parameter.name.text()});
     const std::string meant = diagnostics::nearest_spelling(parameter.name.parts.back(), candidates);
     if (!meant.empty())
         finding.fixes.push_back({parameter.name.spans.back(), meant, diagnostics::suggestion_verb(false)});
@@ -353,6 +359,11 @@ void AssertionResolver::check_value(AssertionParameter& parameter) {
 
 void AssertionResolver::resolve_parameter(AssertionParameter& parameter) {
     parameter.target = nullptr;
+    if (parameter.kind == ParameterKind::cycle) {
+        parameter.context_path = find_component(parameter.context, false);
+        check_dialect(parameter.context_path, parameter.context);
+        return check_value(parameter);
+    }
     parameter.context_path = find_context(parameter.context);
     if (!parameter.context_path.steps.empty())
         if (const Declaration* behind = follow_reference(parameter.context_path.steps.back()))
@@ -365,7 +376,9 @@ void AssertionResolver::report_repeated(const Assertion& assertion) {
         for (std::size_t j = 0; j < i; ++j) {
             const AssertionParameter& first = assertion.parameters[j];
             const AssertionParameter& second = assertion.parameters[i];
-            const bool same = second.target != nullptr && first.target == second.target &&
+            const bool cycles = first.kind == ParameterKind::cycle && second.kind == ParameterKind::cycle &&
+                                !first.context_path.steps.empty();
+            const bool same = ((second.target != nullptr && first.target == second.target) || cycles) &&
                               first.context_path.steps == second.context_path.steps;
             if (!same) continue;
             finder_.out()
@@ -398,6 +411,74 @@ void AssertionResolver::report_open(const Assertion& assertion, const ComponentP
 
 // ---------------------------------------------------------------- assertions
 
+/// The subject is a component of RoboChart, even if RoboSim has one of the same name.
+void AssertionResolver::resolve_simulation(Simulation& simulation) {
+    Way found = component_way(model_, finder_.names(), *file_, simulation.subject, Dialect::robochart);
+    if (found.used == simulation.subject.parts.size())
+        simulation.subject_path = std::move(found.path);
+    else
+        report_unknown(simulation.subject, found);
+    const CspBlock* const block = find_process(simulation.name);
+    if (block != nullptr)
+        finder_.out()
+            .report(rules::simulation_name, simulation.name_span, {simulation.name, "csp block"})
+            .notes.push_back({block->name_span, "the block is declared here"});
+}
+
+/// A claim is about components of the dialect of its file. RoboSim compares with simulations of RoboChart components.
+void AssertionResolver::check_dialect(const ComponentPath& path, const QualifiedName& name) {
+    const auto* component =
+        path.steps.empty() ? nullptr : dynamic_cast<const Context*>(follow_reference(path.steps.back()));
+    if (component == nullptr || component->kind == DeclKind::simulation || component->dialect == file_->dialect) return;
+    const bool chart = component->dialect == Dialect::robochart;
+    finder_.out()
+        .report(rules::claim_dialect, name.span,
+                {name.text(), std::string(to_text(component->kind)), std::string(to_text(component->dialect)),
+                 std::string(to_text(file_->dialect)),
+                 chart ? fmt::format("; write `simulation N of {} {{ cycleDef cycle == 1 }}` and claims about `N`",
+                                     name.text())
+                       : "; write it into a `.rsa` file"})
+        .notes.push_back({component->name_span, "it is declared here"});
+}
+
+/// Reports `M::endexec` and `M::terminate` of modules and simulations, which hide these events.
+void AssertionResolver::check_block(const CspBlock& block) {
+    for (const std::string_view event : {"endexec", "terminate"}) {
+        const std::string ending = "::" + std::string(event);
+        for (std::size_t at = block.text.find(ending); at != std::string::npos; at = block.text.find(ending, at + 1)) {
+            const std::size_t end = at + ending.size();
+            const std::size_t line = block.text.rfind('\n', at) + 1;
+            const bool comment = block.text.substr(line, at - line).find("--") != std::string::npos;
+            if (!comment && (end >= block.text.size() || !diagnostics::continues_name(block.text[end])))
+                check_hidden(block, at, event);
+        }
+    }
+}
+
+/// `end` is where the name of the component ends.
+void AssertionResolver::check_hidden(const CspBlock& block, std::size_t end, std::string_view event) {
+    std::size_t begin = end;
+    while (begin > 0 && (diagnostics::continues_name(block.text[begin - 1]) || block.text[begin - 1] == ':')) --begin;
+    const std::string text = block.text.substr(begin, end - begin);
+    QualifiedName name;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t next = std::min(text.find("::", at), text.size());
+        name.parts.push_back(text.substr(at, next - at));
+        name.spans.emplace_back();
+        at = next + 2;
+    }
+    const Way found = way_to(name);
+    if (found.used != name.parts.size() || found.end() == nullptr) return;
+    const Declaration* component = follow_reference(found.end());
+    if (component->kind != DeclKind::module && component->kind != DeclKind::simulation) return;
+    const auto place = block.text_span.begin + static_cast<std::uint32_t>(begin);
+    const auto length = static_cast<std::uint32_t>(text.size() + 2 + event.size());
+    finder_.out()
+        .report(rules::hidden_event, {block.text_span.source, place, place + length},
+                {fmt::format("{}::{}", text, event), std::string(to_text(component->kind))})
+        .notes.push_back({component->name_span, "it is declared here"});
+}
+
 void AssertionResolver::resolve_assertion(Assertion& assertion) {
     assertion.subject_path = {};
     assertion.other_path = {};
@@ -413,6 +494,13 @@ void AssertionResolver::resolve_assertion(Assertion& assertion) {
         assertion.subject_path = find_component(assertion.subject, assertion.kind != AssertionKind::conforms);
         if (assertion.kind == AssertionKind::reachable) resolve_reachable(assertion);
         if (binary) assertion.other_path = find_component(assertion.other, true);
+        check_dialect(assertion.subject_path, assertion.subject);
+        check_dialect(assertion.other_path, assertion.other);
+        const auto& steps = assertion.subject_path.steps;
+        const bool other =
+            assertion.subject_path.process != nullptr || (!steps.empty() && steps.back()->kind != DeclKind::simulation);
+        if (assertion.kind == AssertionKind::schedulable && other)
+            finder_.out().report(rules::not_a_simulation, assertion.subject.span, {assertion.subject.text()});
     }
     for (AssertionParameter& item : assertion.parameters) resolve_parameter(item);
     report_repeated(assertion);
@@ -423,11 +511,14 @@ void AssertionResolver::resolve_assertion(Assertion& assertion) {
 void AssertionResolver::run(File& file) {
     file_ = &file;
     reported_open_.clear();
+    for (auto& simulation : file.simulations) this->resolve_simulation(*simulation);
     for (CspBlock& block : file.csp_blocks) {
         block.associated_paths.clear();
         for (const QualifiedName& name : block.associated) block.associated_paths.push_back(find_component(name, true));
     }
     for (Assertion& assertion : file.assertions) this->resolve_assertion(assertion);
+    if (file.dialect == Dialect::robosim)
+        for (const CspBlock& block : file.csp_blocks) check_block(block);
 }
 
 }  // namespace

@@ -38,7 +38,11 @@ void Resolver::function_body(File& file, Function& function) {
 void Resolver::context_body(File& file, Context& context) {
     const Scope scope = scope_of(context);
     auto* machine = dynamic_cast<Machine*>(&context);
+    const Registers registers = registers_of(context);
     Surroundings around{{&file, &context}, &scope, nullptr, machine, {}};
+    const bool robosim = context.dialect == Dialect::robosim;
+    if (robosim && machine != nullptr) around.registers = &registers;
+    if (robosim && context.cycle) typer_.assign_type(context.cycle, around);
     for (auto& variable : context.variables) {
         if (!variable->initial) continue;
         const TypePtr value = typer_.assign_type(variable->initial, around);

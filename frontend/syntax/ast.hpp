@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The syntax tree of RoboChart text (`.rct`) and assertion text (`.assertions`), after the public grammars
-// RoboChart.xtext and Assertions.xtext. The parser fills the syntactic fields; name resolution fills `target`s and
-// typing fills `type`s ("filled by resolve/typing" below).
+// RoboChart.xtext and Assertions.xtext, and of their RoboSim dialect (`.rst`, `.rsa`), after RoboSim.xtext. The parser
+// fills the syntactic fields; name resolution fills `target`s and typing fills `type`s ("filled by resolve/typing"
+// below).
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/diagnostics/source.hpp"
+#include "frontend/syntax/dialect.hpp"
 
 namespace robochart::frontend {
 
@@ -99,6 +101,8 @@ enum class ExprKind {
     since,          ///< since(name): Clock
     since_entry,    ///< sinceEntry(name): State
     parenthesised,  ///< ( args[0] ) kept for the printer
+    register_,  ///< RoboSim: `$n`, or `$e?v : p`: name; args empty, or args[0] v (a name or `$x`), args[1] p or null
+    cycle,      ///< RoboSim: `cycle`, the length of a cycle
     // The kinds up to `simulation` occur only in probabilistic assertions.
     path,  ///< path formula: `path`; args[0] optional bound on the steps with its relation `text`, otherwise operands
     probability,  ///< Prob `text` args[1] of [args[0]]; without args[1] a query (`=?`); args[2] optional simulation
@@ -172,6 +176,7 @@ enum class CommKind { simple, input, output, sync };  ///< e, e?x, e!v, e.v
 struct Communication {
     CommKind kind = CommKind::simple;
     Span span;
+    bool through_register = false;  ///< RoboSim: written `$e`
     QualifiedName event;
     QualifiedName variable;                        ///< input: the variable stored into
     ExprPtr value;                                 ///< output, sync
@@ -195,6 +200,7 @@ enum class StmtKind {
     clock_reset,
     deadline,
     parenthesised,
+    exec,  ///< RoboSim: ends the cycle
     error
 };
 
@@ -212,6 +218,7 @@ struct Stmt {
     ExprPtr upper;              ///< wait([value, upper])
     std::unique_ptr<Communication> communication;
     bool send_keyword = false;
+    bool through_register = false;             ///< RoboSim: a call written `$op(args)`
     QualifiedName name;                        ///< call: operation; clock_reset: clock
     std::vector<ExprPtr> args;                 ///< call
     const Declaration* declaration = nullptr;  ///< filled by resolve: OperationSignature or Clock
@@ -249,6 +256,9 @@ enum class DeclKind {
     probabilistic,
     transition,
     bound_variable,  ///< bound by a quantifier, let, lambda or comprehension
+    input_context,   ///< RoboSim: the inputs of a machine, operation or simulation
+    output_context,  ///< RoboSim: the outputs of a machine, operation or simulation
+    simulation,      ///< RoboSim: a RoboChart component run in cycles
 };
 
 /// The common fields of everything that has a name and that other elements can refer to.
@@ -340,11 +350,17 @@ struct Transition;
 /// platform, operation, state machine, controller, module.
 struct Context : Declaration {
     explicit Context(DeclKind k) : Declaration(k) {}
+    Dialect dialect = Dialect::robochart;
     std::vector<InterfaceClause> interfaces;
     std::vector<VariablePtr> variables;  ///< `var` and `const` in textual order, distinguished by kind
     std::vector<std::unique_ptr<Event>> events;
     std::vector<std::unique_ptr<Clock>> clocks;
     std::vector<std::unique_ptr<OperationSignature>> signatures;
+
+    // RoboSim
+    ExprPtr cycle;                    ///< `cycleDef e` of a machine, controller, module or simulation; null if none
+    std::unique_ptr<Context> input;   ///< machine, operation, simulation of a machine: the input context
+    std::unique_ptr<Context> output;  ///< machine, operation, simulation of a machine: the output context
 };
 
 /// Nodes and transitions of a machine, operation or composite state.
@@ -375,6 +391,7 @@ struct Transition final : Declaration {
     const State* source = nullptr;  ///< filled by resolve
     const State* target = nullptr;  ///< filled by resolve
     std::unique_ptr<Communication> trigger;
+    bool exec = false;            ///< RoboSim: the transition ends the cycle
     bool legacy_trigger = false;  ///< `trigger` without event, or clock reset inside it
     ExprPtr probability;
     struct Reset {
@@ -454,7 +471,8 @@ enum class AssertionKind {
     reachable,
     clock_initialised,
     event_missed,
-    conforms,  ///< the component conforms to a SLEEC rule
+    conforms,     ///< the component conforms to a SLEEC rule
+    schedulable,  ///< RoboSim: the simulation never blocks an output of its component
 };
 /// The semantics in which an assertion is decided.
 enum class AssertionTime { both, timed, untimed };
@@ -463,18 +481,25 @@ enum class AssertionModel { failures_divergences, traces, failures, tick_tock };
 
 struct CspBlock;
 
-/// The target of a component name: the declarations on the path to it. A step that is a reference is stored as the
-/// Reference, so that the names of the steps form the path `M::ctrl_ref::stm_ref`; `Reference::target` leads to the
-/// definition.
+/// The target of a component name: the declarations on the path to it. A simulation is the only step of its path. A
+/// step that is a reference is stored as the Reference, so that the names of the steps form the path
+/// `M::ctrl_ref::stm_ref`; `Reference::target` leads to the definition.
 struct ComponentPath {
     std::vector<const Declaration*> steps;  ///< outermost first; empty: not found, or a CSP process
     const CspBlock* process = nullptr;      ///< set if the name is that of a csp block
 };
 
-/// A value that an assertion gives to a constant or to a parameter of an operation.
+/// What an assertion gives a value to.
+enum class ParameterKind {
+    constant,   ///< `constant v of ctx`
+    parameter,  ///< `parameter p of op`
+    cycle,      ///< RoboSim: `cycleDef of ctx`
+};
+
+/// A value that an assertion gives to a constant, to a parameter of an operation or to the length of a cycle.
 struct AssertionParameter {
-    bool constant = true;  ///< `constant v of ctx`; false: `parameter p of op`
-    QualifiedName name;
+    ParameterKind kind = ParameterKind::constant;
+    QualifiedName name;  ///< for a cycle, the word `cycleDef`
     QualifiedName context;
     ExprPtr value;
     ComponentPath context_path;           ///< filled by resolve; a platform is represented by its module
@@ -503,6 +528,14 @@ struct Assertion final {
                                     ///< machine
     const Clock* clock = nullptr;   ///< filled by resolve: clock_initialised
     const Event* missed = nullptr;  ///< filled by resolve: event_missed
+};
+
+/// RoboSim: `simulation N of M { cycleDef e input context {…} output context {…} }` names the RoboChart component M,
+/// run in cycles. The contexts are given if M is a machine.
+struct Simulation final : Context {
+    Simulation() : Context(DeclKind::simulation) {}
+    QualifiedName subject;
+    ComponentPath subject_path;  ///< filled by resolve
 };
 
 /// `csp NAME associated to X csp-begin … csp-end`.
@@ -625,9 +658,10 @@ struct KeptPart {
     Span whole;
 };
 
-/// A parsed `.rct` or `.assertions` file.
+/// A parsed model or assertion file.
 struct File {
     diagnostics::SourceId source = diagnostics::SourceId::none;
+    Dialect dialect = Dialect::robochart;
     std::string folder;     ///< the folder of the file, from the root, with "/" at the end
     QualifiedName package;  ///< empty: unnamed package
     std::vector<Import> imports;
@@ -639,6 +673,7 @@ struct File {
     bool is_assertions = false;
     std::vector<Assertion> assertions;
     std::vector<CspBlock> csp_blocks;
+    std::vector<std::unique_ptr<Simulation>> simulations;
     std::vector<ProbabilisticDefinition> probabilistic_definitions;
     std::vector<ProbabilisticAssertion> probabilistic_assertions;
     std::vector<KeptPart> kept;           ///< parts of other tools

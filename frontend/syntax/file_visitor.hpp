@@ -25,6 +25,10 @@ public:
                 visit_expression(parameter.value);
             }
         }
+        for (auto& simulation : file.simulations) {
+            visitor_.visit(*simulation);
+            visit_context(*simulation);
+        }
         for (auto& block : file.csp_blocks) visitor_.visit(block);
         for (auto& definition : file.probabilistic_definitions) this->visit_definition(definition);
         for (auto& assertion : file.probabilistic_assertions) {
@@ -110,6 +114,12 @@ private:
         for (auto& signature : context.signatures) {
             visitor_.visit(*signature);
             visit_variables(signature->parameters);
+        }
+        visit_expression(context.cycle);
+        for (auto* registers : {&context.input, &context.output}) {
+            if (!*registers) continue;
+            visitor_.visit(**registers);
+            visit_context(**registers);
         }
     }
 

@@ -32,7 +32,7 @@ constexpr std::string_view to_skip = "`skip` is the action that does nothing";
 constexpr std::string_view to_end = "an `if` ends with `end`";
 constexpr std::string_view to_operation = "declare an operation in an interface, and define it with `operation`";
 
-constexpr std::array<ForeignWord, 107> rows{{
+constexpr std::array<ForeignWord, 108> rows{{
     {"statemachine", declaration, "stm", to_machine},
     {"StateMachine", declaration, "stm", to_machine},
     {"state_machine", declaration, "stm", to_machine},
@@ -142,6 +142,7 @@ constexpr std::array<ForeignWord, 107> rows{{
     {"printf", operation, "", "for output, call an operation that the platform provides"},
     {"log", operation, "", "for output, call an operation that the platform provides"},
 
+    {"exec", event, "", "`exec` ends a cycle of RoboSim: a file that uses it is a `.rst`"},
     {"null", event, "skip", to_skip},
     {"nop", event, "skip", to_skip},
     {"pass", event, "skip", to_skip},

@@ -50,6 +50,16 @@ bool is_reserved(std::string_view word) {
     return std::ranges::binary_search(words, word);
 }
 
+std::span<const std::string_view> robosim_words() {
+    static constexpr std::array<std::string_view, 6> words = {"context", "cycle", "cycleDef",
+                                                              "exec",    "input", "output"};
+    return words;
+}
+
+bool is_reserved(std::string_view word, Dialect dialect) {
+    return is_reserved(word) || (dialect == Dialect::robosim && std::ranges::binary_search(robosim_words(), word));
+}
+
 std::string shorten_token(std::string_view text) {
     constexpr std::size_t limit = 40;
     std::string out;
@@ -73,30 +83,31 @@ constexpr std::array<std::string_view, 46> symbols = {
     "||",  "{",  "}",  "(",  ")",  "[",  "]",  "<",  ">",  "=",   ":",   ";",  ",",  ".",  "?",  "!",
     "#",   "|",  "@",  "+",  "-",  "*",  "/",  "%",  "^",  "$",   "&",   "~",  "`",  "\\"};
 /// The remaining `symbols` are used only in probabilistic assertions.
-constexpr std::size_t model_symbols = 41;
+constexpr std::size_t model_symbols = 42;
 
 bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// The text of a corrected token.
-std::string_view word_at(std::size_t index) {
-    const auto& reserved = reserved_words();
-    return index < reserved.size() ? reserved[index] : symbols.at(index - reserved.size());
+/// All texts of a corrected token: the reserved words of both dialects, and the symbols.
+const std::vector<std::string_view>& known_texts() {
+    static const std::vector<std::string_view> texts = [] {
+        std::vector<std::string_view> all = reserved_words();
+        all.insert(all.end(), robosim_words().begin(), robosim_words().end());
+        all.insert(all.end(), symbols.begin(), symbols.end());
+        return all;
+    }();
+    return texts;
 }
 
 std::size_t index_of(std::string_view word) {
-    const auto& reserved = reserved_words();
-    const auto found = std::ranges::lower_bound(reserved, word);
-    if (found != reserved.end() && *found == word) return static_cast<std::size_t>(found - reserved.begin());
-    const auto* symbol = std::ranges::find(symbols, word);
-    return reserved.size() + static_cast<std::size_t>(symbol - symbols.begin());
+    return static_cast<std::size_t>(std::ranges::find(known_texts(), word) - known_texts().begin());
 }
 
 class Lexer : diagnostics::Scanner {
 public:
-    Lexer(std::string_view text, SourceId source, bool is_assertions, Diagnostics& out)
-        : Scanner(text, source), is_assertions_(is_assertions), out_(out) {}
+    Lexer(std::string_view text, SourceId source, bool is_assertions, Dialect dialect, Diagnostics& out)
+        : Scanner(text, source), is_assertions_(is_assertions), dialect_(dialect), out_(out) {}
 
     TokenStream run();
 
@@ -118,6 +129,7 @@ private:
     bool too_long();
 
     bool is_assertions_;
+    Dialect dialect_;
     Diagnostics& out_;
     std::size_t line_begin_ = 0;  ///< offset just after the last line end passed
     std::size_t last_end_ = 0;    ///< end of the last token
@@ -175,7 +187,7 @@ void Lexer::read_word() {
     const std::string_view text = text_from(name);
     if (is_assertions_ && text == "csp" && accept("-begin")) return csp_code(begin);
     if (!escaped && (text == "Set" || text == "Seq") && accept("(")) return add(TokenKind::symbol, begin);
-    add(!escaped && is_reserved(text) ? TokenKind::keyword : TokenKind::identifier, begin, escaped);
+    add(!escaped && is_reserved(text, dialect_) ? TokenKind::keyword : TokenKind::identifier, begin, escaped);
 }
 
 void Lexer::check_integer(std::size_t begin) {
@@ -332,7 +344,7 @@ Token TokenList::operator[](std::size_t index) const {
     token.first_on_line = item.first_on_line;
     token.span = {source_, item.begin, item.end};
     const std::uint32_t begin = item.begin + (item.escaped ? 1U : 0U);
-    token.text = item.word != 0 ? word_at(item.word - 1U) : text_.substr(begin, item.end - begin);
+    token.text = item.word != 0 ? known_texts()[item.word - 1U] : text_.substr(begin, item.end - begin);
     return token;
 }
 
@@ -353,7 +365,7 @@ void TokenList::drop_first_character(std::size_t index) {
 }
 
 TokenStream tokenize(const diagnostics::SourceManager& sources, SourceId source, bool is_assertions, Diagnostics& out) {
-    return Lexer(sources.source_text(source), source, is_assertions, out).run();
+    return Lexer(sources.source_text(source), source, is_assertions, dialect_of(sources.path(source)), out).run();
 }
 
 }  // namespace robochart::frontend

@@ -15,13 +15,14 @@
 
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/source.hpp"
+#include "frontend/syntax/dialect.hpp"
 
 namespace robochart::frontend {
 
 enum class TokenKind : std::uint8_t {
     end,         ///< after the last token
     identifier,  ///< a name, or a word that is reserved only in some places
-    keyword,     ///< a reserved word of RoboChart
+    keyword,     ///< a reserved word of the dialect
     integer,
     real,
     string,    ///< including its quotes
@@ -112,14 +113,18 @@ struct TokenStream {
 /// The largest number of tokens in a file. A longer file was not written by hand and is rejected.
 inline constexpr std::size_t max_tokens = 16'000'000;
 
-/// Splits a text into tokens. Characters that belong to no token are reported and skipped.
+/// Splits a text into tokens of the dialect of its path. Characters that belong to no token are reported and skipped.
 [[nodiscard]] TokenStream tokenize(const diagnostics::SourceManager&, diagnostics::SourceId, bool is_assertions,
                                    diagnostics::Diagnostics&);
 
 /// True if this is a reserved word of RoboChart.
 [[nodiscard]] bool is_reserved(std::string_view word);
-/// The reserved words, sorted.
+/// The reserved words of RoboChart, sorted.
 [[nodiscard]] const std::vector<std::string_view>& reserved_words();
+/// The words that RoboSim reserves in addition, sorted.
+[[nodiscard]] std::span<const std::string_view> robosim_words();
+/// True if the word is reserved in the dialect.
+[[nodiscard]] bool is_reserved(std::string_view word, Dialect dialect);
 /// Words that assertion text reserves in some places, in addition to the reserved words (Assertions.xtext), sorted.
 [[nodiscard]] std::span<const std::string_view> assertion_words();
 /// The operators and brackets, longest first; those at the end are used only in probabilistic assertions.

@@ -25,6 +25,8 @@ constexpr std::array<std::string_view, 29> member_words = {
     "operation",  "opref",    "stm",        "sref",         "cref",         "rref",          "robotic",    "controller",
     "connection", "state",    "initial",    "final",        "junction",     "probabilistic", "transition", "entry",
     "during",     "exit",     "terminates", "precondition", "postcondition"};
+/// Words of RoboSim that can begin a member of a body; RoboChart does not reserve them.
+constexpr std::array<std::string_view, 3> robosim_member_words = {"cycleDef", "input", "output"};
 
 /// True for words that begin a component in grammars with neural networks.
 bool among_neural(std::string_view word) {
@@ -42,7 +44,11 @@ bool is_among(const Token& token, const Words& words) {
 
 Parser::Parser(const diagnostics::SourceManager& sources, diagnostics::SourceId source, bool is_assertions,
                diagnostics::Diagnostics& out)
-    : sources_(sources), source_(source), is_assertions_(is_assertions), out_(out) {
+    : sources_(sources),
+      source_(source),
+      is_assertions_(is_assertions),
+      dialect_(dialect_of(sources.path(source))),
+      out_(out) {
     const std::size_t errors = out.error_count();
     TokenStream stream = tokenize(sources, source, is_assertions, out);
     tokens_ = std::move(stream.tokens);
@@ -369,12 +375,21 @@ void Parser::pass_stray_brace() {
 std::string_view Parser::meant_word() {
     constexpr std::size_t most_checks = 1000;  // more checks would not help in a text that is not RoboChart
     if (peek().kind != TokenKind::identifier || peek().escaped || ++spelling_checks_ > most_checks) return {};
-    std::vector<std::string> words(member_words.begin(), member_words.end());
+    std::vector<std::string> words = known_member_words();
     words.insert(words.end(), top_level_words.begin(), top_level_words.end());
     const std::string meant = diagnostics::nearest_spelling(peek().text, words);
+    const auto* const own = std::ranges::find(robosim_member_words, meant);
+    if (own != robosim_member_words.end()) return *own;
     const auto& reserved = reserved_words();
     const auto word = std::ranges::lower_bound(reserved, meant);
     return meant.empty() || word == reserved.end() || *word != meant ? std::string_view() : *word;
+}
+
+/// The words that can begin a member of a body in the dialect of the file.
+std::vector<std::string> Parser::known_member_words() const {
+    std::vector<std::string> words(member_words.begin(), member_words.end());
+    if (is_robosim()) words.insert(words.end(), robosim_member_words.begin(), robosim_member_words.end());
+    return words;
 }
 
 bool Parser::correct_word(std::initializer_list<std::string_view> keywords) {
@@ -401,7 +416,7 @@ void Parser::wrong_word(std::string_view what, std::initializer_list<ForeignPlac
     }
     const Span span = peek().span;
     const std::string_view meant = meant_word();
-    const std::vector<std::string> words(member_words.begin(), member_words.end());
+    const std::vector<std::string> words = known_member_words();
     const bool certain = diagnostics::is_certain(peek().text, meant, words);
     diagnostics::Diagnostic* finding = report(syntax::unexpected, span, {std::string(what), describe_token()});
     if (finding == nullptr || meant.empty()) throw SyntaxError{};
@@ -423,7 +438,7 @@ bool Parser::at_top_level_word() const {
 }
 
 bool Parser::at_member_word() const {
-    return is_among(peek(), member_words);
+    return is_among(peek(), member_words) || is_among(peek(), robosim_member_words);
 }
 
 /// Skips from an opening brace to the position after its closing brace. A word that begins top-level declarations ends
@@ -473,13 +488,18 @@ bool Parser::closes_missing_brace(unsigned members) const {
         if (const auto behind = behind_brackets(2); behind && !peek(*behind).is_word("{")) return false;
     const bool holds_parts = (members & (controller_members | module_members)) != 0;
     const bool holds_context = (members & context_members) != 0;
+    if ((members & register_members) != 0)
+        return is_among(peek(), part_words) || is_among(peek(), robosim_member_words) || at_token("state") ||
+               at_token("initial") || at_token("final") || at_token("junction") || at_token("transition");
     return (!holds_parts && is_among(peek(), part_words)) ||
-           (!holds_parts && !holds_context && is_among(peek(), context_words));
+           (!holds_parts && !holds_context &&
+            (is_among(peek(), context_words) || is_among(peek(), robosim_member_words)));
 }
 
 std::unique_ptr<File> Parser::parse_file() {
     auto result = std::make_unique<File>();
     result->source = source_;
+    result->dialect = dialect_;
     result->is_assertions = is_assertions_;
     try {
         catch_syntax_error([&] { package_clause(*result); });

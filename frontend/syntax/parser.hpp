@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recursive-descent parser over the tokens of one file (private to the front end). The productions are those of the
-// public RoboChart.xtext and Assertions.xtext. Each method is named after what it parses.
+// public RoboChart.xtext and Assertions.xtext, and of RoboSim.xtext in files of that dialect. Each method is named
+// after what it parses. A construct of the other dialect is reported and parsed (parser_robosim.cpp).
 //
 // Recovery: a missing token is assumed to be present, and a superfluous one is skipped, once per mistake. If this does
 // not repair the text, the parser throws a SyntaxError, which the nearest member list catches; it then skips to the
@@ -57,6 +58,7 @@ private:
         controller_members = 8,  ///< operation, opref, stm, sref, connection
         module_members = 16,     ///< platforms, controllers, machines, connection
         contract_members = 32,   ///< terminates, precondition, postcondition
+        register_members = 64,   ///< RoboSim: uses, requires, event
     };
 
     // Tokens (parser.cpp)
@@ -150,6 +152,7 @@ private:
     void skip_to_member();
     [[nodiscard]] bool at_top_level_word() const;
     [[nodiscard]] bool at_member_word() const;
+    [[nodiscard]] std::vector<std::string> known_member_words() const;
     [[nodiscard]] bool closes_missing_brace(unsigned members) const;
 
     // Declarations (parser_declarations.cpp)
@@ -204,6 +207,28 @@ private:
     void parse_trigger(Transition& transition);
     void reset(Transition& transition);
 
+    // RoboSim (parser_robosim.cpp)
+    [[nodiscard]] bool is_robosim() const { return dialect_ == Dialect::robosim; }
+    void refuse_dialect(Span span, std::string_view written, std::string_view instead);
+    void refuse_robochart(Span span, std::string_view written, std::string_view instead);
+    bool robosim_member(Context& context);
+    void cycle_definition(Context& context);
+    void register_context(Context& context);
+    void register_member(Context& registers);
+    bool exec_clause(Transition& transition);
+    StmtPtr exec_statement();
+    StmtPtr register_statement();
+    void check_plain_communication(const Stmt& statement);
+    ExprPtr parse_register();
+    void register_store(Expr& read);
+    ExprPtr parse_cycle();
+    [[nodiscard]] bool at_simulation() const;
+    void parse_simulation(File& file);
+    void simulation_member(Simulation& simulation);
+    bool schedulable_property(Assertion& assertion);
+    bool cycle_parameter(AssertionParameter& parameter);
+    void refuse_untimed(AssertionTime time, Span word);
+
     // Types (parser_types.cpp)
     TypeExprPtr parse_type();
     TypeExprPtr function_type();
@@ -226,7 +251,7 @@ private:
     StmtPtr name_statement();
     StmtPtr communication_statement();
     StmtPtr parse_assignment();
-    [[nodiscard]] bool looks_like_assignment() const;
+    [[nodiscard]] bool looks_like_assignment(std::size_t behind_name = 1) const;
     [[nodiscard]] std::optional<std::size_t> behind_brackets(std::size_t ahead) const;
     std::unique_ptr<Communication> parse_communication();
     [[nodiscard]] bool repair_assignment();
@@ -341,6 +366,7 @@ private:
     const diagnostics::SourceManager& sources_;
     diagnostics::SourceId source_;
     bool is_assertions_;
+    Dialect dialect_;
     bool probabilistic_ = false;  ///< inside a probabilistic assertion, where expressions have more forms
     diagnostics::Diagnostics& out_;
     TokenList tokens_;

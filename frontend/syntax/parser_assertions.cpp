@@ -50,7 +50,8 @@ void Parser::foreign_assertion(File& file) {
 
 bool Parser::at_assertion_member() const {
     if (at_foreign_assertion()) return true;
-    if (at_token("import") || at_token("package") || at_probabilistic_part() || at_kept_part()) return true;
+    if (at_token("import") || at_token("package") || at_simulation() || at_probabilistic_part() || at_kept_part())
+        return true;
     if (at_word("timed") || at_word("untimed"))
         return at_word("assertion", 1) || at_word("csp", 1) || at_word("sleec", 1);
     if (at_word("sleec")) return at_word("assertion", 1);
@@ -68,10 +69,13 @@ void Parser::assertion_member(File& file) {
             return;
         }
         AssertionTime time = AssertionTime::both;
+        const Span word = peek().span;
         if (accept_word("timed"))
             time = AssertionTime::timed;
         else if (accept_word("untimed"))
             time = AssertionTime::untimed;
+        refuse_untimed(time, word);
+        if (time == AssertionTime::both && at_simulation()) return parse_simulation(file);
         if (time == AssertionTime::both && at_foreign_assertion()) return foreign_assertion(file);
         if (neural_construct()) return;
         if (at_word("assertion")) return parse_assertion(file, time);
@@ -268,7 +272,7 @@ void Parser::assertion_is(Assertion& assertion) {
         expect_token("to");
         assertion.kind = AssertionKind::equals;
         assertion.other = qualified_name("the name of a component or CSP process");
-    } else {
+    } else if (!schedulable_property(assertion)) {
         unknown_property();
     }
 }
@@ -343,7 +347,7 @@ void Parser::pass_model_hyphen() {
     advance_token();
 }
 
-/// `with P`, `with P, P and P`
+/// `with P`, `with P, P and P`. RoboSim separates parameters by `,`, `and` or `, and`.
 void Parser::assertion_parameters(Assertion& assertion) {
     if (!accept_word("with")) return;
     assertion.parameters.push_back(assertion_parameter());
@@ -352,16 +356,19 @@ void Parser::assertion_parameters(Assertion& assertion) {
         accept_token(",");
         closed = accept_word("and");
         assertion.parameters.push_back(assertion_parameter());
-        if (closed) return;
+        if (closed && !is_robosim()) return;
     }
-    if (!closed) report(syntax::parameter_list, assertion.parameters.back().name.span);
+    if (!closed && !is_robosim()) report(syntax::parameter_list, assertion.parameters.back().name.span);
 }
 
 AssertionParameter Parser::assertion_parameter() {
     AssertionParameter parameter;
-    parameter.constant = at_word("constant");
-    if (!accept_word("constant") && !accept_word("parameter")) fail_expecting("`constant` or `parameter`");
-    parameter.name = plain_name("the name of a constant or parameter");
+    if (!cycle_parameter(parameter)) {
+        parameter.kind = at_word("constant") ? ParameterKind::constant : ParameterKind::parameter;
+        if (!accept_word("constant") && !accept_word("parameter"))
+            fail_expecting(is_robosim() ? "`constant`, `parameter` or `cycleDef`" : "`constant` or `parameter`");
+        parameter.name = plain_name("the name of a constant or parameter");
+    }
     expect_word("of");
     parameter.context = qualified_name("the name of a component");
     if (accept_word("set")) {

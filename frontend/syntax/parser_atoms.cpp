@@ -93,6 +93,7 @@ ExprPtr Parser::parse_record(QualifiedName type_name) {
 
 ExprPtr Parser::keyword_atom() {
     if (at_token("true") || at_token("false")) return parse_literal(ExprKind::boolean);
+    if (at_token("cycle")) return parse_cycle();
     constexpr std::array<std::pair<std::string_view, ExprKind>, 7> kinds = {{{"result", ExprKind::result},
                                                                              {"to", ExprKind::to},
                                                                              {"from", ExprKind::from},
@@ -118,6 +119,7 @@ ExprPtr Parser::keyword_atom() {
 }
 
 ExprPtr Parser::parse_bracketed() {
+    if (at_token("$")) return parse_register();
     if (at_token("(")) return parenthesised_or_range();
     if (at_token("[")) return closed_range();
     if (at_token("(|")) return parse_tuple();

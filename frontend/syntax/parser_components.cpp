@@ -20,7 +20,7 @@ bool Parser::context_member(Context& context) {
     else if (peek().kind == TokenKind::identifier && peek(1).is_word("("))
         operation_signature(context);
     else
-        return false;
+        return robosim_member(context);
     return true;
 }
 
@@ -64,6 +64,8 @@ void Parser::parse_event(Context& context) {
     auto owned = std::make_unique<Event>();
     Event& event = *owned;
     event.span = peek().span;
+    if (at_token("_broadcast"))
+        refuse_robochart(peek().span, "_broadcast", "an event is a register, which every connected component can read");
     event.broadcast = accept_token("_broadcast");
     expect_token("event");
     name(event);
@@ -100,6 +102,7 @@ void Parser::operation_signature(Context& context) {
 
 std::unique_ptr<Component> Parser::parse_controller() {
     auto controller = std::make_unique<Component>(DeclKind::controller);
+    controller->dialect = dialect_;
     controller->span = expect_token("controller");
     name(*controller);
     catch_syntax_error(
@@ -136,6 +139,7 @@ void Parser::controller_member(Component& component) {
 
 std::unique_ptr<Component> Parser::parse_module() {
     auto module = std::make_unique<Component>(DeclKind::module);
+    module->dialect = dialect_;
     module->span = expect_token("module");
     name(*module);
     catch_syntax_error([&] { parse_braces([&] { module_member(*module); }, module_members); });
@@ -145,6 +149,7 @@ std::unique_ptr<Component> Parser::parse_module() {
 
 void Parser::module_member(Component& component) {
     if (at_token("connection")) return component.connections.push_back(parse_connection());
+    if (robosim_member(component)) return;
     if (at_token("robotic")) {
         component.platforms.push_back(note_failures([&] { return parse_platform(); }));
         component.order.push_back(component.platforms.back().get());

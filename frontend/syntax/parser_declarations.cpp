@@ -196,6 +196,7 @@ std::unique_ptr<Declaration> Parser::parse_function() {
 
 std::unique_ptr<Declaration> Parser::parse_interface() {
     auto interface = std::make_unique<Context>(DeclKind::interface);
+    interface->dialect = dialect_;
     interface->span = expect_token("interface");
     name(*interface);
     const auto member = [&] {
@@ -210,6 +211,7 @@ std::unique_ptr<Declaration> Parser::parse_interface() {
 
 std::unique_ptr<Context> Parser::parse_platform() {
     auto platform = std::make_unique<Context>(DeclKind::platform);
+    platform->dialect = dialect_;
     platform->span = expect_token("robotic");
     expect_token("platform");
     name(*platform);

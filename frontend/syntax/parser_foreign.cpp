@@ -172,6 +172,7 @@ int Parser::forgotten_trigger(Transition& transition) {
                                 next.is_word(".") || next.is_word("condition") || next.is_word("action") ||
                                 next.is_word("#") || next.is_word("<{") || next.is_word("}");
     if (peek().kind != TokenKind::identifier || peek().escaped || transition.trigger || !clause_follows) return 0;
+    if (is_robosim()) return 0;  // there are no triggers
     const Span begin = peek().span;
     const std::size_t failures = failures_;
     diagnostics::Diagnostic* const finding =

@@ -12,6 +12,7 @@ namespace robochart::frontend {
 
 std::unique_ptr<Machine> Parser::parse_machine() {
     auto machine = std::make_unique<Machine>(DeclKind::state_machine);
+    machine->dialect = dialect_;
     machine->span = expect_token("stm");
     name(*machine);
     const auto member = [&] {
@@ -25,6 +26,7 @@ std::unique_ptr<Machine> Parser::parse_machine() {
 
 std::unique_ptr<Machine> Parser::parse_operation() {
     auto operation = std::make_unique<Machine>(DeclKind::operation);
+    operation->dialect = dialect_;
     operation->span = expect_token("operation");
     name(*operation);
     const auto member = [&] {
@@ -176,7 +178,7 @@ void Parser::transition_body(Transition& transition, bool braced) {
         const Token next = peek(1);
         const bool clause_follows = next.is_word("trigger") || next.is_word("probability") || next.is_word("#") ||
                                     next.is_word("<{") || next.is_word("condition") || next.is_word("action") ||
-                                    next.is_word("}");
+                                    next.is_word("exec") || next.is_word("}");
         if (clause_follows) pass_separator("the clauses of a transition need no separator");
         if (at_token("}")) break;
         const std::size_t begin = at_;
@@ -216,9 +218,11 @@ diagnostics::FixIt Parser::moved_before(std::size_t clause, const std::array<std
 /// Parses a clause and returns its position in the order of clauses.
 int Parser::transition_clause(Transition& transition) {
     if (at_token("trigger")) {
+        refuse_robochart(peek().span, "trigger", "a condition reads an input: `condition $e` or `condition $e?x`");
         parse_trigger(transition);
         return 1;
     }
+    if (exec_clause(transition)) return 1;
     if (accept_token("probability")) {
         pass_sign_behind_word();
         transition.probability = parse_expression();
@@ -228,7 +232,9 @@ int Parser::transition_clause(Transition& transition) {
         reset(transition);
         return 2;
     }
-    if (accept_token("<{")) {
+    if (at_token("<{")) {
+        refuse_robochart(peek().span, "<{", "compare a clock in the condition: `condition since(C) <= n`");
+        advance_token();
         transition.deadline = parse_expression();
         expect_token("}");
         return 3;
@@ -252,7 +258,9 @@ int Parser::transition_clause(Transition& transition) {
     if (replace_foreign(ForeignPlace::clause)) return transition_clause(transition);
     if (const int clause = forgotten_trigger(transition); clause > 0) return clause;
     if (correct_word({"trigger", "probability", "condition", "action"})) return transition_clause(transition);
-    fail_expecting("`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
+    fail_expecting(is_robosim()
+                       ? "`exec`, `probability`, `#`, `condition`, `action` or the `}` of the transition"
+                       : "`trigger`, `probability`, `#`, `<{`, `condition`, `action` or the `}` of the transition");
 }
 
 /// `trigger e…`; the old forms `trigger` and `trigger #C` wait for no event.

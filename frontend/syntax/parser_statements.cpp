@@ -54,6 +54,7 @@ bool Parser::at_statement() const {
                                                              "[|", ";", "}", "end", "else"};
     if (at_ < quiet_until_ || foreign_word(peek().text, ForeignPlace::if_end) != nullptr) return false;
     if (at_token("skip") || at_token("if") || at_token("wait") || at_token("send") || at_token("#")) return true;
+    if (at_token("exec") || at_token("$")) return true;
     if (peek().kind != TokenKind::identifier) return false;
     const Token next = peek(1);
     const bool fits = std::ranges::any_of(after_name, [&](std::string_view w) { return next.is_word(w); });
@@ -90,6 +91,8 @@ StmtPtr Parser::basic_statement() {
     if (at_token("if")) return if_statement();
     if (at_token("wait")) return wait_statement();
     if (at_token("send")) return communication_statement();
+    if (at_token("exec")) return exec_statement();
+    if (at_token("$")) return register_statement();
     if (accept_token("skip")) return make_statement(StmtKind::skip, begin);
     if (accept_token("(")) {
         StmtPtr group = make_statement(StmtKind::parenthesised, begin);
@@ -132,6 +135,7 @@ StmtPtr Parser::if_statement() {
 
 /// `wait(e)`; `wait([m,n])` is a separate form.
 StmtPtr Parser::wait_statement() {
+    refuse_robochart(peek().span, "wait", "`exec` ends the cycle; to wait longer, compare a clock: `since(C) >= n`");
     StmtPtr result = make_statement(StmtKind::wait, expect_token("wait"));
     expect_token("(");
     ExprPtr duration = parse_expression();
@@ -152,6 +156,7 @@ StmtPtr Parser::communication_statement() {
     result->send_keyword = accept_token("send");
     result->communication = parse_communication();
     result->span = span_since(result->span);
+    check_plain_communication(*result);
     return result;
 }
 
@@ -172,10 +177,10 @@ std::optional<std::size_t> Parser::behind_brackets(std::size_t ahead) const {
     return ahead;
 }
 
-/// True if member and index steps and `=` follow the name at the current token. Any other use of `.` is a
+/// True if member and index steps and `=` follow the name before the token `behind_name`. Any other use of `.` is a
 /// communication.
-bool Parser::looks_like_assignment() const {
-    std::size_t ahead = 1;
+bool Parser::looks_like_assignment(std::size_t behind_name) const {
+    std::size_t ahead = behind_name;
     while (peek(ahead).is_word("::")) ahead += 2;
     while (peek(ahead).is_word(".") || peek(ahead).is_word("[")) {
         if (peek(ahead).is_word(".")) {

@@ -95,6 +95,14 @@ std::string call_text(const Expr& expr) {
                        list_text(expr.args));
 }
 
+/// `$n`, `$e?v : p`
+std::string register_text(const Expr& expr) {
+    std::string out = "$" + written_name(expr.name);
+    if (expr.args.empty()) return out;
+    out += "?" + optional_text(expr.args[0]);
+    return expr.args[1] ? out + " : " + optional_text(expr.args[1]) : out;
+}
+
 /// Forms that bind names.
 std::string binder_text(const Expr& expr) {
     switch (expr.kind) {
@@ -194,6 +202,10 @@ std::string to_text(const Expr& expr) {
             return "sinceEntry(" + written_name(expr.name) + ")";
         case ExprKind::parenthesised:
             return "(" + optional_text(expr.args[0]) + ")";
+        case ExprKind::register_:
+            return register_text(expr);
+        case ExprKind::cycle:
+            return "cycle";
         default:
             return binder_text(expr);
     }
@@ -238,7 +250,7 @@ std::string to_text(const TypeExpr& type) {
 }
 
 std::string to_text(const Communication& communication) {
-    std::string out = written_name(communication.event);
+    std::string out = (communication.through_register ? "$" : "") + written_name(communication.event);
     if (!communication.from_variable.empty() || communication.predicate) {
         out += "[|";
         if (!communication.from_variable.empty()) out += written_name(communication.from_variable) + " = from";
@@ -275,7 +287,8 @@ std::string to_text(const Stmt& statement) {
         case StmtKind::communication:
             return (statement.send_keyword ? "send " : "") + to_text(*statement.communication);
         case StmtKind::call:
-            return fmt::format("{}({})", written_name(statement.name), list_text(statement.args));
+            return fmt::format("{}{}({})", statement.through_register ? "$" : "", written_name(statement.name),
+                               list_text(statement.args));
         case StmtKind::wait:
             return "wait(" + optional_text(statement.value) + ")";
         case StmtKind::wait_interval:
@@ -286,6 +299,8 @@ std::string to_text(const Stmt& statement) {
             return fmt::format("{} <{{{}}}", body(statement.body[0]), optional_text(statement.value));
         case StmtKind::parenthesised:
             return "(" + body(statement.body[0]) + ")";
+        case StmtKind::exec:
+            return "exec";
         case StmtKind::error:
             break;
     }
@@ -390,6 +405,12 @@ std::string_view to_text(DeclKind kind) {
             return "transition";
         case DeclKind::bound_variable:
             return "bound variable";
+        case DeclKind::input_context:
+            return "input context";
+        case DeclKind::output_context:
+            return "output context";
+        case DeclKind::simulation:
+            return "simulation";
     }
     return "?";
 }

@@ -34,6 +34,8 @@ private:
     void print_function(const Function& function);
     void print_clauses(const Context& context);
     void print_context(const Context& context);
+    void print_cycle(const Context& context);
+    void print_simulation(const Simulation& simulation);
     void print_machine(const Machine& machine);
     void print_component(const Component& component);
     void print_reference(const Reference& reference);
@@ -94,8 +96,16 @@ void Printer::print_clauses(const Context& context) {
         print_line(fmt::format("{} {}", to_text(clause.use), written_name(clause.name)));
 }
 
+/// The constructs of RoboSim: the length of a cycle, and the contexts.
+void Printer::print_cycle(const Context& context) {
+    if (context.cycle) print_line("cycleDef " + to_text(*context.cycle));
+    for (const auto* registers : {&context.input, &context.output})
+        if (*registers) print_braces(std::string(to_text((*registers)->kind)), [&] { print_context(**registers); });
+}
+
 void Printer::print_context(const Context& context) {
     print_clauses(context);
+    print_cycle(context);
     for (const VariablePtr& variable : context.variables)
         print_line(fmt::format("{} {}{}", variable->kind == DeclKind::constant ? "const" : "var", typed_name(*variable),
                                variable->initial ? " = " + to_text(*variable->initial) : ""));
@@ -150,6 +160,7 @@ void Printer::print_transition(const Transition& transition) {
         print_line(fmt::format("from {} to {}", written_name(transition.from), written_name(transition.to)));
         if (transition.legacy_trigger) print_line("trigger");
         if (transition.trigger) print_line("trigger " + to_text(*transition.trigger));
+        if (transition.exec) print_line("exec");
         if (transition.probability) print_line("probability " + to_text(*transition.probability));
         for (const Transition::Reset& reset : transition.resets) print_line("#" + written_name(reset.name));
         if (transition.deadline) print_line("<{" + to_text(*transition.deadline) + "}");
@@ -250,10 +261,25 @@ std::string claim(const Assertion& assertion) {
                                assertion.time_units ? fmt::format(" for {} time units", *assertion.time_units) : "");
         case AssertionKind::conforms:
             return subject + (negated ? " does not conform to " : " conforms to ") + other;
+        case AssertionKind::schedulable:
+            return is("schedulable");
         case AssertionKind::clock_initialised:
             break;
     }
     return fmt::format("clock {} is {}initialised", other, negated ? "not " : "");
+}
+
+/// `constant c`, `parameter p` or `cycleDef`.
+std::string set_name(const AssertionParameter& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::constant:
+            return "constant " + written_name(parameter.name);
+        case ParameterKind::parameter:
+            return "parameter " + written_name(parameter.name);
+        case ParameterKind::cycle:
+            break;
+    }
+    return "cycleDef";
 }
 
 /// `with P`, or `with P, P and P`.
@@ -265,8 +291,7 @@ std::string parameter_list(const std::vector<AssertionParameter>& list) {
             out += " with ";
         else
             out += i + 1 == list.size() ? " and " : ", ";
-        out += fmt::format("{} {} of {} set to {}", parameter.constant ? "constant" : "parameter",
-                           written_name(parameter.name), written_name(parameter.context),
+        out += fmt::format("{} of {} set to {}", set_name(parameter), written_name(parameter.context),
                            parameter.value ? to_text(*parameter.value) : "");
     }
     return out;
@@ -279,6 +304,11 @@ void Printer::print_assertion(const Assertion& assertion) {
     print_line(fmt::format("{}{}assertion {} : {}{}{}", time_word(assertion.time), of_rule ? "sleec " : "",
                            written_name(assertion.name), claim(assertion), model,
                            parameter_list(assertion.parameters)));
+}
+
+void Printer::print_simulation(const Simulation& simulation) {
+    print_braces(fmt::format("simulation {} of {}", written_name(simulation.name), written_name(simulation.subject)),
+                 [&] { print_cycle(simulation); });
 }
 
 void Printer::csp_block(const CspBlock& block) {
@@ -298,6 +328,7 @@ void Printer::print_file(const File& file) {
         out_ += '\n';
         print_declaration(*declared);
     }
+    for (const auto& simulation : file.simulations) print_simulation(*simulation);
     for (const CspBlock& block : file.csp_blocks) csp_block(block);
     for (const Assertion& asserted : file.assertions) print_assertion(asserted);
     for (const ProbabilisticDefinition& definition : file.probabilistic_definitions) out_ += to_text(definition);

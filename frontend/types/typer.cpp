@@ -83,6 +83,10 @@ TypePtr Typer::compute_type(Expr& expr, Surroundings& around) {
             return since_entry(expr, around);
         case ExprKind::parenthesised:
             return assign_type(expr.args[0], around);
+        case ExprKind::register_:
+            return type_register(expr, around);
+        case ExprKind::cycle:
+            return make_type(TypeForm::nat);
         case ExprKind::path:
         case ExprKind::probability:
         case ExprKind::reward:

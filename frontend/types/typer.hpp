@@ -16,10 +16,11 @@ namespace robochart::frontend {
 /// The context of an expression.
 struct Surroundings {
     Place place;
-    const Scope* scope = nullptr;        ///< the scope of the machine, operation or interface; null at file level
-    const Function* function = nullptr;  ///< the function whose `result` and parameters are in scope
-    const Machine* machine = nullptr;    ///< the machine whose states `sinceEntry` may name
-    std::vector<const Variable*> bound;  ///< variables of enclosing binders, innermost last
+    const Scope* scope = nullptr;          ///< the scope of the machine, operation or interface; null at file level
+    const Function* function = nullptr;    ///< the function whose `result` and parameters are in scope
+    const Machine* machine = nullptr;      ///< the machine whose states `sinceEntry` may name
+    std::vector<const Variable*> bound;    ///< variables of enclosing binders, innermost last
+    const Registers* registers = nullptr;  ///< the registers that `$` names; null outside of RoboSim machines
 };
 
 class Typer {
@@ -86,6 +87,15 @@ private:
     TypePtr tuple_part(Expr& expr, const TypePtr& tuple);
     TypePtr type_record(Expr& expr, Surroundings& around);
 
+    // RoboSim (typer_registers.cpp)
+    TypePtr type_register(Expr& expr, Surroundings& around);
+    TypePtr read_register(Expr& expr, Surroundings& around);
+    TypePtr written_register(Expr& expr, Surroundings& around);
+    void check_store(Expr& expr, Surroundings& around);
+    void unknown_register(const QualifiedName& name, Span whole, bool written, Surroundings& around);
+    const Event* output_event(const Communication& communication, Surroundings& around);
+    bool find_output_operation(Stmt& statement, Surroundings& around);
+
     void check_assignment(Stmt& statement, Surroundings& around);
     bool resets_clock(const Stmt& statement, const Expr& named, std::string_view what, Surroundings& around);
     void check_call(Stmt& statement, Surroundings& around);
@@ -107,6 +117,7 @@ private:
                       diagnostics::Diagnostic& finding) const;
 
     Finder& finder_;
+    const Expr* written_ = nullptr;  ///< the register that the assignment in progress writes
 };
 
 /// Removes parentheses around an expression.

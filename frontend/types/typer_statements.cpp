@@ -37,6 +37,7 @@ void Typer::check_statement(Stmt& statement, Surroundings& around) {
             break;
         }
         case StmtKind::skip:
+        case StmtKind::exec:
         case StmtKind::sequence:
         case StmtKind::parenthesised:
         case StmtKind::error:
@@ -70,11 +71,13 @@ bool Typer::resets_clock(const Stmt& statement, const Expr& named, std::string_v
 
 void Typer::check_assignment(Stmt& statement, Surroundings& around) {
     if (resets_clock(statement, *statement.target, "variable", around)) return;
-    const TypePtr target = assign_type(statement.target, around);
-    const TypePtr value = assign_type(statement.value, around);
     const Expr* root = statement.target.get();
     while ((root->kind == ExprKind::member || root->kind == ExprKind::index) && root->args[0])
         root = root->args[0].get();
+    written_ = root->kind == ExprKind::register_ ? root : nullptr;
+    const TypePtr target = assign_type(statement.target, around);
+    written_ = nullptr;
+    const TypePtr value = assign_type(statement.value, around);
     const Declaration* assigned = root->target;
     if (assigned != nullptr && assigned->kind == DeclKind::parameter) {
         finder_.out()
@@ -99,11 +102,13 @@ void Typer::check_call(Stmt& statement, Surroundings& around) {
     if (!known && resets && resets_clock(statement, *statement.args.front(), "operation", around)) return;
     for (const ExprPtr& arg : statement.args) assign_type(arg, around);
     if (around.scope == nullptr) return;
-    const auto found = around.scope->operations.find(statement.name.parts.back());
-    if (found == around.scope->operations.end() || !finder_.names().is_qualified_by(statement.name, *found->second))
-        return unknown_operation(statement, around);
-    const OperationSignature& signature = *found->second;
-    statement.declaration = &signature;
+    if (!find_output_operation(statement, around)) {
+        const auto found = around.scope->operations.find(statement.name.parts.back());
+        if (found == around.scope->operations.end() || !finder_.names().is_qualified_by(statement.name, *found->second))
+            return unknown_operation(statement, around);
+        statement.declaration = found->second;
+    }
+    const auto& signature = static_cast<const OperationSignature&>(*statement.declaration);
     const std::size_t expected = signature.parameters.size();
     if (statement.args.size() != expected) {
         finder_.out()
@@ -149,6 +154,7 @@ void Typer::unknown_operation(const Stmt& statement, Surroundings& around) {
 
 const Event* Typer::find_event(Communication& communication, Surroundings& around) {
     if (around.scope == nullptr) return nullptr;
+    if (communication.through_register) return output_event(communication, around);
     const auto found = around.scope->events.find(communication.event.parts.back());
     if (found != around.scope->events.end()) return found->second;
     unknown_event(communication, around);

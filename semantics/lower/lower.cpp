@@ -55,6 +55,7 @@ System lower(const ast::Model& model, const diagnostics::SourceManager& sources,
     intern_core_types(lowering);
     lower_declared_types(lowering);
     register_components(lowering);
+    report_robosim(lowering);
     lower_components(lowering);
     check_calls(lowering);
     lower_properties(lowering);

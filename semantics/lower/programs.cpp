@@ -60,6 +60,7 @@ StmtKind kind_of(ast::StmtKind kind) {
             return StmtKind::deadline;
         case ast::StmtKind::skip:
         case ast::StmtKind::parenthesised:
+        case ast::StmtKind::exec:
         case ast::StmtKind::error:
             break;
     }
@@ -237,6 +238,7 @@ void Programs::fill_statement(const ast::Stmt& source, Stmt& stmt) {
         case ast::StmtKind::skip:
             return;
         case ast::StmtKind::parenthesised:
+        case ast::StmtKind::exec:
         case ast::StmtKind::error:
             return lowering_.report_unresolved("a statement", source.span);
     }

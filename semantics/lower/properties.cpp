@@ -4,6 +4,7 @@
 #include "semantics/lower/properties.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "base/diagnostics/text.hpp"
@@ -38,6 +39,7 @@ PropertyKind kind_of(ast::AssertionKind kind) {
             return PropertyKind::event_missed;
         case ast::AssertionKind::conforms:
             return PropertyKind::conforms;
+        case ast::AssertionKind::schedulable:  // RoboSim, which is not lowered
         case ast::AssertionKind::clock_initialised:
             break;
     }
@@ -198,7 +200,8 @@ void Properties::operation_parameter(const ast::AssertionParameter& source, cons
 void Properties::lower_parameter(const ast::AssertionParameter& source, Property& property) {
     const auto context = find_component(source.context_path, source.context);
     if (!context) return;
-    if (source.constant)
+    assert(source.kind != ast::ParameterKind::cycle && "only RoboSim sets cycles");
+    if (source.kind == ast::ParameterKind::constant)
         lower_constant(source, *context, property);
     else
         operation_parameter(source, *context, property);
@@ -257,8 +260,11 @@ void Properties::lower_assertions() {
 
 void lower_properties(Lowering& lowering) {
     Properties::Blocks blocks;
-    for (const auto* file : lowering.files) Properties(lowering, *file, blocks).lower_blocks();
-    for (const auto* file : lowering.files) Properties(lowering, *file, blocks).lower_assertions();
+    const auto lowered = [](const ast::File* file) { return file->dialect == ast::Dialect::robochart; };
+    for (const auto* file : lowering.files)
+        if (lowered(file)) Properties(lowering, *file, blocks).lower_blocks();
+    for (const auto* file : lowering.files)
+        if (lowered(file)) Properties(lowering, *file, blocks).lower_assertions();
 }
 
 }  // namespace robochart::ir

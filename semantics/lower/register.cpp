@@ -2,6 +2,9 @@
 // Creates the entries in the System before bodies are lowered, so that references can be resolved.
 #include "semantics/lower/components.hpp"
 
+#include "frontend/syntax/print.hpp"
+#include "semantics/rules.hpp"
+
 namespace robochart::ir {
 namespace {
 
@@ -46,11 +49,38 @@ void add_module(Lowering& lowering, const ast::Component& source) {
     lowering.system.modules.push_back(std::move(module));
 }
 
+/// True for a component whose behaviour is written in RoboSim.
+bool is_robosim(const ast::Declaration& declaration) {
+    const auto* context = dynamic_cast<const ast::Context*>(&declaration);
+    const bool component = declaration.kind == ast::DeclKind::state_machine ||
+                           declaration.kind == ast::DeclKind::operation ||
+                           declaration.kind == ast::DeclKind::controller || declaration.kind == ast::DeclKind::module;
+    return component && context != nullptr && context->dialect == ast::Dialect::robosim;
+}
+
 }  // namespace
+
+void report_robosim(const Lowering& lowering) {
+    const ast::Declaration* first = nullptr;
+    std::size_t count = 0;
+    for (const auto* file : lowering.files)
+        for (const auto& declaration : file->declarations) {
+            if (!is_robosim(*declaration)) continue;
+            if (first == nullptr) first = declaration.get();
+            ++count;
+        }
+    if (first == nullptr) return;
+    const bool others =
+        !lowering.machine_sources.empty() || !lowering.controller_sources.empty() || !lowering.module_sources.empty();
+    std::string what = std::string(to_text(first->kind)) + " `" + first->name + "`";
+    if (count > 1) what += " (and " + std::to_string(count - 1) + " more)";
+    lowering.diagnostics.report(others ? rules::robosim_passed_over : rules::robosim_only, first->name_span, {what});
+}
 
 void register_components(Lowering& lowering) {
     for (const auto* file : lowering.files)
         for (const auto& declaration : file->declarations) {
+            if (is_robosim(*declaration)) continue;
             if (declaration->kind == ast::DeclKind::state_machine || declaration->kind == ast::DeclKind::operation)
                 add_machine(lowering, static_cast<const ast::Machine&>(*declaration), "");
             if (declaration->kind == ast::DeclKind::controller)

@@ -36,6 +36,8 @@ std::string file_name(const diagnostics::Block& block, std::size_t number) {
     const std::string suffix = number == 0 ? "" : std::to_string(number + 1);
     if (block.language == "assertions") return "claims" + suffix + ".assertions";
     if (block.language == "cspm") return "script" + suffix + ".csp";
+    if (block.language == "robosim") return "model" + suffix + ".rst";
+    if (block.language == "robosim-assertions") return "claims" + suffix + ".rsa";
     if (block.language == "prism" || block.language == "props") return "model" + suffix + "." + block.language;
     if (block.language == "sleec") return "rules" + suffix + ".sleec";
     return "model" + suffix + ".rct";

@@ -69,6 +69,7 @@ Type type_of(DeclKind kind) {
         case DeclKind::controller:
         case DeclKind::module:
         case DeclKind::reference:
+        case DeclKind::simulation:
             return class_;
         case DeclKind::connection:
         case DeclKind::state:
@@ -77,6 +78,8 @@ Type type_of(DeclKind kind) {
         case DeclKind::junction:
         case DeclKind::probabilistic:
         case DeclKind::transition:
+        case DeclKind::input_context:
+        case DeclKind::output_context:
             break;
     }
     return label;

@@ -43,7 +43,7 @@ Document& Project::add(const std::string& path) {
     auto document = std::make_unique<Document>(sources_, uri_of_path(path));
     document->path = path;
     document->open = false;
-    document->is_assertions = fs::path(path).extension() == ".assertions";
+    document->is_assertions = frontend::is_assertion_path(path);
     const auto known = ids_.find(path);
     document->source = known != ids_.end() ? known->second : sources_.add(path, {});
     ids_[path] = document->source;

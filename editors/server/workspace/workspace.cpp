@@ -8,6 +8,7 @@
 
 #include "editors/server/protocol/uri.hpp"
 #include "frontend/project/project.hpp"
+#include "frontend/syntax/dialect.hpp"
 
 namespace robochart::lsp {
 
@@ -108,8 +109,7 @@ void Workspace::close(const std::string& uri) {
 void Workspace::refresh_file(const std::string& uri) {
     const std::string path = path_of_uri(uri);
     if (const Place known = find(uri)) return known.project->refresh_file(path);
-    const std::string extension = fs::path(path).extension().string();
-    if (extension != ".rct" && extension != ".assertions") return;
+    if (!frontend::is_model_path(path) && !frontend::is_assertion_path(path)) return;
     const std::string root = root_of(path);
     const bool belongs = !folder_around(path).empty() || std::ranges::any_of(projects_, [&](const auto& project) {
         return project->folder() == root && !root.empty();

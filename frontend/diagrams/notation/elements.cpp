@@ -73,6 +73,8 @@ private:
         add_all(context.events);
         add_all(context.clocks);
         add_all(context.signatures);
+        for (const Context* registers : {context.input.get(), context.output.get()})
+            if (registers != nullptr) this->add(*registers);
     }
 
     void collect_conditions(std::string_view word, const std::vector<ExprPtr>& list) {

@@ -75,6 +75,7 @@ std::string text_of(const Stmt& statement) {
         case StmtKind::wait:
         case StmtKind::wait_interval:
         case StmtKind::clock_reset:
+        case StmtKind::exec:
         case StmtKind::error:
             break;
     }
@@ -116,6 +117,7 @@ std::vector<std::string> label_of(const Transition& transition) {
     std::vector<std::string> pieces;
     std::string head = transition.trigger ? printable_line(to_text(*transition.trigger)) : "";
     const auto add = [&](const std::string& text) { head += (head.empty() ? "" : " ") + text; };
+    if (transition.exec) add("exec");
     for (const Transition::Reset& reset : transition.resets) add("#" + shown_name(reset.name.text()));
     if (transition.deadline) add("<{" + text_of(*transition.deadline) + "}");
     if (transition.probability) add("p{" + text_of(*transition.probability) + "}");

@@ -6,6 +6,7 @@
 
 #include "frontend/diagrams/layout/text_width.hpp"
 #include "frontend/diagrams/notation/labels.hpp"
+#include "frontend/syntax/print.hpp"
 
 namespace robochart::diagrams {
 
@@ -82,8 +83,28 @@ void Rows::write(const layout::Point& corner, PictureBox& box) const {
     if (!whole.empty()) box.whole += whole;
 }
 
+namespace {
+
+/// A context of RoboSim: `input: uses Button, event pressed`.
+void add_registers(Rows& rows, const Context& registers, const Elements& elements) {
+    const std::string head = registers.kind == DeclKind::input_context ? "input: " : "output: ";
+    std::vector<RowText> texts;
+    const auto add = [&](const std::string& text, std::size_t element) {
+        texts.push_back({(texts.empty() ? head : "") + text, element});
+    };
+    for (const InterfaceClause& clause : registers.interfaces)
+        add(std::string(to_text(clause.use)) + " " + shown_name(clause.name.text()), elements.find(&clause));
+    for (const auto& event : registers.events) add("event " + text_of(*event), elements.find(event.get()));
+    rows.add(Icon::no_icon, texts);
+}
+
+}  // namespace
+
 Rows rows_of(const Context& context, const Elements& elements, bool with_events) {
     Rows rows;
+    for (const Context* registers : {context.input.get(), context.output.get()})
+        if (registers != nullptr) add_registers(rows, *registers, elements);
+    if (context.cycle) rows.add(Icon::no_icon, {{"cycleDef " + text_of(*context.cycle), elements.find(&context)}});
     add_clauses(rows, context, InterfaceUse::provides, Icon::provides, elements);
     add_clauses(rows, context, InterfaceUse::requires_, Icon::requires_, elements);
     add_clauses(rows, context, InterfaceUse::uses, Icon::uses, elements);

@@ -52,8 +52,8 @@ struct Rows {
     void write(const layout::Point& corner, PictureBox& box) const;
 };
 
-/// The rows of a context: clauses, operations, constants, variables, clocks, and events if they are not drawn as
-/// squares.
+/// The rows of a context: the cycle and the registers of RoboSim, clauses, operations, constants, variables, clocks,
+/// and events if they are not drawn as squares.
 [[nodiscard]] Rows rows_of(const frontend::Context& context, const Elements& elements, bool with_events);
 /// Adds pre- or postconditions.
 void add_conditions(Rows& rows, Icon icon, const std::vector<frontend::ExprPtr>& conditions, const Elements& elements);

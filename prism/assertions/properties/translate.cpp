@@ -274,7 +274,7 @@ ExprPtr Translator::translate_expression(const ast::Expr& expr) {
         case ExprKind::tuple: case ExprKind::record: case ExprKind::sequence: case ExprKind::set:
         case ExprKind::set_range: case ExprKind::set_comprehension: case ExprKind::range: case ExprKind::matrix:
         case ExprKind::inverse: case ExprKind::transpose: case ExprKind::since: case ExprKind::since_entry:
-        case ExprKind::simulation: case ExprKind::error:
+        case ExprKind::simulation: case ExprKind::register_: case ExprKind::cycle: case ExprKind::error:
             break;
     }
     // clang-format on

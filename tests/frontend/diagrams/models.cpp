@@ -23,7 +23,7 @@ void draw_each(const random_models::Project& project, const std::function<void(c
 std::size_t draw_below(const fs::path& folder, const std::function<void(const DrawnModel&)>& look) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".rct") files.push_back(entry.path());
+        if (frontend::is_model_path(entry.path().string())) files.push_back(entry.path());
     std::ranges::sort(files);
     for (const fs::path& file : files) draw_each({{file.string(), tests::read_contents(file)}}, look);
     return files.size();

@@ -47,15 +47,15 @@ TEST_F(Project, SaysWhatIsMissing) {
     EXPECT_NE(reading_->report().find("contains no RoboChart files"), std::string::npos);
 }
 
-// The note only accompanies an error about the name that a RoboSim file declares.
-TEST_F(Project, SaysWhichFileOfRoboSimDeclaresWhatIsMissing) {
-    write("a.rct", "stm S { uses Lamps uses Horns initial i state A { } transition t { from i to A } }");
-    write("deep/parts.rst", "interface Lamps { event lamp } module Horns2 { Horns }");
-    EXPECT_EQ(load(), "a.rct RC-N01 RC-N05 RC-N01 ");
-    EXPECT_NE(reading_->report().find("`Lamps` is declared in "), std::string::npos);
-    EXPECT_EQ(load("a.rct"), "a.rct RC-N01 RC-N01 ") << "another folder";
+TEST_F(Project, BothDialectsShareTheirInterfaces) {
+    write("a.rct", "stm S { uses Lamps initial i state A { } transition t { from i to A } }");
     write("parts.rst", "interface Lamps { event lamp }");
-    EXPECT_EQ(load("a.rct"), "a.rct RC-N01 RC-N05 RC-N01 ");
+    EXPECT_EQ(load(), "a.rct parts.rst ");
+    EXPECT_EQ(load("a.rct"), "a.rct parts.rst ");
+    write("claims.rsa", "assertion A : S is deadlock-free");
+    EXPECT_EQ(load("a.rct"), "a.rct parts.rst ") << "claims about RoboSim belong to models of RoboSim";
+    EXPECT_EQ(load("parts.rst"), "parts.rst ") << "it needs nothing of a.rct";
+    EXPECT_EQ(load("claims.rsa"), "a.rct claims.rsa parts.rst RC-Y11 ");
 }
 
 TEST_F(Project, AnEmptyFileIsAnError) {

@@ -121,7 +121,8 @@ std::string shown(const Assertion& a) {
     if (a.time_units) out += " for " + std::to_string(*a.time_units);
     if (a.model) out += std::string(" in ") + models.at(static_cast<std::size_t>(*a.model));
     for (const AssertionParameter& p : a.parameters)
-        out += (p.constant ? " c:" : " p:") + p.name.text() + "@" + p.context.text() + "=" + tree(*p.value);
+        out += (p.kind == ParameterKind::constant ? " c:" : " p:") + p.name.text() + "@" + p.context.text() + "=" +
+               tree(*p.value);
     return out;
 }
 

@@ -265,7 +265,7 @@ TEST(Parser, ReadsAssertions) {
     EXPECT_TRUE(file.assertions[1].negated);
     EXPECT_EQ(file.assertions[3].model, AssertionModel::failures);
     ASSERT_EQ(file.assertions[4].parameters.size(), 2U);
-    EXPECT_FALSE(file.assertions[4].parameters[1].constant);
+    EXPECT_EQ(file.assertions[4].parameters[1].kind, ParameterKind::parameter);
     EXPECT_EQ(file.assertions[8].subject.text(), "S");
     EXPECT_EQ(file.assertions[8].other.text(), "S::s");
     EXPECT_EQ(file.assertions[9].kind, AssertionKind::clock_initialised);

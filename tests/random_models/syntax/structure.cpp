@@ -27,17 +27,19 @@ constexpr std::array<std::string_view, 17> operator_words = {"iff",   "implies",
                                                              "gt",    "ge",      "lt",     "le",      "in",    "plus",
                                                              "minus", "times",   "divide", "modulus", "concat"};
 constexpr std::array<std::string_view, 4> comm_words = {"simple", "input", "output", "sync"};
-constexpr std::array<std::string_view, 12> stmt_words = {
-    "skip", "sequence-of",   "if-statement", "assignment", "communication", "call-of",
-    "wait", "wait-interval", "reset",        "deadline",   "group",         "error"};
-constexpr std::array<std::string_view, 28> decl_words = {
+constexpr std::array<std::string_view, 13> stmt_words = {
+    "skip",          "sequence-of", "if-statement", "assignment", "communication", "call-of", "wait",
+    "wait-interval", "reset",       "deadline",     "group",      "exec",          "error"};
+constexpr std::array<std::string_view, 31> decl_words = {
     "package",   "given",     "record-type", "field",      "enumeration",   "literal",    "function-declaration",
     "signature", "parameter", "var",         "const",      "event",         "clock",      "interface",
     "platform",  "operation", "stm",         "controller", "module",        "reference",  "connection",
-    "state",     "initial",   "final",       "junction",   "probabilistic", "transition", "bound"};
+    "state",     "initial",   "final",       "junction",   "probabilistic", "transition", "bound",
+    "inputs",    "outputs",   "simulated"};
 constexpr std::array<std::string_view, 10> assertion_words = {
     "deadlock-free", "divergence-free", "deterministic", "timelock-free",     "terminates",
     "refines",       "equals",          "reachable",     "clock-initialised", "event-missed"};
+constexpr std::array<std::string_view, 3> parameter_words = {"constant-of", "parameter-of", "cycle-of"};
 constexpr std::array<std::string_view, 4> model_words = {"failures-divergences", "traces", "failures", "tick-tock"};
 constexpr std::array<std::string_view, 3> time_words = {"both", "timed", "untimed"};
 constexpr std::array<std::string_view, 3> action_words = {"entry", "during", "exit"};
@@ -109,6 +111,10 @@ void Structure::expr(const ExprPtr& owned) {
         open("sinceEntry");
     else if (expr.kind == ExprKind::parenthesised)
         open("parenthesised");
+    else if (expr.kind == ExprKind::register_)
+        open("register");
+    else if (expr.kind == ExprKind::cycle)
+        open("cycle");
     else if (expr.kind > ExprKind::parenthesised && expr.kind < ExprKind::error)
         open(probabilistic_words.at(static_cast<std::size_t>(expr.kind) - static_cast<std::size_t>(ExprKind::path)));
     else
@@ -163,6 +169,7 @@ void Structure::variable(const VariablePtr& variable) {
 void Structure::comm(const Communication& communication) {
     add("");
     open(word(comm_words, communication.kind));
+    flag(communication.through_register, "register");
     name(communication.event);
     if (!communication.variable.empty()) name(communication.variable);
     optional("value", communication.value);
@@ -180,6 +187,7 @@ void Structure::stmt(const StmtPtr& owned) {
     add("");
     open(word(stmt_words, statement.kind));
     flag(statement.send_keyword, "send");
+    flag(statement.through_register, "register");
     if (statement.communication) comm(*statement.communication);
     if (!statement.name.empty()) name(statement.name);
     for (const ExprPtr& arg : statement.args) expr(arg);
@@ -240,6 +248,14 @@ void Structure::context(const Context& context) {
         flag(signature->terminates, "terminates-flag");
         close();
     }
+    optional("cycle-length", context.cycle);
+    for (const Context* registers : {context.input.get(), context.output.get()}) {
+        if (registers == nullptr) continue;
+        add("");
+        open(word(decl_words, registers->kind));
+        this->context(*registers);
+        close();
+    }
 }
 
 void Structure::machine(const Machine& machine) {
@@ -278,6 +294,7 @@ void Structure::transition(const Transition& transition) {
         add("trigger");
         comm(*transition.trigger);
     }
+    flag(transition.exec, "exec");
     optional("probability", transition.probability);
     for (const Transition::Reset& reset : transition.resets) {
         add("clock-reset");
@@ -347,7 +364,7 @@ void Structure::assertion(const Assertion& assertion) {
         add(word(model_words, *assertion.model));
     }
     for (const AssertionParameter& parameter : assertion.parameters) {
-        add(parameter.constant ? "constant-of" : "parameter-of");
+        add(word(parameter_words, parameter.kind));
         name(parameter.name);
         name(parameter.context);
         expr(parameter.value);

@@ -13,7 +13,7 @@ AssertionTime SyntaxBuilder::time() {
 
 AssertionParameter SyntaxBuilder::assertion_parameter() {
     AssertionParameter parameter;
-    parameter.constant = random_.chance(60);
+    parameter.kind = random_.chance(60) ? ParameterKind::constant : ParameterKind::parameter;
     parameter.name = simple();
     parameter.context = qualified();
     parameter.value = expression(2);

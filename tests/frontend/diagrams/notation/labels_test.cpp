@@ -63,6 +63,24 @@ TEST(Labels, OfComponentsSayWhatTheyDeclare) {
         EXPECT_THAT(texts, Contains(text));
 }
 
+TEST(Labels, OfRoboSimNameRegistersAndCycles) {
+    std::vector<std::string> texts;
+    draw_each(
+        {{"m.rst",
+          "interface I { event go } interface O { op(n : nat) }\nstm M { cycleDef cycle == 1 clock C input context { "
+          "uses I event n : nat } output context { requires O } initial i state s { entry $op(1) } transition t { "
+          "from i to s } transition u { from s to s exec #C condition $go /\\ $n?x action exec } var x : nat }\n"}},
+        [&](const DrawnModel& drawn) {
+            for (const PictureBox& box : drawn.picture.boxes)
+                for (const Text& text : box.texts) texts.push_back(text.text);
+            for (const PictureLine& line : drawn.picture.lines)
+                for (const Text& text : line.texts) texts.push_back(text.text);
+        });
+    for (const char* text : {"cycleDef cycle == 1", "input: uses I, ", "event n: nat", "output: requires O",
+                             "entry $op(1)", "exec #C", "/exec", "go", "n: nat"})
+        EXPECT_THAT(texts, Contains(text)) << ::testing::PrintToString(texts);
+}
+
 /// Unresolved names are drawn by their text.
 TEST(Labels, WhatMeansNothingIsDrawnByItsName) {
     const auto texts = texts_of(
