@@ -242,13 +242,8 @@ std::vector<std::pair<std::string, std::string>> written_files(const Options& op
 /// True if people write files of this type. Such a file may be an input even if the command line does not name it,
 /// because files in the same folder are read too.
 bool is_written_by_hand(const std::filesystem::path& path) {
-<<<<<<< ours
     constexpr std::array endings{".rct",    ".assertions", ".rst",   ".rsa",  ".prism", ".props", ".sleec",
                                  ".claims", ".scenario",   ".swarm", ".ros2", ".trace", ".prefs"};
-=======
-    constexpr std::array endings{".rct",   ".assertions", ".rst",   ".rsa",  ".prism", ".props",
-                                 ".sleec", ".scenario",   ".swarm", ".ros2", ".trace", ".prefs"};
->>>>>>> theirs
     return std::ranges::find(endings, path.extension().string()) != endings.end();
 }
 
