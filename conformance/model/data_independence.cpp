@@ -32,11 +32,11 @@ bool is_number(const ir::System& system, const ir::Expr& expr) {
 }
 
 /// The expression without conversions that keep the order of numbers: all but those of reals to whole numbers.
-const ir::Expr& converted(const ir::System& system, const ir::Expr& expr) {
+const ir::Expr& without_conversions(const ir::System& system, const ir::Expr& expr) {
     if (expr.kind != ir::ExprKind::cast || !is_number(system, expr) || !is_number(system, *expr.args[0])) return expr;
     const bool rounds =
         system.type(expr.args[0]->type).kind == ir::TypeKind::real && system.type(expr.type).kind != ir::TypeKind::real;
-    return rounds ? expr : converted(system, *expr.args[0]);
+    return rounds ? expr : without_conversions(system, *expr.args[0]);
 }
 
 /// Whether a variable or a field of one holds the value.
@@ -53,7 +53,8 @@ struct ComparedOperands {
 std::optional<ComparedOperands> compared_operands(const ir::System& system, const ir::Expr& expr) {
     if (!ir::is_comparison(expr.kind) || expr.args.size() != 2) return std::nullopt;
     if (!is_number(system, *expr.args[0]) || !is_number(system, *expr.args[1])) return std::nullopt;
-    const ir::Expr &left = converted(system, *expr.args[0]), &right = converted(system, *expr.args[1]);
+    const ir::Expr &left = without_conversions(system, *expr.args[0]),
+                   &right = without_conversions(system, *expr.args[1]);
     if (is_held(left) && is_constant(right)) return ComparedOperands{&left, &right};
     if (is_constant(left) && is_held(right)) return ComparedOperands{&right, &left};
     return std::nullopt;

@@ -321,25 +321,25 @@ const std::vector<std::int64_t>& ValueReader::candidates(const LoggedPart& part)
     for (const std::int64_t number : *all) {
         const double value = static_cast<double>(number) / units;
         if (answers_for(part.kind, value) != answers) continue;
-        (std::ranges::binary_search(numbers_.written, value) ? literals : chosen).push_back(number);
+        (std::ranges::binary_search(numbers_.literals, value) ? literals : chosen).push_back(number);
     }
     if (chosen.empty()) chosen = std::move(literals);
     return chosen;
 }
 
-std::optional<std::int64_t> ValueReader::replacement(const LoggedPart& part, std::uint64_t salt) const {
+std::optional<std::int64_t> ValueReader::replacement_number(const LoggedPart& part, std::uint64_t salt) const {
     if (part.outside.empty()) return part.number;
     const std::vector<std::int64_t>& all = candidates(part);
     return all.empty() ? std::nullopt : std::optional(all[hash_text(part.outside, salt) % all.size()]);
 }
 
 /// The corresponding value of the model, in which other numbers replace those outside their carriers.
-std::optional<ir::Value> ValueReader::replaced(const LoggedPart& part, std::uint64_t salt) const {
-    const auto number = replacement(part, salt);
+std::optional<ir::Value> ValueReader::replacement_value(const LoggedPart& part, std::uint64_t salt) const {
+    const auto number = replacement_number(part, salt);
     if (!number) return std::nullopt;
     ir::Value value{*number, {}};
     for (const LoggedPart& inner_part : part.parts) {
-        auto inner = replaced(inner_part, salt);
+        auto inner = replacement_value(inner_part, salt);
         if (!inner) return std::nullopt;
         value.parts.push_back(std::move(*inner));
     }
@@ -349,7 +349,7 @@ std::optional<ir::Value> ValueReader::replaced(const LoggedPart& part, std::uint
 }
 
 std::optional<std::int64_t> ValueReader::carrier_index(const LoggedPart& whole, std::uint64_t salt) const {
-    const auto value = replaced(whole, salt);
+    const auto value = replacement_value(whole, salt);
     if (!value) return std::nullopt;
     if (!composed_) return value->number;
     const auto found = places_.find(*value);

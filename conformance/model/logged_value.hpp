@@ -61,7 +61,7 @@ struct ComparedConstants {
 struct ComparedNumbers {
     DataIndependence uses;
     std::map<ir::TypeKind, ComparedConstants> constants;
-    std::vector<double> written;  ///< the literals and constants of the component, ascending
+    std::vector<double> literals;  ///< the literals and constants of the component, ascending
 };
 
 /// Reads the values of one type of a model.
@@ -85,8 +85,8 @@ private:
     /// The index of the value in the carrier. Numbers outside their carriers are replaced.
     [[nodiscard]] std::optional<std::int64_t> carrier_index(const LoggedPart&, std::uint64_t salt) const;
 
-    [[nodiscard]] std::optional<std::int64_t> replacement(const LoggedPart&, std::uint64_t salt) const;
-    [[nodiscard]] std::optional<ir::Value> replaced(const LoggedPart&, std::uint64_t salt) const;
+    [[nodiscard]] std::optional<std::int64_t> replacement_number(const LoggedPart&, std::uint64_t salt) const;
+    [[nodiscard]] std::optional<ir::Value> replacement_value(const LoggedPart&, std::uint64_t salt) const;
     [[nodiscard]] bool is_replaceable(const LoggedPart&) const;
     /// The numbers of the carrier that can stand for the number.
     [[nodiscard]] const std::vector<std::int64_t>& candidates(const LoggedPart&) const;

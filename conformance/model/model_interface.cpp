@@ -37,7 +37,7 @@ public:
             diagnostics::sort_unique(constants.ordered);
             diagnostics::sort_unique(constants.all);
         }
-        diagnostics::sort_unique(found.written);
+        diagnostics::sort_unique(found.literals);
         return found;
     }
 
@@ -60,7 +60,7 @@ private:
     }
 
     void collect_constant(const cpp_emit::Unit& unit, const ir::Expr& expr, ComparedNumbers& found) const {
-        if (const auto number = number_of(unit, expr)) found.written.push_back(*number);
+        if (const auto number = number_of(unit, expr)) found.literals.push_back(*number);
         const auto comparison = constant_comparison(system_, expr);
         if (!comparison) return;
         const auto number = number_of(unit, *comparison->constant);

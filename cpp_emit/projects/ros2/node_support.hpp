@@ -170,20 +170,20 @@ class Watch {
 public:
     void hear(const ::rclcpp::Time& now) {
         last_ = now;
-        told_ = false;
+        silent_ = false;
     }
     /// No message is expected.
     void rest() { last_.reset(); }
     /// Whether no message has arrived for this time; true once for each silence.
     [[nodiscard]] bool is_due(const ::rclcpp::Time& now, double seconds) {
-        if (told_ || !last_ || (now - *last_).seconds() < seconds) return false;
-        told_ = true;
+        if (silent_ || !last_ || (now - *last_).seconds() < seconds) return false;
+        silent_ = true;
         return true;
     }
 
 private:
     std::optional<::rclcpp::Time> last_;
-    bool told_ = false;
+    bool silent_ = false;
 };
 
 /// Describes a parameter that is set when the node starts, and not later.
