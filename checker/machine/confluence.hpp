@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides by rules which taus of a compiled process are confluent (docs/search.md, "Confluent taus", contains the
-// statement and the proof). If only deadlocks matter, steps with any event may be confluent ("Deadlocks"). Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000;
-// Blom and van de Pol, "State space reduction by proving confluence", CAV 2002.
+// statement and the proof). If only deadlocks matter, steps with any event may be confluent ("Deadlocks"). Groote and
+// van de Pol, "State space reduction using partial tau-confluence", MFCS 2000; Blom and van de Pol, "State space
+// reduction by proving confluence", CAV 2002.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +54,8 @@ private:
     std::map<Key, Sum> sums_;
 };
 
-/// Whether steps by this rule may be followed: it has a suitable event, and the first level in its regions (condition 1).
+/// Whether steps by this rule may be followed: it has a suitable event, and the first level in its regions (condition
+/// 1).
 [[nodiscard]] bool is_candidate(const WholeRule& rule, lts::Followed followed);
 
 /// Proves steps confluent by their rule and the current states of the components in it, and caches the results. The

@@ -22,8 +22,8 @@ std::size_t most_steps(lts::Followed followed, std::size_t components) {
 /// useful proofs are removed.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
 constexpr std::size_t pilot_found = 200'000;              // number of found states
-/// A round ends early if its proofs take more work than `round` plus `step` for each step that they follow. Proofs about
-/// locks and schedulers often examine thousands of states and fail.
+/// A round ends early if its proofs take more work than `round` plus `step` for each step that they follow. Proofs
+/// about locks and schedulers often examine thousands of states and fail.
 struct Allowance {
     double round, step;
 };
@@ -127,8 +127,8 @@ private:
         const auto removed = static_cast<double>(reduced_->chased_state_count() - chased_before);
         const double without = (remaining + removed) * work_of_a_state;
         const double proofs = reduced_->work_of_proofs() - proofs_before;
-        worth_it_ = (whole_round && expanded < enough_to_judge) ||
-                    remaining * work_of_a_state + proofs <= most_work * without;
+        worth_it_ =
+            (whole_round && expanded < enough_to_judge) || remaining * work_of_a_state + proofs <= most_work * without;
         ProofRecord record = record_;
         reduced_->add_to(record);
         ProofPlan plan = record.plan(work_of_a_state);
@@ -156,8 +156,8 @@ private:
     Allowance allowance_;
     diagnostics::Pollable& budget_;
     Pilot pilot_;
-    ProofRecord record_;        // of rounds with earlier plans
-    double work_before_ = 0;    // work of a search without reduction in these rounds
+    ProofRecord record_;      // of rounds with earlier plans
+    double work_before_ = 0;  // work of a search without reduction in these rounds
     ProofPlan plan_;
     std::unique_ptr<ReducedSystem> reduced_;        // with this plan; null: not made
     const SupercombinatorSystem* whole_ = nullptr;  // owned by `reduced_`
@@ -184,8 +184,8 @@ bool has_states(lts::TransitionSystem& system, std::size_t states, diagnostics::
 
 }  // namespace
 
-/// A costly pilot search is made only for a process that is not small, because a search of all states of a small process
-/// costs less.
+/// A costly pilot search is made only for a process that is not small, because a search of all states of a small
+/// process costs less.
 std::optional<ProofPlan> SupercombinatorSystem::make_plan(lts::Followed followed, diagnostics::Pollable& budget) const {
     const auto plan_with = [&](const Allowance& allowance) {
         return PilotRounds(combined_, terms_, facts_.whole, followed, allowance, budget).run();

@@ -63,10 +63,9 @@ private:
     }
 
     void find_components() {
-        const lts::GraphView graph{number_of_.size(),
-                                   [this](lts::StateIndex vertex, std::vector<lts::StateIndex>& targets) {
-                                       add_successors(vertex, targets);
-                                   }};
+        const lts::GraphView graph{
+            number_of_.size(),
+            [this](lts::StateIndex vertex, std::vector<lts::StateIndex>& targets) { add_successors(vertex, targets); }};
         std::vector<lts::StateIndex> roots(number_of_.size());
         std::iota(roots.begin(), roots.end(), lts::StateIndex{0});
         std::uint32_t next = 0;

@@ -93,8 +93,7 @@ private:
     void begin(std::uint32_t who, const Way& way, std::uint32_t rule, std::uint32_t end) {
         assert(rule <= end && end <= region_.rules.size());
         for (; rule < end; ++rule)
-            if (is_relevant(rule))
-                take_step(region_.rules[rule], who, way, region_.rules[rule].first_requirement, tau);
+            if (is_relevant(rule)) take_step(region_.rules[rule], who, way, region_.rules[rule].first_requirement, tau);
     }
 
     [[nodiscard]] bool is_relevant(std::uint32_t number) const {
@@ -277,8 +276,7 @@ const WholeRules* SupercombinatorSystem::find_whole_rules(diagnostics::Pollable&
 const std::vector<bool>& SupercombinatorSystem::find_cycle_rules(const WholeRules& rules,
                                                                  diagnostics::Pollable& budget) const {
     if (facts_.on_cycles == nullptr)
-        facts_.on_cycles =
-            std::make_shared<const std::vector<bool>>(rules_on_tau_cycles(*combined_, rules, budget));
+        facts_.on_cycles = std::make_shared<const std::vector<bool>>(rules_on_tau_cycles(*combined_, rules, budget));
     return *facts_.on_cycles;
 }
 

@@ -294,7 +294,8 @@ constexpr std::array reduced_forms{lts::Followed::taus, lts::Followed::steps};
 std::uint64_t form_of(const lts::TransitionSystem& system) {
     const auto* smaller = dynamic_cast<const ReducedSystem*>(&system);
     if (smaller == nullptr) return 0;
-    return static_cast<std::uint64_t>(std::ranges::find(reduced_forms, smaller->followed()) - reduced_forms.begin()) + 1;
+    return static_cast<std::uint64_t>(std::ranges::find(reduced_forms, smaller->followed()) - reduced_forms.begin()) +
+           1;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct Passage {
 struct WholeRule {
     Event event = process::tau;
     std::uint32_t outermost = 0;  ///< the rule of the outermost region through which it passes
-    std::vector<Part> parts;  ///< ascending by slot, one for each slot
+    std::vector<Part> parts;      ///< ascending by slot, one for each slot
     /// The regions that can prevent the rule, because its level there is not the first.
     std::vector<Passage> prevented;
     std::vector<std::uint32_t> preventing;  ///< the regions in which it prevents everything that does not have the

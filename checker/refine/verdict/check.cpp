@@ -261,8 +261,7 @@ std::optional<Violation> find_bad_state(lts::TransitionSystem& system, bool forb
         [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
             return search_states(searched, forbid_deadlock, may_diverge, own, size, known);
         },
-        [](const lts::EventPermutation&) { return true; },
-        true,
+        [](const lts::EventPermutation&) { return true; }, true,
         may_diverge ? lts::Followed::taus : lts::Followed::steps};
     return search_reduced(system, budget, statistics, question);
 }

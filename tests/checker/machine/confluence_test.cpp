@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the conditions for following a tau (docs/search.md, "Confluent taus") one by one, and those for following a step
-// with any event ("Deadlocks"). Each condition has a process whose answer would be wrong without it. The expected answers follow by reasoning about the few states of each
-// process.
+// Tests the conditions for following a tau (docs/search.md, "Confluent taus") one by one, and those for following a
+// step with any event ("Deadlocks"). Each condition has a process whose answer would be wrong without it. The expected
+// answers follow by reasoning about the few states of each process.
 #include <gtest/gtest.h>
 
 #include <algorithm>

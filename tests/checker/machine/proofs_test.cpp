@@ -69,7 +69,8 @@ TEST_F(Proofs, DoNotDependOnWhatWasAskedBefore) {
     for (int round = 0; round < rounds; ++round) {
         next();
         const std::vector<std::vector<Local>> all = states();
-        Confluence forwards(combined, rules, lts::Followed::taus, {}), backwards(combined, rules, lts::Followed::taus, {});
+        Confluence forwards(combined, rules, lts::Followed::taus, {}),
+            backwards(combined, rules, lts::Followed::taus, {});
         std::vector<std::vector<Local>> ahead = all, back = all;
         for (auto& state : ahead) forwards.follow_step(state);
         for (auto state = back.rbegin(); state != back.rend(); ++state) backwards.follow_step(*state);

@@ -242,8 +242,8 @@ TEST_F(StaticProofs, AgreeWithAllStatesOfRandomRules) {
         if (kept < taus) ++left_out;
         if (!on_cycles.empty()) ++cyclic;
     }
-    std::cout << "of " << rounds << ": " << excluded << " without cycles, " << left_out << " with fewer taus, " << cyclic
-              << " with cycles\n";
+    std::cout << "of " << rounds << ": " << excluded << " without cycles, " << left_out << " with fewer taus, "
+              << cyclic << " with cycles\n";
     EXPECT_GT(excluded * 10, rounds);
     EXPECT_GT(left_out * 10, rounds);
     EXPECT_GT(cyclic * 10, rounds);
