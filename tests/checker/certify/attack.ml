@@ -259,6 +259,16 @@ let loose = function
       Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
   | other -> other
 
+(* The first member is reached as it says, and all others by taus from it. *)
+let chained = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let chain j honest = if j = 0 then { honest with depth = 0 } else { by_event = false; from = 0; depth = 1 } in
+      let evidence =
+        { e with origin_in_root = (fun j -> chain j (e.origin_in_root j));
+          origin_after = (fun k a j -> chain j (e.origin_after k a j)) } in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
+  | other -> other
+
 let attacks = ref 0 and wrong = ref 0 and lost = ref 0 and held = ref 0 and failed = ref 0 and unreadable = ref 0
 let lies_accepted = ref 0 and files_accepted = ref 0
 
@@ -302,6 +312,7 @@ let attack_question seed trial question spec impl truth =
   List.iter (fun forge ->
     if accepted_attack (attempt forge Fun.id) && not truth then report_wrong "a forged normal form" seed trial;
     if accepted_attack (attempt forge loose) && not truth then report_wrong "loose evidence" seed trial;
+    if accepted_attack (attempt forge chained) && not truth then report_wrong "a chain" seed trial;
     if accepted_attack (attempt forge circular) && not truth then report_wrong "a circle" seed trial;
     for _ = 1 to 3 do
       if accepted_attack (attempt forge lying) then (if truth then incr lies_accepted else report_wrong "a lie" seed trial)
