@@ -2,11 +2,11 @@
 #include "driver/claims/certificates.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "base/diagnostics/escape.hpp"
 #include "checker/certify/certificate.hpp"
@@ -65,9 +65,12 @@ std::string why_not_empty(const std::string& folder) {
 }
 
 std::string certificate_text(const CertificateReport& report) {
-    if (report.folders.empty()) return fmt::format("no certificate: {}", report.reason);
-    return fmt::format("certificate {} (product level, unreduced; robochart-certify accepts or refuses it)",
-                       fmt::join(report.folders, ", "));
+    if (report.folders.empty())
+        return fmt::format("no certificate: {}", diagnostics::escape_for_display(report.reason));
+    std::string folders;
+    for (const std::string& folder : report.folders)
+        folders += (folders.empty() ? "" : ", ") + diagnostics::escape_for_display(folder);
+    return fmt::format("certificate {} (product level, unreduced; robochart-certify accepts or refuses it)", folders);
 }
 
 }  // namespace robochart::driver

@@ -243,6 +243,32 @@ let circular = function
       Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
   | other -> other
 
+(* Any member with the arc's event is given as the origin, and any member as the witness, whatever they lead to. *)
+let loose = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let lts = packed ls s in
+      let first k chk = Option.value ~default:0 (List.find_opt chk (List.init (e.size0 k) Fun.id)) in
+      let from k a = first k (fun f -> List.exists (fun (b, _) -> a = b) (lts.succ0 (e.member k f))) in
+      let fitting k set =
+        first k (fun f -> let moves = lts.succ0 (e.member k f) in
+          not (List.mem_assoc 0 moves) && List.for_all (fun (a, _) -> List.mem a set) moves) in
+      let evidence =
+        { e with origin_after = (fun k a _ -> { by_event = true; from = from k (fst (n.arc k a)); depth = 0 });
+          origin_in_root = (fun _ -> { by_event = true; from = 0; depth = 0 });
+          witness = (fun k a -> fitting k (n.acceptance k a)) } in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
+  | other -> other
+
+(* The first member is reached as it says, and all others by taus from it. *)
+let chained = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let chain j honest = if j = 0 then { honest with depth = 0 } else { by_event = false; from = 0; depth = 1 } in
+      let evidence =
+        { e with origin_in_root = (fun j -> chain j (e.origin_in_root j));
+          origin_after = (fun k a j -> chain j (e.origin_after k a j)) } in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
+  | other -> other
+
 let attacks = ref 0 and wrong = ref 0 and lost = ref 0 and held = ref 0 and failed = ref 0 and unreadable = ref 0
 let lies_accepted = ref 0 and files_accepted = ref 0
 
@@ -285,6 +311,8 @@ let attack_question seed trial question spec impl truth =
     Certificate_check.accepted (tell proof) in
   List.iter (fun forge ->
     if accepted_attack (attempt forge Fun.id) && not truth then report_wrong "a forged normal form" seed trial;
+    if accepted_attack (attempt forge loose) && not truth then report_wrong "loose evidence" seed trial;
+    if accepted_attack (attempt forge chained) && not truth then report_wrong "a chain" seed trial;
     if accepted_attack (attempt forge circular) && not truth then report_wrong "a circle" seed trial;
     for _ = 1 to 3 do
       if accepted_attack (attempt forge lying) then (if truth then incr lies_accepted else report_wrong "a lie" seed trial)
