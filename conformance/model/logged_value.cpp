@@ -287,7 +287,7 @@ bool all_inside(const LoggedPart& part) {
 }  // namespace
 
 ValueReader::ValueReader(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId type,
-                         const ComparedNumbers& numbers, NumberReading reading)
+                         const TestedNumbers& numbers, NumberReading reading)
     : system_(&system),
       instantiation_(&instantiation),
       type_(type),

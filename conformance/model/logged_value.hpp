@@ -58,7 +58,7 @@ struct ComparedConstants {
 };
 
 /// What the component does with numbers.
-struct ComparedNumbers {
+struct TestedNumbers {
     DataIndependence uses;
     std::map<ir::TypeKind, ComparedConstants> constants;
     std::vector<double> literals;  ///< the literals and constants of the component, ascending
@@ -67,7 +67,7 @@ struct ComparedNumbers {
 /// Reads the values of one type of a model.
 class ValueReader {
 public:
-    ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const ComparedNumbers&, NumberReading);
+    ValueReader(const ir::System&, const ir::Instantiation&, ir::TypeId, const TestedNumbers&, NumberReading);
 
     /// Reads a value. Throws ValueFault.
     [[nodiscard]] LoggedValue read_value(std::string_view text) const;
@@ -94,7 +94,7 @@ private:
     const ir::System* system_;
     const ir::Instantiation* instantiation_;
     ir::TypeId type_;
-    ComparedNumbers numbers_;
+    TestedNumbers numbers_;
     NumberReading reading_;
     bool composed_;
     std::map<ir::Value, std::int64_t> places_;  ///< for values with parts

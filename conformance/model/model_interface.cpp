@@ -24,8 +24,8 @@ public:
                     const cpp_emit::Component& component)
         : system_(system), instantiation_(instantiation), component_(component) {}
 
-    ComparedNumbers collect() const {
-        ComparedNumbers found;
+    TestedNumbers collect() const {
+        TestedNumbers found;
         std::vector<ir::MachineId> machines;
         for (const cpp_emit::Unit& unit : component_.units) machines.push_back(unit.id);
         found.uses = data_independence(system_, machines);
@@ -59,7 +59,7 @@ private:
         return kind == ir::TypeKind::nat || kind == ir::TypeKind::integer ? std::optional(number) : std::nullopt;
     }
 
-    void collect_constant(const cpp_emit::Unit& unit, const ir::Expr& expr, ComparedNumbers& found) const {
+    void collect_constant(const cpp_emit::Unit& unit, const ir::Expr& expr, TestedNumbers& found) const {
         if (const auto number = number_of(unit, expr)) found.literals.push_back(*number);
         const auto comparison = constant_comparison(system_, expr);
         if (!comparison) return;
@@ -130,7 +130,7 @@ private:
 
 }  // namespace
 
-std::optional<ComparedNumbers> compared_numbers(const ir::System& system, const ir::Instantiation& instantiation,
+std::optional<TestedNumbers> tested_numbers(const ir::System& system, const ir::Instantiation& instantiation,
                                                 const ir::ComponentRef& ref) {
     diagnostics::Diagnostics quiet;
     const auto component = cpp_emit::resolve_component(system, instantiation, ref, quiet);

@@ -19,7 +19,7 @@ struct ModelInterface {
     Interface interface;
     std::vector<std::optional<ir::TypeId>> input_types;  ///< no value: the register carries no value
     std::vector<std::vector<ir::TypeId>> output_types;
-    ComparedNumbers numbers;
+    TestedNumbers numbers;
 };
 
 /// Returns no value, with diagnostics, if no C++ can be generated for the component.
@@ -28,7 +28,7 @@ struct ModelInterface {
                                                             diagnostics::Diagnostics&);
 
 /// What the component does with numbers. No value if no C++ can be generated for it.
-[[nodiscard]] std::optional<ComparedNumbers> compared_numbers(const ir::System&, const ir::Instantiation&,
+[[nodiscard]] std::optional<TestedNumbers> tested_numbers(const ir::System&, const ir::Instantiation&,
                                                               const ir::ComponentRef&);
 
 }  // namespace robochart::conformance

@@ -60,7 +60,7 @@ std::vector<std::int64_t> numbers_among(const std::vector<std::int64_t>& ends, s
 
 ir::Instantiation with_more_numbers(const ir::System& system, const ir::Instantiation& instantiation,
                                     const ir::ComponentRef& component) {
-    const auto numbers = compared_numbers(system, instantiation, component);
+    const auto numbers = tested_numbers(system, instantiation, component);
     if (!numbers || numbers->uses.real != NumberUse::compared || instantiation.real.empty()) return instantiation;
     const auto found = numbers->constants.find(ir::TypeKind::real);
     if (found == numbers->constants.end()) return instantiation;
