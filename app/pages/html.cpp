@@ -201,7 +201,7 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
     std::string shown = xml_text(title_of(assertion));
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
-    if (const std::string_view reason = reason_of(assertion.statistics.decided_by); !reason.empty())
+    if (const std::string_view reason = proof_reason(assertion.statistics.decided_by); !reason.empty())
         shown += fmt::format("<br>no search was necessary: {}", xml_text(std::string(reason)));
     shown += basis_list(assertion.basis);
     if (assertion.probability) shown += values_table(title_of(assertion), *assertion.probability);

@@ -235,7 +235,7 @@ Json script_result_json(const ScriptAssertion& a, EventMap& events, const Option
     json["compile_cpu_seconds"] = a.result.compile_cpu_seconds;
     json["seconds"] = verdict.statistics.seconds;
     json["specification_nodes"] = verdict.statistics.spec_nodes;
-    json["decided_by"] = name_of(verdict.statistics.decided_by);
+    json["decided_by"] = proof_name(verdict.statistics.decided_by);
     json["chased_states"] = verdict.statistics.chased;
     if (verdict.statistics.ranks > 0) json["ranks"] = verdict.statistics.ranks;
     json["replicas"] = verdict.statistics.replicas;

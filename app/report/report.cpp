@@ -71,7 +71,7 @@ std::string symmetry_text(const refine::Statistics& size) {
 }
 
 std::string proof_text(const refine::Statistics& size) {
-    const std::string_view reason = reason_of(size.decided_by);
+    const std::string_view reason = proof_reason(size.decided_by);
     return reason.empty() ? "" : fmt::format("               no search was necessary: {}\n", reason);
 }
 
@@ -376,7 +376,7 @@ std::string_view name_of(conformance::Outcome outcome) {
     return names[static_cast<std::size_t>(outcome)];
 }
 
-std::string_view name_of(refine::DecidedBy decided_by) {
+std::string_view proof_name(refine::DecidedBy decided_by) {
     switch (decided_by) {
         case refine::DecidedBy::search:
             return "search";
@@ -388,7 +388,7 @@ std::string_view name_of(refine::DecidedBy decided_by) {
     return "";
 }
 
-std::string_view reason_of(refine::DecidedBy decided_by) {
+std::string_view proof_reason(refine::DecidedBy decided_by) {
     switch (decided_by) {
         case refine::DecidedBy::search:
             return "";

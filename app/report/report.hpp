@@ -18,9 +18,9 @@ namespace robochart::app {
 /// The answer as a word in data formats, such as "conforms".
 [[nodiscard]] std::string_view name_of(conformance::Outcome);
 /// How an answer was found, as a word in data formats, such as "search".
-[[nodiscard]] std::string_view name_of(refine::DecidedBy);
+[[nodiscard]] std::string_view proof_name(refine::DecidedBy);
 /// Why an answer needed no search, as a sentence without its full stop. "" if it needed one.
-[[nodiscard]] std::string_view reason_of(refine::DecidedBy);
+[[nodiscard]] std::string_view proof_reason(refine::DecidedBy);
 
 /// A component, and the answer to whether its code conforms.
 struct ConformanceReport {

@@ -26,7 +26,7 @@ Json ground_json(const driver::Ground& ground) {
 Json statistics_json(const refine::Statistics& s) {
     return {{"states", s.states},        {"transitions", s.transitions}, {"depth", s.depth},
             {"chased", s.chased},        {"replicas", s.replicas},       {"distinguished", s.distinguished},
-            {"specNodes", s.spec_nodes}, {"seconds", s.seconds},         {"decidedBy", name_of(s.decided_by)}};
+            {"specNodes", s.spec_nodes}, {"seconds", s.seconds},         {"decidedBy", proof_name(s.decided_by)}};
 }
 
 /// The counterexample as text, as events of the script, and as data.
