@@ -41,6 +41,14 @@ TEST(GrammarWords, RoboChartIsTheTableOfReservedWords) {
     EXPECT_EQ(grammar_words(load_json("syntaxes/robochart.tmLanguage.json"), scope), expected);
 }
 
+TEST(GrammarWords, RoboSimIsTheTableOfItsWords) {
+    const auto scope = [](const std::string& name) { return name == "keyword.other.robosim"; };
+    Words expected(frontend::robosim_words().begin(), frontend::robosim_words().end());
+    EXPECT_EQ(grammar_words(load_json("syntaxes/robosim.tmLanguage.json"), scope), expected);
+    expected.insert({"schedulable", "simulation"});
+    EXPECT_EQ(grammar_words(load_json("syntaxes/robosim-assertions.tmLanguage.json"), scope), expected);
+}
+
 /// The types of `core`, which need no import.
 TEST(GrammarWords, PrimitiveTypesAreThoseOfCore) {
     const auto scope = [](const std::string& name) { return name.starts_with("support.type.primitive"); };

@@ -43,6 +43,7 @@ public:
         : session_(session),
           model_(target.project.current_model()),
           file_(target.project.tree_of(target.document)),
+          robosim_(file_.dialect == frontend::Dialect::robosim),
           sources_(target.project.sources()),
           source_(target.document.source),
           context_(context_at(sources_, target.document.source, target.document.is_assertions, target.offset)) {
@@ -189,6 +190,8 @@ private:
     void add_member_words() {
         const Block block = context_.enclosing.back().block;
         add_words(file_.is_assertions ? assertion_member_words() : member_words(block, context_.word));
+        if (robosim_ && !file_.is_assertions) add_words(robosim_member_words(block));
+        if (robosim_ && file_.is_assertions) add_words({"simulation"});
         if (!session_.client.snippets || file_.is_assertions) return;
         constexpr int snippet_kind = 15;
         for (const Snippet& snippet : snippets_for(block))
@@ -242,6 +245,9 @@ private:
                    kind == DeclKind::record_type;
         });
         add_words(expression_words());
+        if (!robosim_) return;
+        add_words({"cycle"});
+        from_scope([](DeclKind kind) { return kind == DeclKind::event || kind == DeclKind::operation_signature; });
     }
 
     void add_statement_names() {
@@ -249,6 +255,7 @@ private:
             return kind == DeclKind::operation_signature || kind == DeclKind::event || kind == DeclKind::variable;
         });
         add_words(statement_words());
+        if (robosim_) add_words({"exec"});
     }
 
     [[nodiscard]] const Component* enclosing_component() const {
@@ -353,6 +360,7 @@ private:
     const Session& session_;
     const Model& model_;
     const File& file_;
+    const bool robosim_;
     const SourceManager& sources_;
     SourceId source_;
     CompletionContext context_;

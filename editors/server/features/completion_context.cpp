@@ -32,7 +32,7 @@ struct HeadRow {
     bool top_level;  ///< allowed only at file level: earlier bodies were not closed
     bool part;       ///< allowed only at file level and in controllers and modules
 };
-constexpr std::array<HeadRow, 13> heads = {{{"interface", Block::interface, true, true},
+constexpr std::array<HeadRow, 14> heads = {{{"interface", Block::interface, true, true},
                                             {"enumeration", Block::type, true, true},
                                             {"datatype", Block::type, true, true},
                                             {"record", Block::type, true, true},
@@ -44,7 +44,8 @@ constexpr std::array<HeadRow, 13> heads = {{{"interface", Block::interface, true
                                             {"operation", Block::operation, false, true},
                                             {"state", Block::state, false, false},
                                             {"final", Block::state, false, false},
-                                            {"transition", Block::transition, false, false}}};
+                                            {"transition", Block::transition, false, false},
+                                            {"context", Block::interface, false, false}}};  // of RoboSim
 
 const HeadRow* head_row(const Token& token) {
     if (token.kind != TokenKind::keyword) return nullptr;

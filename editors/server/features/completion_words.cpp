@@ -69,6 +69,29 @@ Words member_words(Block block, std::string_view last_clause) {
     return {};
 }
 
+Words robosim_member_words(Block block) {
+    switch (block) {
+        case Block::machine:
+            return {"cycleDef", "input context", "output context"};
+        case Block::operation:
+            return {"input context", "output context"};
+        case Block::controller:
+        case Block::module:
+            return {"cycleDef"};
+        case Block::transition:
+            return {"exec"};
+        case Block::file:
+        case Block::interface:
+        case Block::platform:
+        case Block::function:
+        case Block::state:
+        case Block::type:
+        case Block::bracket:
+            break;
+    }
+    return {};
+}
+
 const Words& assertion_member_words() {
     static const Words words = {"assertion", "timed assertion", "untimed assertion", "csp", "timed csp", "untimed csp",
                                 "import",    "package",         "sleec assertion"};

@@ -17,6 +17,8 @@ struct Snippet {
 
 /// The keywords that begin a member of a body. In a transition, only keywords that may follow its last clause.
 [[nodiscard]] std::vector<std::string_view> member_words(Block block, std::string_view last_clause);
+/// The keywords of RoboSim that begin a member of a body or follow the ends of a transition.
+[[nodiscard]] std::vector<std::string_view> robosim_member_words(Block block);
 [[nodiscard]] const std::vector<std::string_view>& assertion_member_words();
 /// The keywords that may follow a complete operand.
 [[nodiscard]] std::vector<std::string_view> infix_words(Block block, bool is_assertions);

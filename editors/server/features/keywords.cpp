@@ -39,10 +39,17 @@ constexpr std::array robochart_meanings = {
     WordMeaning{"const",
                 "Declares a constant. Without a value here it is a parameter of the model: an instantiation or an "
                 "assertion gives the value."},
+    WordMeaning{"context",
+                "`input context` and `output context` of a RoboSim machine or operation list its registers: what it "
+                "reads and writes by `$`."},
     WordMeaning{"controller",
                 "Declares state machines that run in parallel, the operations that they call and the "
                 "connections between them."},
     WordMeaning{"cref", "A controller that is declared elsewhere, as a part of this module."},
+    WordMeaning{"cycle", "RoboSim: the length of a cycle, in time units."},
+    WordMeaning{"cycleDef",
+                "RoboSim: the length of the component's cycles, `cycleDef cycle == 1`. The parts of a component run in "
+                "its cycles."},
     WordMeaning{"datatype", "Declares a record type with its fields."},
     WordMeaning{"diagram", "Names a diagram of the file. It has no meaning for the behaviour."},
     WordMeaning{"during",
@@ -56,6 +63,7 @@ constexpr std::array robochart_meanings = {
     WordMeaning{"enumeration", "Declares a type by listing its literals. A literal may have arguments."},
     WordMeaning{"event",
                 "Declares an event, with the type of its values if it has any. An event itself takes no time."},
+    WordMeaning{"exec", "RoboSim: ends the cycle. The machine goes on in the next cycle, with the new inputs."},
     WordMeaning{"exists", "True if the condition holds for at least one value of the variables."},
     WordMeaning{"exists1", "True if the condition holds for exactly one value of the variables."},
     WordMeaning{"exit",
@@ -73,6 +81,9 @@ constexpr std::array robochart_meanings = {
     WordMeaning{"import", "Makes declarations of another package known in this file without the package's name."},
     WordMeaning{"in", "`x in S`: true if `x` is an element of the set `S`."},
     WordMeaning{"initial", "The node in which a machine or a composite state begins. It is left at once."},
+    WordMeaning{
+        "input",
+        "`input context`: the inputs of a RoboSim machine or operation. A cycle begins by reading all of them."},
     WordMeaning{"interface",
                 "Declares variables, constants, events, clocks and operations together, for components that "
                 "use, require or provide them."},
@@ -91,6 +102,9 @@ constexpr std::array robochart_meanings = {
                 "Declares an operation with a body: a machine that runs when it is called. The call lasts "
                 "until the operation reaches a final node."},
     WordMeaning{"opref", "An operation that is declared elsewhere, as a part of this controller."},
+    WordMeaning{
+        "output",
+        "`output context`: the outputs of a RoboSim machine or operation. Each can be written once in a cycle."},
     WordMeaning{"package", "The package that the declarations of this file belong to."},
     WordMeaning{"platform",
                 "`robotic platform`: the variables, events and operations that the robot offers to its "

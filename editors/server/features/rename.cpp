@@ -62,11 +62,12 @@ const Occurrence& find_renamable(const Target& target) {
 }
 
 /// The name as it must be written in a file: with `^` if it would be read as a keyword.
-std::string name_as_written(const std::string& name, bool is_assertions) {
+std::string name_as_written(const std::string& name, const Document& document) {
     const auto& words = frontend::assertion_words();
-    const bool word = is_assertions && std::ranges::find(words, name) != words.end();
+    const bool word = document.is_assertions && std::ranges::find(words, name) != words.end();
     const bool collection = name == "Set" || name == "Seq";
-    return word || collection || frontend::is_reserved(name) ? "^" + name : name;
+    const bool reserved = frontend::is_reserved(name, frontend::dialect_of(document.path));
+    return word || collection || reserved ? "^" + name : name;
 }
 
 /// The name without `^`; throws a refusal if it is not a name.
@@ -111,7 +112,7 @@ std::vector<Edit> edits_of(Project& project, const std::vector<const Occurrence*
     std::vector<Edit> edits;
     for (const Occurrence* occurrence : list) {
         const Document* document = project.find(occurrence->span.source);
-        if (document != nullptr) edits.push_back({occurrence->span, name_as_written(name, document->is_assertions)});
+        if (document != nullptr) edits.push_back({occurrence->span, name_as_written(name, *document)});
     }
     return edits;
 }

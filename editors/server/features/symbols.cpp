@@ -30,6 +30,8 @@ std::vector<const Declaration*> inner_declarations(const Declaration& declaratio
         add_all(list, context->events);
         add_all(list, context->clocks);
         add_all(list, context->signatures);
+        for (const Context* registers : {context->input.get(), context->output.get()})
+            if (registers != nullptr) list.push_back(registers);
     }
     if (const auto* component = dynamic_cast<const Component*>(&declaration)) add_all(list, component->order);
     if (const auto* container = dynamic_cast<const NodeContainer*>(&declaration)) {
@@ -119,6 +121,11 @@ Json Models::document_symbols(const Request& request) {
     constexpr int boolean_kind = 17;
     constexpr int function_kind = 12;
     constexpr int constant_kind = 14;
+    constexpr int class_kind = 5;
+    for (const auto& simulation : file.simulations)
+        if (!simulation->name.empty())
+            result.push_back(claim_symbol(positions, simulation->name, "simulation", class_kind, simulation->span,
+                                          simulation->name_span));
     for (const Assertion& assertion : file.assertions)
         if (!assertion.name.empty())
             result.push_back(claim_symbol(positions, assertion.name, "assertion", boolean_kind, assertion.span,

@@ -14,6 +14,8 @@ const { Steps } = require("./steps");
 const models = [
     { scheme: "file", language: "robochart" },
     { scheme: "file", language: "robochart-assertions" },
+    { scheme: "file", language: "robosim" },
+    { scheme: "file", language: "robosim-assertions" },
 ];
 
 /** The texts that the server handles. */

@@ -25,7 +25,8 @@ test("starts `PROGRAM lsp`", async () => {
 test("the server is asked about models, assertions, scripts and rules on disk", async () => {
     const { handlers } = await activated({ "robochart.server.path": program });
     const languages = handlers.documents.map((each) => `${each.scheme}:${each.language}`);
-    assert.deepStrictEqual(languages, ["file:robochart", "file:robochart-assertions", "file:cspm", "file:sleec"]);
+    const models = ["file:robochart", "file:robochart-assertions", "file:robosim", "file:robosim-assertions"];
+    assert.deepStrictEqual(languages, [...models, "file:cspm", "file:sleec"]);
 });
 
 test("a missing program is said once, with the setting and a way to it", async () => {

@@ -39,6 +39,7 @@ TEST(Keywords, HoverOnAWordOfAnAssertion) {
 
 TEST(Keywords, EachReservedWordHasAMeaning) {
     for (const std::string_view word : frontend::reserved_words()) EXPECT_NE(meaning_of_word(word), "") << word;
+    for (const std::string_view word : frontend::robosim_words()) EXPECT_NE(meaning_of_word(word), "") << word;
     EXPECT_EQ(meaning_of_word("speed"), "");
     for (const std::string_view word :
          {"assertion", "deadlock-free", "divergence-free", "timelock-free", "deterministic", "reachable", "initialised",
