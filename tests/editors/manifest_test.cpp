@@ -36,8 +36,11 @@ TEST(Manifest, LanguagesCoverTheFilesOfTheProgram) {
     const json manifest = load_json("package.json");
     for (const json& language : manifest.at("contributes").at("languages"))
         languages[language.at("extensions").at(0)] = language.at("id");
-    const std::map<std::string, std::string> expected{
-        {".rct", "robochart"}, {".assertions", "robochart-assertions"}, {".csp", "cspm"}, {".sleec", "sleec"}};
+    const std::map<std::string, std::string> expected{{".rct", "robochart"},
+                                                      {".assertions", "robochart-assertions"},
+                                                      {".csp", "cspm"},
+                                                      {".sleec", "sleec"},
+                                                      {".claims", "robochart-claims"}};
     EXPECT_EQ(languages, expected);
 }
 
@@ -76,7 +79,7 @@ TEST(Manifest, GrammarsIncludeWhatExists) {
     const json manifest = load_json("package.json");
     for (const json& grammar : manifest.at("contributes").at("grammars"))
         grammars[grammar.at("scopeName")] = load_json(grammar.at("path"));
-    EXPECT_EQ(grammars.size(), 4U);
+    EXPECT_EQ(grammars.size(), 5U);
     for (const auto& [scope, grammar] : grammars) expect_includes(grammar, grammars, grammar);
 }
 
