@@ -49,6 +49,8 @@ void check_conformance(driver::Project&, const Options&, Report&);
 Exit conform_traces(const std::vector<driver::Part>&, const Options&);
 /// conform RULES.sleec --traces: checks logs of runs against rules.
 Exit conform_rules(const Options&);
+/// conform MODEL.claims --traces: checks logs of runs against claims.
+Exit conform_claims(const Options&);
 /// emit monitor RULES.sleec: writes monitor/RULES/… below the output folder; returns false if a file is wrong.
 [[nodiscard]] bool write_rule_monitors(const Options&, Report&);
 

@@ -36,6 +36,7 @@
 #include "driver/model/broken_claims.hpp"
 #include "driver/model/places.hpp"
 #include "driver/model/preferences.hpp"
+#include "driver/model/project_claims.hpp"
 #include "driver/settings/rules.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -54,19 +55,22 @@ std::string plural_text(std::size_t n, std::string_view what) {
 }
 
 std::string summary_text(const std::vector<driver::Part>& parts) {
-    std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0;
+    std::size_t modules = 0, controllers = 0, machines = 0, operations = 0, assertions = 0, claims = 0;
     for (const driver::Part& part : parts) {
         const ir::System& system = part.project->system;
         assertions += system.properties.size();
+        claims += part.project->claims->checked.claims.size();
         if (part.again) continue;
         modules += system.modules.size();
         controllers += system.controllers.size();
         for (const ir::Machine& machine : system.machines)
             ++(machine.kind == ir::MachineKind::operation ? operations : machines);
     }
-    return fmt::format("{}, {}, {}, {}, {}", plural_text(modules, "module"), plural_text(controllers, "controller"),
-                       plural_text(machines, "state machine"), plural_text(operations, "operation"),
-                       plural_text(assertions, "assertion"));
+    std::string result = fmt::format("{}, {}, {}, {}, {}", plural_text(modules, "module"),
+                                     plural_text(controllers, "controller"), plural_text(machines, "state machine"),
+                                     plural_text(operations, "operation"), plural_text(assertions, "assertion"));
+    if (claims > 0) result += fmt::format(", {}", plural_text(claims, "claim"));
+    return result;
 }
 
 std::string range_text(const std::vector<std::int64_t>& carrier) {
@@ -686,7 +690,10 @@ Exit run_model(const Options& given) {
     add_swarm(options);
     const bool rules =
         std::ranges::all_of(options.load.inputs, [](const std::string& input) { return input.ends_with(".sleec"); });
+    const bool claims =
+        std::ranges::all_of(options.load.inputs, [](const std::string& input) { return input.ends_with(".claims"); });
     if (options.verb == Verb::conform && !options.conform.traces.empty() && rules) return conform_rules(options);
+    if (options.verb == Verb::conform && !options.conform.traces.empty() && claims) return conform_claims(options);
     const auto report = std::make_shared<Report>();
     const auto parts = std::make_shared<std::vector<driver::Part>>();
     report->model = fmt::format("{}", fmt::join(options.load.inputs, " "));

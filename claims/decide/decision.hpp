@@ -16,6 +16,8 @@ namespace robochart::claims {
 ///     holds:      M [T= P   (for `possible`: not)
 ///     asked:      not M' [T= P, where M' is M without the states that ask something
 ///     happens:    not SKIP [T= P |\ X, where X are the events that the claim restricts
+///     waiting:    for `leads to` without limit, P in which a time unit that passes while something is owed is
+///                 `claims__waiting`, beside M; no run may have it infinitely often
 ///     standstill: (P [| letters, tock |] M with `tock` added to the states that owe nothing), with outputs taken at
 ///                 once, can always let time pass
 struct Decision {
@@ -24,6 +26,8 @@ struct Decision {
     cspm::DeclPtr asked;       ///< null: something is asked from the start
     cspm::DeclPtr happens;     ///< null: the claim restricts no events of its own
     cspm::DeclPtr standstill;  ///< null: the claim owes nothing
+    cspm::ExprPtr waiting;     ///< a process; null: every demand has a limit
+    static constexpr const char* waiting_event = "claims__waiting";
 };
 
 /// `number`: of the claim, for the names of the processes. `outputs`: events that the environment takes at once.
@@ -31,7 +35,7 @@ struct Decision {
                                            const Automaton& automaton, std::size_t number, const cspm::ExprPtr& process,
                                            const std::vector<cspm::ExprPtr>& outputs);
 
-/// The name of the channel that the processes of all claims share, and its declaration.
-[[nodiscard]] cspm::DeclPtr free_time_channel();
+/// The declaration of the channels that the processes of all claims share.
+[[nodiscard]] cspm::DeclPtr shared_channels();
 
 }  // namespace robochart::claims

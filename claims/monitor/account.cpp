@@ -96,6 +96,8 @@ std::string Account::demand_text() const {
     const CheckedBody& body = claim_.body;
     const std::int64_t from = trigger_ ? trigger_->time : 0;
     const std::int64_t limit = from + body.units.value_or(0);
+    if (body.kind == BodyKind::leads)
+        return fmt::format("{} is owed since {}", body.others.text, trigger_ ? moment_text(*trigger_) : "the start");
     if (body.kind == BodyKind::every)
         return fmt::format("{} is owed until {}, {} after {}", body.events.text, time_text(limit), units(*body.units),
                            trigger_ ? moment_text(*trigger_) : "the start");
@@ -118,6 +120,7 @@ std::vector<std::string> Account::reasons_of_body() const {
                     fmt::format("{}, {} later; the claim allows it for {}", came, units(now_ - trigger_->time),
                                 units(*body.units))};
         case BodyKind::leads_within:
+        case BodyKind::leads:
         case BodyKind::every:
             return {demand_text(), came};
         case BodyKind::leads_before:
@@ -150,10 +153,18 @@ std::vector<std::string> Account::reasons() const {
 }
 
 std::vector<std::string> Account::reasons_of_standstill() const {
+    return reasons_of_debt(fmt::format("time stops at {}", time_text(now_)));
+}
+
+std::vector<std::string> Account::reasons_of_waiting() const {
+    return reasons_of_debt(fmt::format("from {} on time can pass for ever without it", time_text(now_)));
+}
+
+std::vector<std::string> Account::reasons_of_debt(std::string event) const {
     std::vector<std::string> result;
     if (scope_) result.push_back(fmt::format("the scope began with {}", moment_text(*scope_)));
     result.push_back(demand_text());
-    result.push_back(fmt::format("time stops at {}", time_text(now_)));
+    result.push_back(std::move(event));
     return result;
 }
 

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] std::vector<std::string> reasons() const;
     /// The sentences if time stops here and something is owed.
     [[nodiscard]] std::vector<std::string> reasons_of_standstill() const;
+    /// The sentences if time passes for ever from here on while something is owed.
+    [[nodiscard]] std::vector<std::string> reasons_of_waiting() const;
     /// "t=30 (3 s)".
     [[nodiscard]] std::string time_text(std::int64_t time) const;
 
@@ -43,6 +45,7 @@ private:
     [[nodiscard]] std::string moment_text(const Moment& moment) const;
     [[nodiscard]] std::string breaker_text() const;
     [[nodiscard]] std::vector<std::string> reasons_of_body() const;
+    [[nodiscard]] std::vector<std::string> reasons_of_debt(std::string event) const;
     [[nodiscard]] std::string demand_text() const;
     [[nodiscard]] std::string units(std::int64_t count) const;
 

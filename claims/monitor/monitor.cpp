@@ -188,7 +188,9 @@ void Monitor::end(MonitorState& state) const {
 
 bool Monitor::owes(const MonitorState& state) const {
     if (state.verdict != Verdict::open || state.phase != Phase::inside) return false;
-    return claim_.body.kind == BodyKind::every || (claim_.body.kind == BodyKind::leads_within && state.left >= 0);
+    const BodyKind kind = claim_.body.kind;
+    return kind == BodyKind::every || (kind == BodyKind::leads_within && state.left >= 0) ||
+           (kind == BodyKind::leads && state.due);
 }
 
 // ---------------------------------------------------------------- the body
@@ -212,6 +214,7 @@ void Monitor::observe_in_scope(MonitorState& state, const Seen& seen) const {
             if (is_in(body.others)) state.left = body.units.value();
             return;
         case BodyKind::leads_within:
+        case BodyKind::leads:
         case BodyKind::leads_before:
             return observe_response(state, seen);
         case BodyKind::at_least:
@@ -234,9 +237,10 @@ void Monitor::observe_response(MonitorState& state, const Seen& seen) const {
     const CheckedBody& body = claim_.body;
     const bool timed = body.kind == BodyKind::leads_within;
     const bool owed = timed ? state.left >= 0 : state.due;
-    const bool served = matches(body.others, seen, state) || (timed && matches(body.exceptions, seen, state));
+    const bool other = matches(body.exceptions, seen, state);
+    const bool served = matches(body.others, seen, state) || (other && body.kind != BodyKind::leads_before);
     if (owed && !served) {
-        if (!timed && matches(body.exceptions, seen, state)) state.verdict = Verdict::broken;
+        if (other) state.verdict = Verdict::broken;
         return;
     }
     const bool opens = matches(body.events, seen, state);

@@ -37,7 +37,7 @@ struct MonitorState {
     Verdict verdict = Verdict::open;
     Phase phase = Phase::outside;
     std::int64_t scope_left = 0;                ///< for_after: time units that the scope still lasts
-    bool due = false;                           ///< only_after: OTHERS came; leads_before: OTHERS is owed
+    bool due = false;                           ///< only_after: OTHERS came; leads, leads_before: OTHERS is owed
     std::int64_t left = -1;                     ///< time units that something is still owed, held or allowed; -1: not
     std::int64_t count = 0;                     ///< at_most: events in the scope
     std::vector<std::int64_t> ages;             ///< at_most in a duration: time since the last events, youngest first

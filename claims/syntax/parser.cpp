@@ -359,7 +359,7 @@ Body Parser::parse_only(Body result) {
     return result;
 }
 
-/// E leads to E within D [unless E], E leads to E before E
+/// E leads to E [within D] [unless E], E leads to E before E
 Body Parser::parse_leads(Body result) {
     take_token();
     take_token();
@@ -369,13 +369,11 @@ Body Parser::parse_leads(Body result) {
         result.exceptions = parse_events();
         return result;
     }
-    if (!is_at("within")) {
-        if (at_item() || is_at("unless")) refuse("leads to", "say by when: `within 3 s`, or `before E`");
-        fail("'within' or 'before'");
+    result.kind = BodyKind::leads;
+    if (accept("within")) {
+        result.kind = BodyKind::leads_within;
+        result.duration = parse_duration();
     }
-    take_token();
-    result.kind = BodyKind::leads_within;
-    result.duration = parse_duration();
     parse_exceptions(result);
     return result;
 }

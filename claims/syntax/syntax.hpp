@@ -122,6 +122,7 @@ enum class BodyKind : std::uint8_t {
     only_after,    ///< EVENTS only after OTHERS
     only_within,   ///< EVENTS only within DURATION after OTHERS
     leads_within,  ///< EVENTS leads to OTHERS within DURATION [unless EXCEPTIONS]
+    leads,         ///< EVENTS leads to OTHERS [unless EXCEPTIONS]
     leads_before,  ///< EVENTS leads to OTHERS before EXCEPTIONS
     at_least,      ///< EVENTS at least DURATION after OTHERS [unless EXCEPTIONS]
     at_most,       ///< at most COUNT EVENTS [in any DURATION]

@@ -5,8 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "checker/lts/transition_system.hpp"
+#include "checker/refine/verdict/counterexample.hpp"
 #include "claims/monitor/account.hpp"
 #include "driver/model/project_claims.hpp"
+#include "sleec/conformance/endless.hpp"
 
 namespace robochart::driver {
 namespace {
@@ -27,6 +32,7 @@ public:
         if (report_.answer == Answer::fails && report_.run) explain(*report_.run);
         if (report_.answer != Answer::holds) return;
         if (scripted_.decision.standstill) decide_standstill();
+        if (report_.answer == Answer::holds && scripted_.decision.waiting) decide_waiting();
         if (report_.answer == Answer::holds) add_vacuity();
     }
 
@@ -38,16 +44,17 @@ private:
     /// Replays the events of the script with the claim's monitor.
     [[nodiscard]] claims::Account replay(const runs::Run& run) const {
         claims::Account account(claim_, project_.claims->checked.unit);
-        for (const std::string& event : run.raw) {
-            if (event == "tock") {
-                account.tock();
-            } else if (event == "✓") {
-                account.end();
-            } else if (const claims::Letter* const letter = claims::find_letter(scripted_.letters, visible(event))) {
-                account.observe(letter->occurrence, claims::text_of(*letter, claim_, visible(event)));
-            }
-        }
+        for (const std::string& event : run.raw) follow(account, visible(event));
         return account;
+    }
+    void follow(claims::Account& account, const std::string& event) const {
+        if (event == "tock" || event == claims::Decision::waiting_event) {
+            account.tock();
+        } else if (event == "✓") {
+            account.end();
+        } else if (const claims::Letter* const letter = claims::find_letter(scripted_.letters, event)) {
+            account.observe(letter->occurrence, claims::text_of(*letter, claim_, event));
+        }
     }
     /// The event of a hidden step "τ(e)".
     [[nodiscard]] static std::string visible(const std::string& event) {
@@ -83,6 +90,51 @@ private:
             reasons.back() += fmt::format(": {}", cause);
             tell(*report_.run, reasons);
         }
+    }
+
+    /// A response without a limit is broken by a run in which time passes for ever while it is owed.
+    void decide_waiting() {
+        const refine::Limits bounds = limits_of_check(search_, obligation_.title);
+        try {
+            const auto system = context_.session.system(scripted_.decision.waiting, bounds);
+            const lts::Event waiting = context_.session.event_table().intern(claims::Decision::waiting_event);
+            const auto run = sleec::endless_run(*system, waiting, [&](std::size_t states) {
+                search_.services.budget().poll();
+                if (states > bounds.max_states) throw process::Interrupted("max-states");
+                report_.statistics.states = std::max<std::uint64_t>(report_.statistics.states, states);
+            });
+            if (run) report_endless(*system, *run, bounds);
+        } catch (const process::Interrupted& limit) {
+            report_.answer = Answer::inconclusive;
+            report_.reason = limit.what();
+        }
+    }
+
+    void report_endless(lts::TransitionSystem& system, const sleec::EndlessRun& run, const refine::Limits& bounds) {
+        report_.answer = Answer::fails;
+        claims::Account account(claim_, project_.claims->checked.unit);
+        for (const sleec::EndlessStep& step : run.steps)
+            follow(account, context_.session.event_table().name(step.revealed));
+        const std::vector<std::string> reasons = account.reasons_of_waiting();
+        report_.reason = fmt::format("{}", fmt::join(reasons, "; "));
+        if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
+        refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};
+        for (const auto* steps : {&run.steps, &run.loop})
+            for (const sleec::EndlessStep& step : *steps)
+                violation.run.steps.push_back({step.event, step.revealed, {}});
+        refine::Budget budget(bounds);
+        refine::Violation again = refine::found_again(system, *system.reference(), violation, budget);
+        if (again.run.steps.size() != violation.run.steps.size()) return;
+        refine::Counterexample drawn = refine::make_counterexample({std::move(again), system.reference(), true});
+        const auto stem = static_cast<std::ptrdiff_t>(run.steps.size());
+        drawn.loop.assign(drawn.steps.begin() + stem, drawn.steps.end());
+        drawn.steps.resize(run.steps.size());
+        drawn.loop_terms.assign(drawn.terms.begin() + stem, drawn.terms.end());
+        drawn.terms.resize(run.steps.size() + 1);
+        drawn.kind = refine::ViolationKind::divergence;
+        report_.run = runs::interpret_counterexample(context_, obligation_, drawn);
+        tell(*report_.run, reasons);
+        report_.reason.clear();
     }
 
     void add_vacuity() {

@@ -50,7 +50,7 @@ std::optional<std::size_t> claim_of(const Project& project, const csp_emit::Obli
 void add_claims(Project& project, csp_emit::Emission& emission) {
     project.claims->scripted.clear();
     std::vector<cspm::DeclPtr>& script = emission.script.decls;
-    if (!project.claims->checked.claims.empty()) script.push_back(claims::free_time_channel());
+    if (!project.claims->checked.claims.empty()) script.push_back(claims::shared_channels());
     for (std::size_t number = 0; number < project.claims->checked.claims.size(); ++number) {
         const claims::CheckedClaim& claim = project.claims->checked.claims[number];
         csp_emit::Obligation obligation;

@@ -18,13 +18,13 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// One time unit is 0.1 s. Braking fails in the module Late, where a deadline stops time.
-const char* const patrol = R"(package patrol
+const char* const robots = R"(package patrol
 
 interface Motion { goTo(waypoint : nat) halt() reverse() brake() }
-interface Sensors { event obstacle event clear event estop event reset event bell }
+interface Sensors { event obstacle event clear event estop event reset }
 
 stm Patrol {
 	const patience : nat = 3
@@ -90,6 +90,7 @@ public:
     }
     [[nodiscard]] std::string verdict(const std::string& name) const { return std::string(name_of(of(name).verdict)); }
     [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] bool any() const { return !result_.answers.empty(); }
     [[nodiscard]] std::vector<std::string> basis(const std::string& name) const {
         std::vector<std::string> result;
         for (const Ground& ground : of(name).basis) result.push_back(ground.text);
@@ -116,19 +117,21 @@ void expect_verdicts(const std::vector<Text>& models, const std::string& head, c
                   rows[i].claim + "\n";
     }
     const Answers answers(models, claims);
+    ASSERT_TRUE(answers.any()) << answers.text();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Answer& answer = answers.of("C" + std::to_string(i));
-        EXPECT_EQ(name_of(answer.verdict), rows[i].verdict) << rows[i].claim << "\n"
-                                                            << answer.reason << "\n"
-                                                            << answer.text << "\n"
-                                                            << answers.text();
-        EXPECT_TRUE(answer.verdict != Verdict::fails || answer.run || std::string(rows[i].claim).find("possible") == 0)
+        EXPECT_EQ(std::string(name_of(answer.verdict)), rows[i].verdict) << rows[i].claim << "\n"
+                                                                         << answer.reason << "\n"
+                                                                         << answer.text << "\n"
+                                                                         << answers.text();
+        EXPECT_TRUE(answer.verdict != Verdict::fails || answer.run ||
+                    std::string(rows[i].claim).find("possible") != std::string::npos)
             << rows[i].claim;
     }
 }
 
 TEST(Claims, HaveTheirVerdicts) {
-    expect_verdicts({{"patrol.rct", patrol}}, "import patrol::*\nunit 0.1 s\n",
+    expect_verdicts({{"patrol.rct", robots}}, "import patrol::*\nunit 0.1 s\n",
                     {
                         {"after estop until reset, never goTo or reverse", "holds", "Patrol"},
                         {"after estop until clear, never goTo or reverse", "fails", "Patrol"},
@@ -141,6 +144,12 @@ TEST(Claims, HaveTheirVerdicts) {
                         {"obstacle leads to halt within 0 s", "holds", "Patrol"},
                         {"estop leads to brake before any call but brake", "holds", "Patrol"},
                         {"estop leads to goTo before brake", "fails", "Patrol"},
+                        {"obstacle leads to halt", "holds", "Patrol"},
+                        {"obstacle leads to reverse", "fails", "Patrol"},
+                        {"obstacle leads to reverse unless clear or estop", "holds", "Patrol"},
+                        {"estop leads to goTo", "fails", "Patrol"},
+                        {"estop leads to brake", "fails", "Ends"},
+                        {"estop leads to brake", "fails", "Late"},
                         {"halt only after obstacle", "holds", "Patrol"},
                         {"goTo only after obstacle", "fails", "Patrol"},
                         {"brake only within 0 s after estop", "holds", "Patrol"},
@@ -152,12 +161,12 @@ TEST(Claims, HaveTheirVerdicts) {
                         {"goTo at least every 1 s", "fails", "Patrol"},
                         {"before obstacle, never halt", "holds", "Patrol"},
                         {"before clear, never halt", "fails", "Patrol"},
-                        {"never goTo(w) with w > 2", "holds", "Patrol"},
+                        {"before obstacle, never goTo(w) with w > 0", "holds", "Patrol"},
                         {"never goTo(w) with w == 2", "fails", "Patrol"},
                         {"never goTo(v) with v != last goTo and v != (last goTo + 1) % 3", "holds", "Patrol"},
                         {"never goTo(v) with v == last goTo", "fails", "Patrol"},
                         {"possible goTo(2)", "holds", "Patrol"},
-                        {"possible goTo(4)", "fails", "Patrol"},
+                        {"before obstacle, possible goTo(2)", "fails", "Patrol"},
                         {"before obstacle, possible brake", "fails", "Patrol"},
                         {"never terminate", "holds", "Patrol"},
                         {"never brake", "holds", "Ends"},
@@ -171,7 +180,7 @@ TEST(Claims, HaveTheirVerdicts) {
 }
 
 TEST(Claims, TellWhatBrokeThem) {
-    const Answers answers({{"patrol.rct", patrol}},
+    const Answers answers({{"patrol.rct", robots}},
                           "import patrol::*\nunit 0.1 s\n"
                           "claim Back of Patrol : reverse at least 0.4 s after obstacle\n"
                           "claim Stays of Patrol : after estop until clear, never goTo\n"
@@ -192,22 +201,22 @@ TEST(Claims, TellWhatBrokeThem) {
 }
 
 TEST(Claims, SayWhatIsNeverAsked) {
-    const Answers answers({{"patrol.rct", patrol}},
+    const Answers answers({{"patrol.rct", robots}},
                           "import patrol::*\n"
-                          "claim Scope of Patrol : after bell until reset, never goTo\n"
+                          "claim Scope of Ends : after brake until halt, never estop\n"
                           "claim Event of Ends : never brake\n"
                           "claim Asked of Patrol : after estop until reset, never goTo\n");
     EXPECT_THAT(answers.basis("Scope"), Contains(HasSubstr("never asked")));
     EXPECT_THAT(answers.basis("Event"), Contains(HasSubstr("no run has brake")));
-    EXPECT_THAT(answers.basis("Asked"), IsEmpty());
+    EXPECT_THAT(answers.basis("Asked"), Not(Contains(HasSubstr("never asked"))));
 }
 
 TEST(Claims, AreErrorsWithAPlace) {
-    const LoadResult loaded = load_texts({{"patrol.rct", patrol}, {"a.claims", "claim A of Patrol : never holt\n"}});
+    const LoadResult loaded = load_texts({{"patrol.rct", robots}, {"a.claims", "claim A of Patrol : never holt\n"}});
     EXPECT_FALSE(loaded.model);
     EXPECT_THAT(loaded.text, HasSubstr("a.claims:1:27"));
     const LoadResult value =
-        load_texts({{"patrol.rct", patrol}, {"a.claims", "claim A of Patrol : never goTo(w) with w > 900000\n"}});
+        load_texts({{"patrol.rct", robots}, {"a.claims", "claim A of Patrol : never goTo(w) with w > 900000\n"}});
     EXPECT_THAT(value.text, HasSubstr("CLM-T11"));
 }
 
@@ -248,6 +257,8 @@ TEST(ClaimsSuite, Warehouse) {
                         {too_late.c_str(), "fails"},
                         {alone.c_str(), "fails"},
                         {"after batteryLow until charged, obstacle leads to halt within 0 s", "holds"},
+                        {"obstacle leads to reverse", "fails"},
+                        {"obstacle leads to halt", "holds"},
                         {"possible callHelp", "holds"},
                         {"never goTo(v) with v != last goTo and v != (last goTo + 1) % 4", "holds"},
                         {"dock only within 0 s after batteryLow or reset", "holds"},

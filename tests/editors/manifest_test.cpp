@@ -36,9 +36,10 @@ TEST(Manifest, LanguagesCoverTheFilesOfTheProgram) {
     const json manifest = load_json("package.json");
     for (const json& language : manifest.at("contributes").at("languages"))
         languages[language.at("extensions").at(0)] = language.at("id");
-    const std::map<std::string, std::string> expected{{".rct", "robochart"}, {".assertions", "robochart-assertions"},
-                                                      {".csp", "cspm"},      {".sleec", "sleec"},
-                                                      {".rst", "robosim"},   {".rsa", "robosim-assertions"}};
+    const std::map<std::string, std::string> expected{
+        {".rct", "robochart"},         {".assertions", "robochart-assertions"}, {".csp", "cspm"},
+        {".sleec", "sleec"},           {".claims", "robochart-claims"},         {".rst", "robosim"},
+        {".rsa", "robosim-assertions"}};
     EXPECT_EQ(languages, expected);
 }
 
@@ -77,7 +78,7 @@ TEST(Manifest, GrammarsIncludeWhatExists) {
     const json manifest = load_json("package.json");
     for (const json& grammar : manifest.at("contributes").at("grammars"))
         grammars[grammar.at("scopeName")] = load_json(grammar.at("path"));
-    EXPECT_EQ(grammars.size(), 6U);
+    EXPECT_EQ(grammars.size(), 7U);
     for (const auto& [scope, grammar] : grammars) expect_includes(grammar, grammars, grammar);
 }
 

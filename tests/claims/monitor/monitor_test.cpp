@@ -140,6 +140,7 @@ Bad draw_body(Draws& draws, CheckedBody& body) {
         case BodyKind::every:
             body.units = limit;
             return every(events, limit);
+        case BodyKind::leads:
         case BodyKind::possible:
             break;
     }
@@ -218,12 +219,21 @@ void all_traces(std::size_t length, Trace& trace, const std::function<void(const
     }
 }
 
+/// True if the trace or a prefix breaks the body.
+bool broken_before(const Bad& bad, const Trace& trace) {
+    for (std::size_t length = 0; length <= trace.size(); ++length)
+        if (bad(Trace(trace.begin(), trace.begin() + static_cast<std::ptrdiff_t>(length)))) return true;
+    return false;
+}
+
 TEST(Monitor, TheEndBreaksWhatIsOwed) {
     Draws draws(39);
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 60; ++i) {
         CheckedClaim claim;
+        const bool limited = i % 2 == 0;
         const Set events = draws.set(), others = draws.set(), exceptions = draws.set_or_none();
         claim.body = {BodyKind::leads_within, events_of(events), events_of(others), events_of(exceptions), 2, 0};
+        if (!limited) claim.body.kind = BodyKind::leads;
         const Bad bad = leads_within(events, others, 2, exceptions);
         const Monitor monitor(claim);
         Trace trace;
@@ -235,7 +245,9 @@ TEST(Monitor, TheEndBreaksWhatIsOwed) {
                 else
                     monitor.observe(state, {static_cast<std::size_t>(event), {}});
             }
+            ASSERT_EQ(state.verdict == Verdict::broken, limited && broken_before(bad, run)) << text_of(run);
             if (state.verdict == Verdict::broken) return;
+            EXPECT_EQ(monitor.owes(state), answer_missing(run, events, others, exceptions)) << text_of(run);
             monitor.end(state);
             EXPECT_EQ(state.verdict == Verdict::broken, answer_missing(run, events, others, exceptions))
                 << text_of(run);

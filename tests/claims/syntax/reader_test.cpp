@@ -57,6 +57,7 @@ TEST(ClaimReader, ReadsEachBody) {
     EXPECT_EQ(body_of("a only after b").kind, BodyKind::only_after);
     EXPECT_EQ(body_of("a only within 3 s after b").kind, BodyKind::only_within);
     EXPECT_EQ(body_of("a leads to b within 3 s unless c").exceptions.patterns.size(), 1U);
+    EXPECT_EQ(body_of("a leads to b unless c").kind, BodyKind::leads);
     EXPECT_EQ(body_of("a leads to b before c").kind, BodyKind::leads_before);
     EXPECT_EQ(body_of("a at least 3 s after b").kind, BodyKind::at_least);
     EXPECT_EQ(body_of("at most 3 a in any 2 min").count, "3");
@@ -104,10 +105,10 @@ TEST(ClaimReader, ContinuesAtTheNextClaim) {
 }
 
 TEST(ClaimReader, RefusesFormsThatAreNotDecided) {
-    for (const char* text : {"claim A : always in Held", "claim A : while in Held, never a", "claim A : a leads to b",
-                             "claim A : can take a", "claim A : in a cycle with a, never b",
-                             "assume A : a leads to b within 1 units", "order Patrol : estop first",
-                             "claim A : never enter Held", "claim A : never a with constant c of X set to 1"}) {
+    for (const char* text : {"claim A : always in Held", "claim A : while in Held, never a", "claim A : can take a",
+                             "claim A : in a cycle with a, never b", "assume A : a leads to b within 1 units",
+                             "order Patrol : estop first", "claim A : never enter Held",
+                             "claim A : never a with constant c of X set to 1"}) {
         const Parsed parsed(text);
         EXPECT_THAT(parsed.report(), HasSubstr("CLM-P06")) << text;
         EXPECT_TRUE(parsed.file.claims.empty()) << text;

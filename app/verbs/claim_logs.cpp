@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: Apache-2.0
+// `conform MODEL.claims --traces LOG`: checks logs of runs against claims (docs/traces.md, "Logs and claims").
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+#include "app/base/numbers.hpp"
+#include "app/command/answer.hpp"
+#include "app/command/findings.hpp"
+#include "app/command/output.hpp"
+#include "app/command/recording.hpp"
+#include "app/command/run.hpp"
+#include "app/verbs/verbs.hpp"
+#include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/json_values.hpp"
+#include "claims/monitor/account.hpp"
+#include "conformance/traces/trace_text.hpp"
+#include "driver/model/pipeline.hpp"
+#include "driver/model/project_claims.hpp"
+
+namespace robochart::app {
+namespace {
+
+using claims::CheckedClaim;
+using conformance::TraceToken;
+
+/// A claim that a run breaks, or about which the run says nothing certain.
+struct LoggedClaim {
+    std::string log, run, claim;
+    std::uint64_t line = 0;
+    bool broken = false;
+    std::vector<std::string> lines;
+};
+
+struct ClaimLogReport {
+    std::uint64_t logs = 0, runs = 0, units = 0, kept = 0, broken = 0,
+                  open = 0;             ///< kept, broken, open: claims of runs
+    std::vector<LoggedClaim> reported;  ///< the first that are not kept
+    std::vector<std::string> errors;
+};
+constexpr std::size_t most_reported = 100;
+
+/// An exact number, a truth value or a literal; no value for other texts.
+std::optional<claims::Fraction> value_of(std::string_view text, const ir::Type& type) {
+    if (type.kind == ir::TypeKind::boolean) {
+        if (text == "true" || text == "false") return claims::Fraction(text == "true" ? 1 : 0);
+        return std::nullopt;
+    }
+    if (type.kind == ir::TypeKind::enumeration) {
+        const auto found = std::ranges::find(type.labels, text);
+        if (found == type.labels.end()) return std::nullopt;
+        return claims::Fraction(found - type.labels.begin());
+    }
+    const bool negative = text.starts_with("-");
+    if (negative) text.remove_prefix(1);
+    const bool number =
+        !text.empty() && std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
+    if (!number || std::ranges::count(text, '.') > 1) return std::nullopt;
+    try {
+        return claims::Fraction(negative ? -1 : 1) * claims::Fraction::of_decimal(text);
+    } catch (const claims::NotComputable&) {
+        return std::nullopt;
+    }
+}
+
+/// Follows one claim along one run.
+class FollowedClaim {
+public:
+    FollowedClaim(const CheckedClaim& claim, const ir::System& system, std::optional<std::int64_t> unit)
+        : claim_(claim), system_(system), account_(claim, unit) {}
+
+    /// `name`: without mark; `values`: the texts behind the marks.
+    void observe(std::string_view name, bool input, const std::vector<std::string>& values, std::uint64_t line) {
+        const auto& channels = claim_.component.channels;
+        for (std::size_t i = 0; i < channels.size(); ++i) {
+            if (channels[i].name != name || (channels[i].kind == claims::ChannelKind::input) != input) continue;
+            observe_channel(i, values, line);
+        }
+    }
+    void tock(std::uint64_t line) {
+        account_.tock();
+        note(line);
+    }
+    void end(std::uint64_t line) {
+        account_.end();
+        note(line);
+    }
+    void give_up(std::string why) {
+        if (!is_broken() && unknown_.empty()) unknown_ = std::move(why);
+    }
+
+    [[nodiscard]] bool is_broken() const { return !reasons_.empty(); }
+    [[nodiscard]] std::uint64_t line() const { return line_; }
+    [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
+    [[nodiscard]] const std::string& unknown() const { return unknown_; }
+    [[nodiscard]] const CheckedClaim& claim() const { return claim_; }
+
+private:
+    void observe_channel(std::size_t channel, const std::vector<std::string>& values, std::uint64_t line) {
+        const claims::Channel& of = claim_.component.channels[channel];
+        claims::Occurrence occurrence{channel, {}};
+        std::string text = of.name;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            text += (i == 0 ? "(" : ", ") + values[i] + (i + 1 == values.size() ? ")" : "");
+        for (std::size_t i = 0; i < of.types.size(); ++i) {
+            const auto value = i < values.size() ? value_of(values[i], system_.type(of.types[i])) : std::nullopt;
+            if (!value && reads_values(channel))
+                return give_up(fmt::format("{} has a value that no condition reads", text));
+            occurrence.values.push_back(value.value_or(claims::Fraction()));
+        }
+        try {
+            account_.observe(occurrence, text);
+        } catch (const claims::NotComputable& error) {
+            give_up(error.what());
+        }
+        note(line);
+    }
+    [[nodiscard]] bool reads_values(std::size_t channel) const {
+        if (std::ranges::find(claim_.remembered, channel) != claim_.remembered.end()) return true;
+        const auto reads = [&](const claims::Events& events) {
+            return std::ranges::any_of(events.any, [&](const claims::EventMatch& match) {
+                return match.condition && std::ranges::find(match.channels, channel) != match.channels.end();
+            });
+        };
+        return reads(claim_.scope.first) || reads(claim_.scope.last) || reads(claim_.body.events) ||
+               reads(claim_.body.others) || reads(claim_.body.exceptions);
+    }
+    void note(std::uint64_t line) {
+        if (!account_.is_broken() || is_broken() || !unknown_.empty()) return;
+        line_ = line;
+        reasons_ = account_.reasons();
+    }
+
+    const CheckedClaim& claim_;
+    const ir::System& system_;
+    claims::Account account_;
+    std::uint64_t line_ = 0;
+    std::vector<std::string> reasons_;
+    std::string unknown_;
+};
+
+/// One log and the claims of one project.
+class ClaimLog {
+public:
+    ClaimLog(const driver::Project& project, std::string path, ClaimLogReport& report, const Options& options)
+        : project_(project), path_(std::move(path)), report_(report), options_(options) {}
+
+    void read(std::istream& in) {
+        conformance::LineReader lines(in);
+        std::vector<TraceToken> tokens;
+        bool version = false, running = false;
+        while (lines.read_line()) {
+            options_.run->budget().poll();
+            conformance::split_line(lines.line_text(), tokens);
+            if (tokens.empty()) continue;
+            if (!std::exchange(version, true)) {
+                expect_version(tokens);
+            } else if (tokens.front().text == "run") {
+                if (running) end();
+                running = true;
+                begin(tokens, lines.line_number());
+            } else if (running) {
+                follow(tokens, lines.line_number());
+            } else if (!conformance::read_header_line(tokens, header_, lines.line_number())) {
+                throw conformance::TraceFault{nullptr,
+                                              {"a line of the header, or `run`", fmt::format("`{}`", tokens[0].text)}};
+            }
+        }
+        if (running) end();
+    }
+
+private:
+    static void expect_version(const std::vector<TraceToken>& tokens) {
+        if (tokens.size() == 2 && tokens[0].text == "robochart-trace" && tokens[1].text == "1") return;
+        throw conformance::TraceFault{nullptr,
+                                      {"`robochart-trace 1` in the first line", fmt::format("`{}`", tokens[0].text)}};
+    }
+
+    /// Only claims about the component of the log are followed.
+    void begin(const std::vector<TraceToken>& tokens, std::uint64_t line) {
+        name_.clear();
+        for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
+        begun_ = line;
+        followed_.clear();
+        const driver::ProjectClaims& of = *project_.claims;
+        for (const CheckedClaim& claim : of.checked.claims) {
+            const std::string& path = claim.component.path;
+            if (path != header_.component && !path.ends_with("::" + header_.component)) continue;
+            followed_.emplace_back(claim, project_.system, of.checked.unit);
+            if (claim.body.kind == claims::BodyKind::possible)
+                followed_.back().give_up("one run does not show what other runs do");
+            for (const std::string& word : header_.unobserved) hide(followed_.back(), word);
+        }
+    }
+    static void hide(FollowedClaim& followed, const std::string& word) {
+        const std::string name = word.substr(0, word.find_first_of("?!"));
+        const auto& channels = followed.claim().component.channels;
+        if (std::ranges::any_of(channels, [&](const claims::Channel& channel) { return channel.name == name; }))
+            followed.give_up(fmt::format("the log does not show {}", word));
+    }
+
+    void follow(const std::vector<TraceToken>& tokens, std::uint64_t line) {
+        if (tokens.size() == 1 && (tokens[0].text == "late" || tokens[0].text == "lost")) {
+            for (FollowedClaim& followed : followed_)
+                followed.give_up(fmt::format("the log has gaps (`{}` in line {})", tokens[0].text, line));
+            return;
+        }
+        for (const TraceToken& token : tokens) follow_word(std::string(token.text), line);
+    }
+
+    void follow_word(const std::string& word, std::uint64_t line) {
+        if (word == "tock") ++report_.units;
+        const std::size_t mark = word.find_first_of("?!");
+        std::vector<std::string> values;
+        if (mark != std::string::npos) values = split(word.substr(mark + 1));
+        for (FollowedClaim& followed : followed_) {
+            if (word == "tock")
+                followed.tock(line);
+            else if (word == "terminate")
+                followed.end(line);
+            else if (mark != std::string::npos)
+                followed.observe(word.substr(0, mark), word[mark] == '?', values, line);
+        }
+    }
+    /// "a!b": the values of an output.
+    static std::vector<std::string> split(const std::string& text) {
+        std::vector<std::string> result;
+        std::size_t from = 0;
+        while (!text.empty()) {
+            const std::size_t end = text.find('!', from);
+            result.push_back(text.substr(from, end - from));
+            if (end == std::string::npos) break;
+            from = end + 1;
+        }
+        return result;
+    }
+
+    void end() {
+        ++report_.runs;
+        for (const FollowedClaim& followed : followed_) {
+            const bool open = !followed.is_broken() && !followed.unknown().empty();
+            if (followed.is_broken())
+                ++report_.broken;
+            else
+                ++(open ? report_.open : report_.kept);
+            if ((!followed.is_broken() && !open) || report_.reported.size() >= most_reported) continue;
+            LoggedClaim entry{path_, name_, followed.claim().name, open ? begun_ : followed.line(), !open, {}};
+            entry.lines = open ? std::vector<std::string>{followed.unknown()} : followed.reasons();
+            report_.reported.push_back(std::move(entry));
+        }
+    }
+
+    const driver::Project& project_;
+    std::string path_;
+    ClaimLogReport& report_;
+    const Options& options_;
+    conformance::TraceHeader header_;
+    std::vector<FollowedClaim> followed_;
+    std::string name_;
+    std::uint64_t begun_ = 0;
+};
+
+std::vector<std::string> log_files(const Options& options, ClaimLogReport& report) {
+    std::vector<std::string> result;
+    for (const std::string& given : options.conform.traces) {
+        std::error_code error;
+        if (!std::filesystem::is_directory(given, error)) {
+            result.push_back(given);
+            continue;
+        }
+        for (const std::string& path : diagnostics::files_below(given, true).files)
+            if (std::filesystem::path(path).extension() == ".trace") result.push_back(path);
+    }
+    if (result.empty()) report.errors.emplace_back("--traces: there are no .trace files in the folder");
+    return result;
+}
+
+void read_log(const driver::Project& project, const std::string& path, ClaimLogReport& report, const Options& options) {
+    std::error_code error;
+    std::ifstream in;
+    if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);
+    const std::string shown = diagnostics::escape_for_display(path);
+    if (!in.is_open()) {
+        report.errors.push_back(fmt::format("{}: it is not a regular file that may be read", shown));
+        return;
+    }
+    ++report.logs;
+    options.run->recorder().add_input_file(path);
+    try {
+        ClaimLog(project, path, report, options).read(in);
+    } catch (const conformance::TraceFault& fault) {
+        const std::string found = fault.arguments.size() > 1 ? fault.arguments[1] : "something else";
+        report.errors.push_back(fmt::format("{}: expected {}, found {}", shown,
+                                            fault.arguments.empty() ? "a log" : fault.arguments[0],
+                                            diagnostics::escape_for_display(found)));
+    }
+}
+
+/// A log without claims about its component is not an answer.
+Exit exit_of(const ClaimLogReport& report) {
+    if (!report.errors.empty()) return Exit::bad_input;
+    if (report.broken > 0) return Exit::failed;
+    return report.open > 0 || report.kept == 0 ? Exit::inconclusive : Exit::success;
+}
+
+void print_logs(const ClaimLogReport& report) {
+    for (const LoggedClaim& logged : report.reported) {
+        print("{} {}:{}: {} in run {}\n", logged.broken ? "broken      " : "inconclusive",
+              diagnostics::escape_for_display(logged.log), logged.line, logged.claim,
+              logged.run.empty() ? "without a name" : diagnostics::escape_for_display(logged.run));
+        for (const std::string& line : logged.lines) print("  {}\n", diagnostics::escape_for_display(line));
+    }
+    for (const std::string& error : report.errors) print_error("robochart-verify: {}\n", error);
+    print("an input counts as an event of a claim when it is raised, also if the controller misses it\n");
+    if (report.kept + report.broken + report.open == 0) print("no claim is about the component of a log\n");
+    print("{} in {}, {}: of the claims, {} are kept, {} are broken, {} inconclusive\n", count_text(report.runs, "run"),
+          count_text(report.logs, "log"), count_text(report.units, "time unit"), with_commas(report.kept),
+          with_commas(report.broken), with_commas(report.open));
+}
+
+diagnostics::Json logged_json(const LoggedClaim& logged) {
+    return {{"log", logged.log},
+            {"line", logged.line},
+            {"run", logged.run},
+            {"claim", logged.claim},
+            {"verdict", logged.broken ? "broken" : "inconclusive"},
+            {"lines", logged.lines}};
+}
+
+std::string logs_json(const ClaimLogReport& report) {
+    const diagnostics::Json json{{"schema", "robochart-verify/claim-traces/1"},
+                                 {"logs", report.logs},
+                                 {"runs", report.runs},
+                                 {"timeUnits", report.units},
+                                 {"kept", report.kept},
+                                 {"broken", report.broken},
+                                 {"inconclusive", report.open},
+                                 {"inputsCount", "raised"},
+                                 {"errors", report.errors},
+                                 {"exit", static_cast<int>(exit_of(report))},
+                                 {"reported", diagnostics::json_array(report.reported, logged_json)}};
+    return diagnostics::json_text(json) + "\n";
+}
+
+}  // namespace
+
+Exit conform_claims(const Options& options) {
+    driver::Settings settings = options;
+    settings.load.claims = driver::ClaimUse::decide;
+    const std::vector<driver::Part> parts = driver::load_parts(settings, options.run->budget());
+    record_projects(parts, settings, options);
+    for (const driver::Part& part : parts)
+        if (!part.project->diagnostics.ok()) {
+            (void)show_diagnostics(*part.project, options);
+            return refusal_code(*part.project);
+        }
+    ClaimLogReport report;
+    for (const std::string& log : log_files(options, report))
+        for (const driver::Part& part : parts)
+            if (!part.project->claims->checked.claims.empty()) read_log(*part.project, log, report, options);
+    options.run->finish();
+    output_document(options, [&](Format) { return logs_json(report); });
+    if (options.output.format == Format::text) print_logs(report);
+    return exit_of(report);
+}
+
+}  // namespace robochart::app
