@@ -585,8 +585,9 @@ std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context,
         assertions = decide_claim(context, obligation, one);
         if (claim) {
             complete_answer(context.project, reading_context(context), context.search, obligation, *claim, one);
-            const cspm::DeclPtr& standstill = context.project.claims->scripted.at(*claim).decision.standstill;
-            if (standstill) assertions.push_back(standstill);
+            const claims::Decision& decision = context.project.claims->scripted.at(*claim).decision;
+            if (decision.standstill) assertions.push_back(decision.standstill);
+            if (decision.waiting) assertions.clear();  // it also excludes endless runs
         }
         if (one.core && one.answer == Answer::fails) one.core->unexercised = one.core->elements;
     }
