@@ -81,8 +81,8 @@ struct Delivery {
     std::optional<std::uint32_t> depth;
 };
 
-/// What carries an element.
-enum class Carrier {
+/// How the values of an element are transported.
+enum class Transport {
     topic,
     service,  ///< `call operation dock as std_srvs/Trigger on "dock"`
     answer,   ///< `receive event docked as answer of dock when success == true`
@@ -91,7 +91,7 @@ enum class Carrier {
 /// An item: `publish operation move as geometry_msgs/Twist on "cmd_vel" with reliable { linear.x = speed }`.
 struct Item {
     bool published = false;
-    Carrier carrier = Carrier::topic;
+    Transport transport = Transport::topic;
     ElementKind kind = ElementKind::operation;
     Word element;
     MessageName message;  ///< or service; none for answers
@@ -107,7 +107,7 @@ struct Item {
 struct Deadline {
     Word event;
     std::string seconds;  ///< as C++ text
-    Carrier carrier = Carrier::topic;
+    Transport transport = Transport::topic;
     Word topic;  ///< or the operation
 };
 

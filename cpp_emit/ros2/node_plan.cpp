@@ -104,9 +104,9 @@ public:
         for (const Element& element : elements)
             if (!element.is_mapped()) add_default(element);
         for (const Element& element : elements)
-            if (element.item != nullptr && element.item->carrier != Carrier::answer) add_mapped(element);
+            if (element.item != nullptr && element.item->transport != Transport::answer) add_mapped(element);
         for (const Element& element : elements)
-            if (element.item != nullptr && element.item->carrier == Carrier::answer) add_answer(element);
+            if (element.item != nullptr && element.item->transport == Transport::answer) add_answer(element);
         for (const Element& element : elements)
             if (element.deadline != nullptr) add_silence(element);
         if (mapping != nullptr)
@@ -137,14 +137,14 @@ private:
             } else {
                 found->item = &item;
             }
-            if (item.carrier != Carrier::answer) note_unchecked(data_of(item, item.message));
+            if (item.transport != Transport::answer) note_unchecked(data_of(item, item.message));
         }
     }
 
     /// The message that has the fields of an item: the request or the answer of a service.
     static MessageName data_of(const Item& item, MessageName message) {
-        if (item.carrier == Carrier::service) message.type += "_Request";
-        if (item.carrier == Carrier::answer) message.type += "_Response";
+        if (item.transport == Transport::service) message.type += "_Request";
+        if (item.transport == Transport::answer) message.type += "_Response";
         return message;
     }
 
@@ -175,7 +175,7 @@ private:
     void add_silence(const Element& element) {
         const Word& topic = element.deadline->topic;
         const std::string member = members_.unique_name("watch_" + element.event->method);
-        if (element.deadline->carrier == Carrier::service) {
+        if (element.deadline->transport == Transport::service) {
             if (const auto service = service_of(topic))
                 plan_.silences.push_back({element.event, element.deadline->seconds, *service, member});
             return;
@@ -413,7 +413,7 @@ private:
 
     void add_mapped(const Element& element) {
         const Item& item = *element.item;
-        if (item.carrier == Carrier::service) {
+        if (item.transport == Transport::service) {
             plan_.outgoing.push_back(make_outgoing(element, add_service(element)));
             return plan_fields(element, plan_.outgoing.back());
         }
@@ -492,7 +492,7 @@ private:
         }
         for (const ModelValue& value : values) require_all(element, value, used);
         for (const Condition& condition : element.item->conditions) plan_test(*element.item, condition, in);
-        const bool topic = element.item->carrier == Carrier::topic;
+        const bool topic = element.item->transport == Transport::topic;
         if (topic && values.empty() && element.item->assignments.empty() && element.item->conditions.empty())
             warn_unread(element);
         plan_.incoming.push_back(std::move(in));
@@ -567,7 +567,7 @@ private:
     /// The field's type; no value, with a finding, if the message does not have the field.
     std::optional<FieldType> field_of(const Item& item, const Path& path) {
         MessageName message = item.message;
-        if (item.carrier == Carrier::answer)
+        if (item.transport == Transport::answer)
             for (const Outgoing& out : plan_.outgoing)
                 if (plan_.topics[out.topic].service && out.name == item.topic.text)
                     message = plan_.topics[out.topic].message;

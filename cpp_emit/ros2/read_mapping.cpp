@@ -40,18 +40,18 @@ private:
     void read_item(Mapping& mapping) {
         if (take_word("on")) return mapping.farewells.push_back(read_farewell());
         Item item;
-        if (take_word("call")) item.carrier = Carrier::service;
-        item.published = item.carrier == Carrier::service || take_word("publish");
+        if (take_word("call")) item.transport = Transport::service;
+        item.published = item.transport == Transport::service || take_word("publish");
         if (!item.published && !take_word("receive")) fail_expecting("'publish', 'receive', 'call', 'on' or '}'");
         read_element(item);
-        if (!has_failed() && item.carrier == Carrier::service && item.kind != ElementKind::operation)
+        if (!has_failed() && item.transport == Transport::service && item.kind != ElementKind::operation)
             report(rules::wrong_name, item.element.span,
                    {item.element.text, "called element", "only an operation calls a service"});
         expect_word("as");
         const bool silence = !item.published && item.kind == ElementKind::event && take_word("deadline");
         if (silence) return mapping.deadlines.push_back(read_deadline(item));
         if (!item.published && item.kind == ElementKind::event && take_word("answer")) {
-            item.carrier = Carrier::answer;
+            item.transport = Transport::answer;
             expect_word("of");
             item.topic = name("the operation that calls a service");
             read_tests_and_fields(item);
@@ -86,7 +86,7 @@ private:
             report(rules::wrong_name, begin, {time.number, "deadline", "it must be from 0.001 to 3600 seconds"});
         deadline.seconds = time.number;
         if (take_word("of")) {
-            deadline.carrier = Carrier::service;
+            deadline.transport = Transport::service;
             deadline.topic = name("the operation that calls a service");
         } else {
             deadline.topic = read_topic();
@@ -105,7 +105,7 @@ private:
     /// Parses what follows the message.
     void read_rest(Item& item) {
         item.topic = read_topic();
-        if (item.carrier == Carrier::topic && take_word("with")) read_delivery(item.delivery);
+        if (item.transport == Transport::topic && take_word("with")) read_delivery(item.delivery);
         read_tests_and_fields(item);
     }
 
