@@ -45,7 +45,7 @@ TEST(LoggedValues, EveryValueIsReadAsWritten) {
     const test::Model model(test::ModelFolder(text).path());
     ASSERT_EQ(model.system.machines.size(), 1U);
     for (const ir::Variable& variable : model.system.machines[0].variables) {
-        const ValueReader reader(model.system, model.instantiation, variable.type, {});
+        const ValueReader reader(model.system, model.instantiation, variable.type, {}, NumberReading::exact);
         const bool whole = cpp_emit::is_composed(model.system.type(variable.type));
         std::set<std::string> written;
         std::int64_t place = 0;
