@@ -252,7 +252,7 @@ std::unique_ptr<Project> read(const LoadSettings& settings, diagnostics::Budget&
     project->model = settings.texts.empty()
                          ? frontend::load_project(project->sources, model_inputs(settings.inputs), project->diagnostics)
                          : load_given(*project, settings.texts);
-    if (settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write) read_claim_files(*project, settings);
+    if (settings.claims != ClaimUse::ignore) read_claim_files(*project, settings);
     return settings.claims == ClaimUse::ignore ? without_broken_assertions(std::move(project), settings)
                                                : std::move(project);
 }
