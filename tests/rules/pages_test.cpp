@@ -163,6 +163,10 @@ TEST(RulePages, LinksLead) {
     }
 }
 
+/// Rules with rows that need two files or another verb; tests/frontend/robosim_test.cpp has examples.
+const std::set<std::string_view> rows_elsewhere = {"RC-S26", "RC-W01", "RC-Y01", "RC-Y02",
+                                                   "RC-Y04", "RC-Y05", "RC-Y07", "RC-Y10"};
+
 /// Front-end rules have several rows for different circumstances: a page or a fixture shows each of them.
 TEST(RulePages, ShowEveryRowWithTheFixtures) {
     std::set<const diagnostics::Rule*> shown;
@@ -176,7 +180,7 @@ TEST(RulePages, ShowEveryRowWithTheFixtures) {
             shown.insert(found.rules.begin(), found.rules.end());
         }
     for (const diagnostics::Rule* rule : app::all_rules())
-        EXPECT_TRUE(shown.contains(rule) || without_example.contains(rule->code))
+        EXPECT_TRUE(shown.contains(rule) || without_example.contains(rule->code) || rows_elsewhere.contains(rule->code))
             << rule->code << ": " << rule->message;
 }
 
