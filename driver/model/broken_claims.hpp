@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "driver/model/pipeline.hpp"
+#include "driver/model/project.hpp"
 #include "frontend/project/units.hpp"
 
 namespace robochart::driver {

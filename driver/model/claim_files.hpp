@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "claims/syntax/syntax.hpp"
-#include "driver/model/pipeline.hpp"
+#include "driver/model/project.hpp"
+#include "driver/settings/settings.hpp"
 
 namespace robochart::driver {
 

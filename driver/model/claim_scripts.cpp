@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "csp_emit/assertion_forms.hpp"
-#include "driver/model/pipeline.hpp"
+#include "driver/model/project.hpp"
 #include "driver/model/project_claims.hpp"
 
 namespace robochart::driver {

@@ -303,25 +303,6 @@ std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettin
 
 }  // namespace
 
-std::vector<ClaimName> claims_of(const frontend::Model& model) {
-    std::vector<ClaimName> claims;
-    for (const auto& file : model.files) {
-        std::map<std::size_t, ClaimName> in_file;  // by position
-        for (const frontend::Assertion& assertion : file->assertions)
-            in_file.emplace(assertion.span.begin, ClaimName{assertion.name, assertion.span});
-        for (const frontend::ProbabilisticAssertion& assertion : file->probabilistic_assertions)
-            in_file.emplace(assertion.span.begin, ClaimName{assertion.name, assertion.span});
-        for (const frontend::KeptPart& part : file->kept)
-            if (part.claims) in_file.emplace(part.span.begin, ClaimName{part.name, part.span});
-        for (const auto& [place, claim] : in_file) claims.push_back(claim);
-    }
-    return claims;
-}
-
-std::shared_ptr<ProjectClaims> make_project_claims() {
-    return std::make_shared<ProjectClaims>();
-}
-
 bool includes_time(Times times, csp_emit::Time time) {
     return times != (time == csp_emit::Time::timed ? Times::untimed : Times::timed);
 }

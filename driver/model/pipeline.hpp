@@ -2,52 +2,21 @@
 // The phases of a run over a model, each computed once and on demand (docs/architecture.md has the table).
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
 #include "csp_emit/emit.hpp"
+#include "driver/model/project.hpp"
 #include "driver/settings/settings.hpp"
 #include "frontend/syntax/ast.hpp"
-#include "semantics/data/class_model.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::driver {
-
-/// The claims of claims files (project_claims.hpp).
-struct ProjectClaims;
-/// An object without claims.
-[[nodiscard]] std::shared_ptr<ProjectClaims> make_project_claims();
-
-/// All data about one model.
-struct Project {
-    explicit Project(
-        std::shared_ptr<diagnostics::SourceManager> shared = std::make_shared<diagnostics::SourceManager>())
-        : texts(std::move(shared)), sources(*texts) {}
-
-    std::string name;    ///< name of the first input without folder and extension; used in names of written files
-    std::string label;   ///< printed before results: "NAME: " if parts have components of the same name, otherwise ""
-    std::string folder;  ///< folder for the files of its components: "NAME/" in this case
-    std::shared_ptr<diagnostics::SourceManager> texts;
-    diagnostics::SourceManager& sources;  ///< shared by all parts of a run
-    diagnostics::Diagnostics diagnostics;
-    std::unique_ptr<frontend::Model> model;
-    std::shared_ptr<ProjectClaims> claims = make_project_claims();  ///< of its claims files; never null
-    ir::System system;
-    ir::InstantiationOptions asked;  ///< options for its instantiation
-    ir::Instantiation instantiation;
-    std::set<std::string> outputs_replaced;     ///< as in semantics/data/class_model.hpp
-    std::vector<ir::RelatedVariables> related;  ///< as in semantics/data/class_model.hpp
-    std::set<std::string> shared_names;         ///< names that components of one kind in several of its packages share
-    double seconds = 0;                         ///< time for reading, resolving and lowering
-    std::map<csp_emit::Time, csp_emit::Emission> scripts;  ///< scripts that were requested (emit_csp)
-};
 
 /// Reads the inputs, lowers them and makes them finite, as one project. Stops after the first phase with errors.
 /// `diagnostics` contains the errors. Names in the settings that the model does not have are errors too.
@@ -62,10 +31,6 @@ void add_swarm(Settings&);
 /// (frontend/project/units.hpp), each part as if it were alone. There is one part if all files belong together. A part
 /// with errors is not lowered or made finite; its diagnostics contain them. Names in the settings must exist in some
 /// part. The words of --assertion are replaced by the names of the claims that they select (claim_selection.hpp).
-struct Part {
-    std::unique_ptr<Project> project;
-    bool again = false;  ///< an earlier part contains its components, too
-};
 [[nodiscard]] std::vector<Part> load_parts(Settings&, diagnostics::Budget&);
 /// Like load_parts, but only reads and resolves the parts, without instantiations. Errors are in the diagnostics.
 [[nodiscard]] std::vector<Part> read_parts(const LoadSettings&, diagnostics::Budget&);
@@ -74,14 +39,6 @@ struct Part {
 [[nodiscard]] std::unique_ptr<Project> with_data(const Project&, ir::System, ir::Instantiation);
 /// The project with the carriers of RoboTool, which the exported scripts have; null if its carriers are these.
 [[nodiscard]] std::unique_ptr<Project> with_carriers_of_robotool(const Project&);
-
-/// A claim of an assertion file.
-struct ClaimName {
-    std::string name;
-    diagnostics::Span span;
-};
-/// The claims of a model's assertion files, in the order of the files.
-[[nodiscard]] std::vector<ClaimName> claims_of(const frontend::Model&);
 
 /// The name of a core property for --assertion: "P::S: deadlock-free".
 [[nodiscard]] std::string core_name(const csp_emit::Obligation&);

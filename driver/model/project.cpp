@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/model/project.hpp"
+
+#include "driver/model/project_claims.hpp"
+
+namespace robochart::driver {
+
+std::shared_ptr<ProjectClaims> make_project_claims() {
+    return std::make_shared<ProjectClaims>();
+}
+
+std::vector<ClaimName> claims_of(const frontend::Model& model) {
+    std::vector<ClaimName> claims;
+    for (const auto& file : model.files) {
+        std::map<std::size_t, ClaimName> in_file;  // by position
+        for (const frontend::Assertion& assertion : file->assertions)
+            in_file.emplace(assertion.span.begin, ClaimName{assertion.name, assertion.span});
+        for (const frontend::ProbabilisticAssertion& assertion : file->probabilistic_assertions)
+            in_file.emplace(assertion.span.begin, ClaimName{assertion.name, assertion.span});
+        for (const frontend::KeptPart& part : file->kept)
+            if (part.claims) in_file.emplace(part.span.begin, ClaimName{part.name, part.span});
+        for (const auto& [place, claim] : in_file) claims.push_back(claim);
+    }
+    return claims;
+}
+
+}  // namespace robochart::driver
