@@ -77,7 +77,7 @@ TEST(Labels, OfRoboSimNameRegistersAndCycles) {
                 for (const Text& text : line.texts) texts.push_back(text.text);
         });
     for (const char* text : {"cycleDef cycle == 1", "input: uses I, ", "event n: nat", "output: requires O",
-                             "entry $op(1)", "exec #C", "/exec", "go", "n: nat"})
+                             "entry $op(1)", "exec #C[$go /\\ $n?x]/exec", "go"})
         EXPECT_THAT(texts, Contains(text)) << ::testing::PrintToString(texts);
 }
 
