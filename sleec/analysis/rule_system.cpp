@@ -14,7 +14,7 @@ namespace robochart::sleec {
 namespace {
 
 /// The maximal number of obligations that are open at the same time in one question, and the number of words for each.
-constexpr std::size_t most_open = 8;
+constexpr std::size_t most_open_duties = 8;
 constexpr std::size_t words = 2;
 constexpr std::uint32_t kind_bits = 12;
 
@@ -181,7 +181,7 @@ RuleSystem::RuleSystem(const Question& question) : question_(question) {
 }
 
 std::size_t RuleSystem::width() const {
-    return 1 + most_open * words;
+    return 1 + most_open_duties * words;
 }
 
 void RuleSystem::initial(std::span<lts::Word> state) {
@@ -205,7 +205,7 @@ RuleSystem::State RuleSystem::unpack_state(lts::StateView state) const {
 }
 
 void RuleSystem::add(const State& state, lts::Event event, lts::SuccessorSink& sink) {
-    if (state.open.size() > most_open) {
+    if (state.open.size() > most_open_duties) {
         left_out_ = true;
         return;
     }

@@ -3,8 +3,8 @@
 // across files (C++20, [basic.def.odr]), and the linker chooses one of the two.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
@@ -13,13 +13,18 @@
 namespace robochart::sanity {
 namespace {
 
-/// The types that a source defines in named namespaces, with these namespaces, without nested and local types. Relies
-/// on the layout of clang-format: namespaces and their types start at the left margin.
-std::set<std::string> defined_types(const std::string& text) {
+/// A definition at the left margin.
+struct Definition {
+    std::string name;      ///< with its named namespaces
+    bool unnamed = false;  ///< whether it is in a namespace without name
+};
+
+/// The definitions of a source that match the pattern, whose first group is the name. Relies on the layout of
+/// clang-format: namespaces and what they contain start at the left margin. Nested and local definitions are left out.
+std::vector<Definition> definitions(const std::string& text, const std::regex& pattern) {
     static const std::regex opening(R"((?:inline )?namespace ?([\w:]*) ?\{.*)");
     static const std::regex closing(R"(\}  // namespace.*)");
-    static const std::regex type(R"((class|struct|union|enum|enum class) (\w+)( final)?( :[^;]*| \{.*)?)");
-    std::set<std::string> found;
+    std::vector<Definition> found;
     std::vector<std::string> namespaces;
     std::istringstream lines(text);
     std::smatch match;
@@ -28,14 +33,31 @@ std::set<std::string> defined_types(const std::string& text) {
             namespaces.push_back(match[1]);
         } else if (std::regex_match(line, closing) && !namespaces.empty()) {
             namespaces.pop_back();
-        } else if (std::regex_match(line, match, type)) {
-            std::string name;
-            for (const std::string& part : namespaces) name += part + "::";
-            const bool unnamed = std::ranges::find(namespaces, "") != namespaces.end();
-            if (!unnamed) found.insert(name + match[2].str());
+        } else if (std::regex_match(line, match, pattern)) {
+            Definition definition;
+            for (const std::string& part : namespaces)
+                if (!part.empty()) definition.name += part + "::";
+            definition.name += match[1].str();
+            definition.unnamed = std::ranges::find(namespaces, "") != namespaces.end();
+            found.push_back(std::move(definition));
         }
     }
     return found;
+}
+
+/// The types that a source defines in named namespaces, with these namespaces.
+std::set<std::string> defined_types(const std::string& text) {
+    static const std::regex type(R"((?:class|struct|union|enum|enum class) (\w+)(?: final)?(?: :[^;]*| \{.*)?)");
+    std::set<std::string> found;
+    for (const Definition& definition : definitions(text, type))
+        if (!definition.unnamed) found.insert(definition.name);
+    return found;
+}
+
+std::vector<Definition> defined_constants(const std::string& text) {
+    static const std::regex constant(
+        R"((?:inline |static )?(?:constexpr|const) [\w:<>,*& ]*?[ *&](\w+)(?:\[\w*\])?(?: = |\{).*)");
+    return definitions(text, constant);
 }
 
 /// The projects for simulators have separate main programs, which are never linked together.
@@ -52,6 +74,33 @@ TEST(Types, AreDefinedOnceInANamespace) {
     }
     EXPECT_GT(places.size(), 1000U);
     for (const auto& [type, files] : places) EXPECT_THAT(files, ::testing::SizeIs(1)) << type;
+}
+
+/// Builds compile several sources of a component together. A constant without linkage would hide the one of a header
+/// from the sources behind it, and no compiler reports this.
+TEST(Constants, OfSourcesHaveOtherNamesThanThoseOfHeaders) {
+    std::set<std::string> of_headers;
+    for (const std::string& file : program_files())
+        if (file.ends_with(".hpp"))
+            for (const Definition& constant : defined_constants(read_contents(root() / file)))
+                of_headers.insert(constant.name);
+    EXPECT_GT(of_headers.size(), 100U);
+    for (const std::string& file : program_files())
+        if (file.ends_with(".cpp"))
+            for (const Definition& constant : defined_constants(read_contents(root() / file)))
+                EXPECT_FALSE(constant.unnamed && of_headers.contains(constant.name)) << file << ": " << constant.name;
+}
+
+TEST(Constants, AreFoundWithTheirNamespaces) {
+    const auto found = defined_constants(
+        "namespace a {\ninline constexpr std::size_t most = 3;\nnamespace {\nconstexpr const char* word = \"x\";\n"
+        "const std::vector<int> list{1};\n    constexpr int local = 1;\n}  // namespace\n}  // namespace a\n");
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[0].name, "a::most");
+    EXPECT_FALSE(found[0].unnamed);
+    EXPECT_EQ(found[1].name, "a::word");
+    EXPECT_TRUE(found[1].unnamed);
+    EXPECT_EQ(found[2].name, "a::list");
 }
 
 TEST(Types, AreFoundInNamedNamespaces) {
