@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"RuleWithoutHyphen", "explain RCW07", 0, "RC-W07: "},
         Row{"RuleWithoutPrefix", "explain W17", 0, "RC-W17: "},
         Row{"RuleInSmallLetters", "explain rc-w17", 0, "RC-W17: "},
-        Row{"RulesOfOneNumber", "explain p01", 4, "; there are CSPM-P01, PRISM-P01, RC-P01, SLEEC-P01"},
+        Row{"RulesOfOneNumber", "explain p01", 4, "; there are CLM-P01, CSPM-P01, PRISM-P01, RC-P01, SLEEC-P01"},
         Row{"MisspeltRule", "explain RC-W077", 4, "did you mean 'RC-W07'?"},
         Row{"WarningWithoutPrefix", "check claimed --allow w19", 0, "hold"},
         Row{"MisspeltChoice", "check claimed --format jsn", 4, "did you mean 'json'?"},
