@@ -131,7 +131,7 @@ private:
 }  // namespace
 
 std::optional<TestedNumbers> tested_numbers(const ir::System& system, const ir::Instantiation& instantiation,
-                                                const ir::ComponentRef& ref) {
+                                            const ir::ComponentRef& ref) {
     diagnostics::Diagnostics quiet;
     const auto component = cpp_emit::resolve_component(system, instantiation, ref, quiet);
     if (!component) return std::nullopt;

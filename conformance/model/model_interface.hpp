@@ -29,6 +29,6 @@ struct ModelInterface {
 
 /// What the component does with numbers. No value if no C++ can be generated for it.
 [[nodiscard]] std::optional<TestedNumbers> tested_numbers(const ir::System&, const ir::Instantiation&,
-                                                              const ir::ComponentRef&);
+                                                          const ir::ComponentRef&);
 
 }  // namespace robochart::conformance

@@ -10,8 +10,8 @@
 namespace robochart::conformance {
 
 /// The instantiation with further reals between, below and above the constants with which the component compares reals.
-/// The scale is finer, so that there is room. The instantiation itself if the component does not compare reals with
-/// constants, or if the numbers would not fit.
+/// The scale is finer, so that there are numbers between them. The instantiation itself if the component does not
+/// compare reals with constants, or if the numbers would not fit.
 [[nodiscard]] ir::Instantiation with_more_numbers(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&);
 
 }  // namespace robochart::conformance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims of claims files: their verdicts, what is told, what they rest on.
+// Claims of claims files: their verdicts, how they are explained, what they rest on.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
