@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells why a run breaks a claim: what began, what the claim demands, and what broke it (docs/claims.md, "What is
-// explained").
+// Tells why a run breaks a claim: what began, what the claim demands, and what broke it (docs/claims.md,
+// "Answers").
 #pragma once
 
 #include <cstdint>

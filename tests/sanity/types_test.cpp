@@ -85,10 +85,11 @@ TEST(Constants, OfSourcesHaveOtherNamesThanThoseOfHeaders) {
             for (const Definition& constant : defined_constants(read_contents(root() / file)))
                 of_headers.insert(constant.name);
     EXPECT_GT(of_headers.size(), 100U);
-    for (const std::string& file : program_files())
-        if (file.ends_with(".cpp"))
-            for (const Definition& constant : defined_constants(read_contents(root() / file)))
-                EXPECT_FALSE(constant.unnamed && of_headers.contains(constant.name)) << file << ": " << constant.name;
+    for (const std::string& file : program_files()) {
+        if (!file.ends_with(".cpp")) continue;
+        for (const Definition& constant : defined_constants(read_contents(root() / file)))
+            EXPECT_FALSE(constant.unnamed && of_headers.contains(constant.name)) << file << ": " << constant.name;
+    }
 }
 
 TEST(Constants, AreFoundWithTheirNamespaces) {
