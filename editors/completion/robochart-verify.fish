@@ -82,7 +82,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l target -x -a 'library main ros2 enki argos' -d 'write a complete project for this platform to DIR/TARGET/COMPONENT'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l mapping -r -F -d 'with --target ros2: the messages and topics of operations, events and variables'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l license -x -d 'with --target ros2: the licence in package.xml'
-complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l maintainer -x -d 'with --target ros2: the maintainer in package.xml'
+complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l maintainer -x -d 'with --target ros2: the maintainer in package.xml, as \'NAME <EMAIL>\''
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l package-version -x -d 'with --target ros2: the version in package.xml'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l model-names -d 'with --target ros2: nodes, topics and launch files have the names of the model, not snake_case'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l strategy -x -a 'auto switch table' -d 'how generated code finds the reaction to an event: a switch over states and events, or a table; auto uses a table from five states on'
