@@ -8,9 +8,10 @@
 #include <algorithm>
 
 #include "checker/lts/transition_system.hpp"
-#include "checker/refine/verdict/counterexample.hpp"
+#include "checker/refine/verdict/verdict.hpp"
 #include "claims/monitor/account.hpp"
 #include "driver/model/project_claims.hpp"
+#include "driver/rules/endless_counterexample.hpp"
 #include "sleec/conformance/endless.hpp"
 
 namespace robochart::driver {
@@ -117,22 +118,9 @@ private:
             follow(account, context_.session.event_table().name(step.revealed));
         const std::vector<std::string> reasons = account.reasons_of_waiting();
         report_.reason = fmt::format("{}", fmt::join(reasons, "; "));
-        if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
-        refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};
-        for (const auto* steps : {&run.steps, &run.loop})
-            for (const sleec::EndlessStep& step : *steps)
-                violation.run.steps.push_back({step.event, step.revealed, {}});
-        refine::Budget budget(bounds);
-        refine::Violation again = refine::found_again(system, *system.reference(), violation, budget);
-        if (again.run.steps.size() != violation.run.steps.size()) return;
-        refine::Counterexample drawn = refine::make_counterexample({std::move(again), system.reference(), true});
-        const auto stem = static_cast<std::ptrdiff_t>(run.steps.size());
-        drawn.loop.assign(drawn.steps.begin() + stem, drawn.steps.end());
-        drawn.steps.resize(run.steps.size());
-        drawn.loop_terms.assign(drawn.terms.begin() + stem, drawn.terms.end());
-        drawn.terms.resize(run.steps.size() + 1);
-        drawn.kind = refine::ViolationKind::divergence;
-        report_.run = runs::interpret_counterexample(context_, obligation_, drawn);
+        const auto drawn = endless_counterexample(system, run, bounds);
+        if (!drawn) return;
+        report_.run = runs::interpret_counterexample(context_, obligation_, *drawn);
         tell(*report_.run, reasons);
         report_.reason.clear();
     }

@@ -8,10 +8,11 @@
 #include <memory>
 
 #include "checker/cspm/syntax/build.hpp"
-#include "checker/refine/verdict/counterexample.hpp"
+#include "checker/refine/verdict/verdict.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/interpreter.hpp"
 #include "csp_emit/assertion_forms.hpp"
+#include "driver/rules/endless_counterexample.hpp"
 #include "driver/settings/search_context.hpp"
 #include "sleec/analysis/explain.hpp"
 #include "sleec/obligations/open.hpp"
@@ -204,26 +205,10 @@ private:
         verdict.lines.push_back(fmt::format("from second {} on time can pass for ever without it{}", from, loop));
     }
 
-    /// Adds the infinite run to the verdict as steps of the terms from which the system was compiled. No run is added
-    /// if the system has no terms, or if a state represents several terms.
+    /// Adds the infinite run to the verdict, if it can be drawn.
     void draw_endless(lts::TransitionSystem& system, const sleec::EndlessRun& run, JudgedRule& judged) {
-        if (system.reference() == nullptr || !system.reference()->states_are_terms()) return;
-        refine::Violation violation{refine::ViolationKind::trace, {}, {}, std::nullopt, true};
-        for (const auto* steps : {&run.steps, &run.loop})
-            for (const sleec::EndlessStep& step : *steps)
-                violation.run.steps.push_back({step.event, step.revealed, {}});
-        const refine::Limits bounds = limits_of_check(of_.search_);
-        refine::Budget budget(bounds);
-        refine::Violation again = refine::found_again(system, *system.reference(), violation, budget);
-        if (again.run.steps.size() != violation.run.steps.size()) return;
-        refine::Counterexample drawn = refine::make_counterexample({std::move(again), system.reference(), true});
-        const auto stem = static_cast<std::ptrdiff_t>(run.steps.size());
-        drawn.loop.assign(drawn.steps.begin() + stem, drawn.steps.end());
-        drawn.steps.resize(run.steps.size());
-        drawn.loop_terms.assign(drawn.terms.begin() + stem, drawn.terms.end());
-        drawn.terms.resize(run.steps.size() + 1);
-        drawn.kind = refine::ViolationKind::divergence;
-        add_run(drawn, judged);
+        if (const auto drawn = endless_counterexample(system, run, limits_of_check(of_.search_)))
+            add_run(*drawn, judged);
     }
 
     /// " (model.rct:12)": the declaration of the event or operation.

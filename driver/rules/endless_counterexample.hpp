@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws endless runs: rules and claims that demand an event without a limit are broken by a run that never has it.
+#pragma once
+
+#include <optional>
+
+#include "checker/lts/transition_system.hpp"
+#include "checker/refine/search/limits.hpp"
+#include "checker/refine/verdict/verdict.hpp"
+#include "sleec/conformance/endless.hpp"
+
+namespace robochart::driver {
+
+/// The run as steps of the terms from which the system was compiled, with the repeated steps as its loop. No value if
+/// the system has no terms, or if a state represents several terms. Throws process::Interrupted at a limit.
+[[nodiscard]] std::optional<refine::Counterexample> endless_counterexample(lts::TransitionSystem& system,
+                                                                           const sleec::EndlessRun& run,
+                                                                           const refine::Limits& bounds);
+
+}  // namespace robochart::driver
