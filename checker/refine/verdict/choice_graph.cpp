@@ -127,17 +127,17 @@ std::vector<StateIndex> ChoiceGraph::tau_closure(StateIndex operand) {
     return members;
 }
 
-/// Rule 3 at the head of choice_graph.hpp.
+/// Rule 3 at the head of choice_graph.hpp. Whether an operand can tick does not follow from its minimal acceptances,
+/// because the empty acceptance of another of its states is a part of {tick}.
 std::vector<EventSet> ChoiceGraph::choice_acceptances(const Whole& whole) {
     std::vector<EventSet> joint{{}};
-    bool terminates = false;
     for (const std::vector<StateIndex>& members : whole.reached) {
         std::vector<EventSet> own;
         for (const StateIndex member : members) std::ranges::move(acceptances(member), std::back_inserter(own));
-        terminates = std::erase_if(own, is_termination) > 0 || terminates;
+        std::erase_if(own, is_termination);
         joint = unions(joint, minimal_sets(std::move(own), budget_), budget_);
     }
-    if (terminates) joint.push_back({process::tick});
+    if (!with_event(whole.edges, process::tick).empty()) joint.push_back({process::tick});
     return minimal_sets(std::move(joint), budget_);
 }
 

@@ -11,7 +11,7 @@
 //   3. It has the acceptance {tick} if some Qi can tick (stability.hpp). Otherwise it is stable iff all Qi are stable,
 //      and it accepts the union of their acceptances. So the acceptances of the choice are {tick}, if an operand has
 //      it, and the unions of one other acceptance of each operand. A union grows with its parts, so the minimal
-//      acceptances of the operands suffice to compute the minimal ones of the choice.
+//      acceptances of the operands, and whether they can tick, suffice to compute the minimal ones of the choice.
 //   4. An infinite sequence of taus contains infinitely many taus of one operand. So the choice diverges iff an operand
 //      diverges.
 //

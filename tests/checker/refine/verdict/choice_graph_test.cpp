@@ -98,6 +98,10 @@ TEST_F(Choices, TerminateIfAnOperandDoes) {
     EXPECT_THAT(acceptances(all({any({s.skip(), event("a")}), event("b")})),
                 UnorderedElementsAre(ElementsAre(tick), ElementsAre("a", "b")));
     EXPECT_THAT(acceptances(all({s.skip(), any({event("a"), event("b")})})), ElementsAre(ElementsAre(tick)));
+    // The inner choice may stop or terminate: its only minimal acceptance is empty.
+    const TermId inner = all({stop, any({s.skip(), stop})});
+    EXPECT_THAT(acceptances(inner), ElementsAre(IsEmpty()));
+    EXPECT_THAT(acceptances(all({inner, event("a")})), UnorderedElementsAre(ElementsAre(tick), ElementsAre("a")));
 }
 
 TEST_F(Choices, DivergeIfAnOperandDoes) {
