@@ -33,7 +33,8 @@ std::string reason_text(ir::KeepReason why, const std::string& expr) {
         case contract:
             return fmt::format("`{}` is a precondition or postcondition of an operation", expr);
         case form:
-            return fmt::format("`{}` is neither linear nor about windows of a sequence", expr);
+            return fmt::format("`{}` is neither linear nor about windows of a sequence, and {}", expr,
+                               ir::has_solver() ? "Z3 finds no classes" : "this program was built without Z3");
         case many:
             return "there are more than 64 conditions or 256 classes";
         case computed:

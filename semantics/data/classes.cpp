@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "semantics/data/linear.hpp"
+#include "semantics/data/solver.hpp"
 #include "semantics/data/windows.hpp"
 #include "semantics/evaluate/carrier.hpp"
 
@@ -106,7 +107,9 @@ std::optional<std::vector<Value>> Division::sequence_candidates() const {
 
 std::optional<std::vector<Value>> Division::candidates() const {
     if (uses_.conditions.empty()) return std::vector<Value>{};
-    return system_.type(type_).kind == TypeKind::sequence ? sequence_candidates() : linear_candidates();
+    if (system_.type(type_).kind == TypeKind::sequence) return sequence_candidates();
+    auto result = linear_candidates();
+    return result ? result : solve_answers(system_, sampling_, type_, uses_.conditions);
 }
 
 /// True for a value that no transition takes.
@@ -293,17 +296,6 @@ bool is_replaceable(const System& system, TypeId id) {
     return has({TypeKind::nat, TypeKind::integer, TypeKind::real, TypeKind::string, TypeKind::given,
                 TypeKind::sequence}) &&
            !has({TypeKind::function, TypeKind::relation, TypeKind::matrix});
-}
-
-Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
-               const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers) {
-    Value result = default_value(system, instantiation, type);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        Value* at = &result;
-        for (const std::size_t part : components[i].path) at = &at->parts.at(part);
-        at->number = numbers[i];
-    }
-    return result;
 }
 
 bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type, const Expr& condition) {

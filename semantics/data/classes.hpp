@@ -28,10 +28,6 @@ struct ValueClasses {
 /// value_text cannot show.
 [[nodiscard]] bool is_replaceable(const System& system, TypeId type);
 
-/// The default value of the type with these numbers, in units, in its components.
-[[nodiscard]] Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
-                             const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers);
-
 /// Whether a condition that reads only one place, which has this type, has a form that divides its values into classes.
 [[nodiscard]] bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type,
                               const Expr& condition);

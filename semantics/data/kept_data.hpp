@@ -30,6 +30,9 @@ enum class KeepReason {
     observed        ///< a claim observes values of events; no place
 };
 
+/// True if this program was built with Z3, which finds classes for conditions that are not linear.
+[[nodiscard]] bool has_solver();
+
 /// The reason with its expression.
 struct Keep {
     KeepReason why = KeepReason::type;

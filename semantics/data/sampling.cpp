@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "semantics/data/inlining.hpp"
+#include "semantics/evaluate/carrier.hpp"
 #include "semantics/evaluate/evaluator.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/evaluate/toolkit.hpp"
@@ -133,6 +134,17 @@ std::optional<Value> Sampling::closed_value(MachineId machine, const Expr& expr)
         } catch (const std::length_error&) {
             return std::nullopt;
         }
+    }
+    return result;
+}
+
+Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
+               const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers) {
+    Value result = default_value(system, instantiation, type);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        Value* at = &result;
+        for (const std::size_t part : components[i].path) at = &at->parts.at(part);
+        at->number = numbers[i];
     }
     return result;
 }

@@ -11,12 +11,17 @@
 #include "semantics/evaluate/environment.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
+#include "semantics/ir/number_parts.hpp"
 
 namespace robochart::ir {
 
 /// Whether a call may be undefined: a precondition may be false, or no result may satisfy the postconditions. Calls
 /// that inline_calls() replaces are no calls any more.
 [[nodiscard]] bool may_have_no_value(const Function& function);
+
+/// The default value of the type with these numbers, in units, in its components.
+[[nodiscard]] Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
+                             const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers);
 
 /// Expressions of a system, evaluated without bounds.
 class Sampling {
