@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number of rounds of random tests.
+// The number of rounds of random tests, and the sizes of extreme inputs.
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 
 namespace robochart::tests {
 
@@ -18,10 +19,17 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
-/// `usual`, or a sixth of it under AddressSanitizer, where each round takes several times as long. There the tests look
-/// for memory errors, which a few rounds show; other builds check the results.
-constexpr std::size_t rounds(std::size_t usual) {
+/// `usual`, or a sixth of it under AddressSanitizer, where the work takes several times as long.
+constexpr std::size_t size_of_input(std::size_t usual) {
     return sanitized ? (usual + 5) / 6 : usual;
+}
+
+/// A part of `all` rounds: a third, or a sixth under AddressSanitizer, where the tests look for memory errors, which a
+/// few rounds show. All of them if the environment has ROBOCHART_ALL_ROUNDS, which `tests/long.sh rounds` sets.
+inline std::size_t rounds(std::size_t all) {
+    if (std::getenv("ROBOCHART_ALL_ROUNDS") != nullptr) return all;
+    const std::size_t parts = sanitized ? 6 : 3;
+    return (all + parts - 1) / parts;
 }
 
 }  // namespace robochart::tests

@@ -39,6 +39,13 @@ function(unite target)
   endforeach()
 endfunction()
 
+# The number of cases of each law that RapidCheck tries (100 if it is not set). Under sanitizers, a few show the faults of
+# memory; `tests/long.sh rounds` tries all.
+set(law_cases 40)
+if(ROBOCHART_SANITIZE)
+  set(law_cases 12)
+endif()
+
 # Optimisation of tests took half of a cold build, and their own code takes little time to run.
 set(test_options -O0)
 
@@ -83,7 +90,8 @@ function(robochart_tests name)
   target_compile_options(tests_${name} PRIVATE ${test_options})
   precompile_tests(tests_${name})
   target_link_libraries(tests_${name} PRIVATE ${TESTS_DEPENDS} robochart_source_folder GTest::gtest GTest::gmock GTest::gtest_main)
-  gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(tests_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120 
+    PROPERTIES TIMEOUT 600 ENVIRONMENT "RC_PARAMS=max_success=${law_cases}")
 endfunction()
 
 # robochart_embed_texts(RESULT FOLDER folder HEADER header NAMESPACE n FUNCTION f): generates a source that contains the

@@ -70,14 +70,14 @@ Shape small_shape(std::uint64_t seed) {
 }
 
 TEST(Semantics, TakesOrRefusesWellFormedModels) {
-    for (const std::uint64_t seed : random_models::seeds(tests::rounds(24)))
+    for (const std::uint64_t seed : random_models::seeds(24))
         EXPECT_EQ(run_semantics(bytes_of(random_models::well_formed(seed, small_shape(seed)))), "") << "seed " << seed;
 }
 
 TEST(Semantics, TakesOrRefusesNearlyWellFormedModels) {
     const std::vector<Project> projects = kept_projects();
     ASSERT_GE(projects.size(), 40U);
-    for (const std::uint64_t seed : random_models::seeds(tests::rounds(160))) {
+    for (const std::uint64_t seed : random_models::seeds(160)) {
         random_models::Random random(seed);
         const Project base =
             random.chance(50) ? random_models::well_formed(seed, small_shape(seed)) : random.pick(projects);

@@ -21,7 +21,7 @@ using process::Op;
 using process::Scripted;
 
 /// Random compositions with more states are skipped.
-constexpr std::size_t too_many = robochart::tests::rounds(20'000);
+constexpr std::size_t too_many = robochart::tests::size_of_input(20'000);
 
 lts::Graph graph_of(lts::TransitionSystem& system) {
     return lts::graph_of(system, too_many);

@@ -24,7 +24,7 @@ using testing::lengthened;
 using testing::respaced;
 
 TEST(FormatLaws, HoldOverAllTexts) {
-    EXPECT_GT(examples().size(), 100U);
+    EXPECT_GT(examples().size(), tests::size_of_input(100));
     for (const Example& example : examples()) expect_laws(example);
 }
 
@@ -129,7 +129,7 @@ std::string machines(std::size_t count) {
 
 /// If formatting takes more than linear time, the test exceeds its time limit.
 TEST(FormatLaws, LongFilesTakeLinearTime) {
-    EXPECT_FALSE(formatted(machines(tests::rounds(30'000))).empty());  // 150,000 lines
+    EXPECT_FALSE(formatted(machines(tests::size_of_input(30'000))).empty());  // 150,000 lines
 }
 
 TEST(FormatLaws, LongRunsOfBlanksAndLongLinesTakeLinearTime) {

@@ -109,7 +109,7 @@ std::size_t expect_the_same(Project project, std::size_t edits, Random& random) 
 
 TEST(Incremental, RandomProjectsAreResolvedAsAnew) {
     std::size_t left_others = 0;
-    for (const std::uint64_t seed : random_models::seeds(tests::rounds(6))) {
+    for (const std::uint64_t seed : random_models::seeds(6)) {
         if (HasFailure()) break;
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);

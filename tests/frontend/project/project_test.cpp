@@ -73,7 +73,7 @@ TEST_F(Project, GarbageIsAnError) {
                                "ELF\x02\x01\0\0\0",
                                9));
     EXPECT_EQ(load("a.rct"), "a.rct RC-P08 ");
-    write("a.rct", std::string(tests::rounds(10'000'000), 'x'));
+    write("a.rct", std::string(tests::size_of_input(10'000'000), 'x'));
     EXPECT_EQ(load("a.rct"), "a.rct RC-P01 ");
     EXPECT_LT(reading_->report().size(), 2000U);
 }

@@ -13,8 +13,8 @@ namespace {
 using testing::read;
 using testing::resolved;
 
-constexpr std::size_t deep = tests::rounds(100'000);
-constexpr std::size_t megabytes = tests::rounds(4'000'000);
+constexpr std::size_t deep = tests::size_of_input(100'000);
+constexpr std::size_t megabytes = tests::size_of_input(4'000'000);
 
 std::string times(std::size_t n, const std::string& text) {
     std::string out;

@@ -262,7 +262,7 @@ TEST_F(Checks, FaultsOfEvaluationPass) {
 
 // The sizes are such that a quadratic search would take too long: a long tau path, and a cycle through all its states.
 TEST_F(Checks, DivergenceIsFoundInLinearTime) {
-    constexpr int length = static_cast<int>(tests::rounds(8000));
+    constexpr int length = static_cast<int>(tests::size_of_input(8000));
     TermId line = stop;
     for (int i = 0; i < length; ++i) line = either(line, line);
     process::TermSystem path = system(line);
