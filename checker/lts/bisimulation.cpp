@@ -2,7 +2,7 @@
 // The states of a block have the same signature: their events and the blocks of the targets, and for the branching
 // equivalence also those that are reached through taus inside the block (inert taus). If targets have moved to another
 // block, the signatures are recomputed and the block is split. Its largest part keeps the number of the block, so a
-// state moves at most log n times.
+// state moves at most log n times. Signatures are compared by hash first; parts are in the order of their first states.
 #include "checker/lts/bisimulation.hpp"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "base/diagnostics/containers.hpp"
@@ -20,9 +21,56 @@ namespace {
 
 using Block = std::uint32_t;
 using Signature = std::vector<Edge>;  // targets are blocks; ascending
+using States = std::vector<StateIndex>;
 
 /// In a signature: the state can perform taus forever.
 constexpr StateIndex endless = no_state;
+
+/// States of one block that have the same signature.
+struct Part {
+    Signature signature;
+    States states;
+};
+
+std::uint64_t hash_of(const Signature& signature) {
+    std::uint64_t hash = signature.size();
+    for (const Edge& edge : signature) {
+        hash ^= std::uint64_t{edge.event} << 32U | edge.target;
+        hash *= 0x9E3779B97F4A7C15U;
+        hash ^= hash >> 29U;
+    }
+    return hash;
+}
+
+/// The parts into which the states of a block are divided, in the order in which they were added. References to parts
+/// remain valid.
+class Parts {
+public:
+    Part& with_signature(Signature signature) {
+        const std::uint64_t hash = hash_of(signature);
+        const auto [first, last] = by_hash_.equal_range(hash);
+        for (auto entry = first; entry != last; ++entry)
+            if (parts_[entry->second].signature == signature) return parts_[entry->second];
+        by_hash_.emplace(hash, parts_.size());
+        return parts_.emplace_back(Part{std::move(signature), {}});
+    }
+    [[nodiscard]] std::deque<Part>& list() { return parts_; }
+
+private:
+    std::deque<Part> parts_;
+    std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // looked up only, so its order has no effect
+};
+
+/// Sorts edges that are ascending by event, without duplicates.
+void sort_by_target(Signature& signature) {
+    for (auto first = signature.begin(); first != signature.end();) {
+        const auto last =
+            std::find_if(first, signature.end(), [&](const Edge& edge) { return edge.event != first->event; });
+        if (last - first > 1) std::sort(first, last);
+        first = last;
+    }
+    signature.erase(std::unique(signature.begin(), signature.end()), signature.end());
+}
 
 class Refinement {
 public:
@@ -37,13 +85,12 @@ public:
     [[nodiscard]] const Signature& signature(Block block) const { return signatures_[block]; }
 
 private:
-    using States = std::vector<StateIndex>;
-
     void reverse_edges();
     void mark_dirty(StateIndex state);
     void refine(Block block);
-    [[nodiscard]] Signature signature_of(StateIndex state, const std::map<StateIndex, const Signature*>& fresh) const;
-    void split(Block block, std::map<Signature, States>& groups, bool clean_states);
+    [[nodiscard]] Signature signature_of(StateIndex state) const;
+    void split(Block block, Parts& parts, bool clean_states);
+    void add_clean_states(Block block, Parts& parts, Part& with_clean);
     void move_states(const States& states, Block to);
     void leave_block(StateIndex state);
     States take_dirty(Block block);
@@ -55,7 +102,8 @@ private:
     std::vector<States> members_;
     std::vector<std::size_t> place_;  // index in its block's members
     std::vector<Signature> signatures_;
-    std::vector<States> dirty_;  // by block
+    std::vector<const Signature*> fresh_;  // of the states of the block that is refined whose signature is recomputed
+    std::vector<States> dirty_;            // by block
     std::vector<bool> is_dirty_;
     std::deque<Block> work_;
     std::vector<std::uint64_t> first_source_;
@@ -80,6 +128,7 @@ void Refinement::run() {
     dirty_.resize(1);
     signatures_.resize(1);
     is_dirty_.assign(graph_.size(), true);
+    fresh_.assign(graph_.size(), nullptr);
     for (StateIndex state = 0; state < graph_.size(); ++state) {
         place_.push_back(state);
         members_[0].push_back(state);
@@ -113,7 +162,7 @@ void Refinement::mark_dirty(StateIndex state) {
 
 /// Returns the marked states that are still in the block, sorted so that targets of inert taus come first. If tau
 /// components are single states with suitable numbers (see minimise), this is the order of their numbers.
-Refinement::States Refinement::take_dirty(Block block) {
+States Refinement::take_dirty(Block block) {
     States states = std::exchange(dirty_[block], {});
     std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
     std::ranges::sort(states);
@@ -125,76 +174,80 @@ Refinement::States Refinement::take_dirty(Block block) {
 void Refinement::refine(Block block) {
     const States dirty = take_dirty(block);
     if (dirty.empty()) return;
-    std::map<Signature, States> groups;
-    std::map<StateIndex, const Signature*> fresh;
+    Parts parts;
     for (StateIndex state : dirty) {
         budget_.poll();
-        const auto group = groups.try_emplace(signature_of(state, fresh)).first;
-        group->second.push_back(state);
-        if (branching_) fresh[state] = &group->first;
+        Part& part = parts.with_signature(signature_of(state));
+        part.states.push_back(state);
+        fresh_[state] = &part.signature;
     }
-    split(block, groups, dirty.size() < members_[block].size());
+    for (StateIndex state : dirty) fresh_[state] = nullptr;
+    split(block, parts, dirty.size() < members_[block].size());
 }
 
-Signature Refinement::signature_of(StateIndex state, const std::map<StateIndex, const Signature*>& fresh) const {
+Signature Refinement::signature_of(StateIndex state) const {
     Signature result;
     const Block own = block_[state];
+    bool by_event = true;
     for (const Edge& edge : graph_.edges(state)) {
         const bool inert = branching_ && edge.event == tau && block_[edge.target] == own;
         if (!inert) {
+            by_event = by_event && (result.empty() || result.back().event <= edge.event);
             result.push_back({edge.event, block_[edge.target]});
         } else if (edge.target == state) {
+            by_event = by_event && result.empty();
             result.push_back({tau, endless});
         } else {
             assert(edge.target < state);  // the signature of the target is up to date
-            const auto known = fresh.find(edge.target);
-            const Signature& through = known != fresh.end() ? *known->second : signatures_[own];
+            const Signature& through = fresh_[edge.target] != nullptr ? *fresh_[edge.target] : signatures_[own];
+            by_event = by_event && result.empty();
             result.insert(result.end(), through.begin(), through.end());
         }
     }
-    diagnostics::sort_unique(result);
+    if (by_event)
+        sort_by_target(result);
+    else
+        diagnostics::sort_unique(result);
     return result;
 }
 
-void Refinement::split(Block block, std::map<Signature, States>& groups, bool clean_states) {
-    // All unmarked states still have the signature of the block, so they join the group with this signature.
-    States* with_clean = nullptr;
+/// All unmarked states still have the signature of the block.
+void Refinement::add_clean_states(Block block, Parts& parts, Part& with_clean) {
+    std::vector<bool> computed(members_[block].size(), false);
+    for (const Part& part : parts.list())
+        for (StateIndex state : part.states) computed[place_[state]] = true;
+    for (std::size_t i = 0; i < members_[block].size(); ++i)
+        if (!computed[i]) with_clean.states.push_back(members_[block][i]);
+    std::ranges::sort(with_clean.states);
+}
+
+void Refinement::split(Block block, Parts& parts, bool clean_states) {
     std::size_t clean = members_[block].size();
-    for (const auto& [signature, states] : groups) clean -= states.size();
+    for (const Part& part : parts.list()) clean -= part.states.size();
     assert(clean_states == (clean > 0));
-    if (clean_states) with_clean = &groups[signatures_[block]];
-    const auto weight = [&](const States& states) { return states.size() + (&states == with_clean ? clean : 0); };
-    auto largest = groups.begin();
-    for (auto group = groups.begin(); group != groups.end(); ++group)
-        if (weight(group->second) > weight(largest->second)) largest = group;
-    if (with_clean != nullptr && &largest->second != with_clean) {
-        std::vector<bool> computed(members_[block].size(), false);
-        for (const auto& [signature, states] : groups)
-            for (StateIndex state : states) computed[place_[state]] = true;
-        const States all = members_[block];
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (!computed[i]) with_clean->push_back(all[i]);
-        std::ranges::sort(*with_clean);
-    }
-    assert(largest != groups.end() && weight(largest->second) > 0);
-    signatures_[block] = largest->first;
-    std::vector<const States*> moved;
-    for (auto group = groups.begin(); group != groups.end(); ++group) {
-        if (group == largest) continue;
+    Part* const with_clean = clean_states ? &parts.with_signature(signatures_[block]) : nullptr;
+    const auto weight = [&](const Part& part) { return part.states.size() + (&part == with_clean ? clean : 0); };
+    const auto largest = std::ranges::max_element(parts.list(), {}, weight);
+    if (with_clean != nullptr && &*largest != with_clean) add_clean_states(block, parts, *with_clean);
+    assert(weight(*largest) > 0);
+    signatures_[block] = largest->signature;
+    for (const Part& part : parts.list()) {
+        if (&part == &*largest) continue;
         const auto to = static_cast<Block>(members_.size());
         members_.emplace_back();
         dirty_.emplace_back();
-        signatures_.push_back(group->first);
-        move_states(group->second, to);
-        moved.push_back(&group->second);
+        signatures_.push_back(part.signature);
+        move_states(part.states, to);
     }
     assert(dirty_.size() == members_.size() && signatures_.size() == members_.size());
-    for (const States* states : moved)
-        for (StateIndex state : *states) {
+    for (const Part& part : parts.list()) {
+        if (&part == &*largest) continue;
+        for (StateIndex state : part.states) {
             if (branching_) mark_dirty(state);
             for (std::uint64_t i = first_source_[state]; i < first_source_[state + 1U]; ++i)
                 mark_dirty(sources_[i].first);
         }
+    }
 }
 
 void Refinement::leave_block(StateIndex state) {
