@@ -6,5 +6,5 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 cmake --preset release -DROBOCHART_TESTS=ON > /dev/null
 cmake --build --preset release
-build/release/tests/checker/refine/tests_refine --gtest_filter='Laws.*'  # ctest tries fewer cases of them
+RC_PARAMS=max_success=300 build/release/tests/checker/refine/tests_refine --gtest_filter='Laws.*'
 ROBOCHART_ALL_ROUNDS=1 ctest --preset release -j "$(nproc)" "$@"
