@@ -19,6 +19,7 @@
 #include "cpp_emit/plan/unsupported.hpp"
 #include "cpp_emit/project.hpp"
 #include "cpp_emit/ros2/mapping.hpp"
+#include "cpp_emit/ros2/mapping_draft.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -137,6 +138,10 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
         return emission;
     }
     const ClassApi api = make_class_api(generation);
+    if (options.mapping_draft) {
+        emission.files.push_back({component->cpp_name + ".ros2", ros2::mapping_draft(generation, api), true});
+        return emission;
+    }
     for (const ApiClass& base : api.bases)
         emission.files.push_back({base.cpp_name + ".hpp", interface_header(generation, core, api, base)});
     const OutputFile rest[] = {

@@ -158,6 +158,7 @@ struct CodeOptions {
     std::string mapping;                                          ///< --target ros2: file that assigns messages
     cpp_emit::PackageFacts package;                               ///< --target ros2
     bool package_given = false;                                   ///< an option sets a member of `package`
+    bool mapping_draft = false;                                   ///< --target ros2: only a mapping to start from
     bool model_names = false;                                     ///< --target ros2: no snake_case
     cpp_emit::Strategy strategy = cpp_emit::Strategy::automatic;  ///< how the code finds the effect of an event
     std::map<std::string, std::size_t> capacities;                ///< capacities of lists, by event or variable

@@ -321,6 +321,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
     generator.capacities = options.code.capacities;
     generator.package = options.code.package;
     generator.model_names = options.code.model_names;
+    generator.mapping_draft = options.code.mapping_draft;
     std::optional<cpp_emit::ros2::Mapping> mapping;
     if (!options.code.mapping.empty()) {
         mapping = read_mapping(project, options);
@@ -672,6 +673,8 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
     if (options.output.phase != Phase::none) return print_phases(parts, options);
     if (!options.code.mapping.empty() && options.code.target != cpp_emit::Target::ros2)
         throw UsageError("--mapping needs --target ros2");
+    if (options.code.mapping_draft && (options.code.target != cpp_emit::Target::ros2 || !options.code.mapping.empty()))
+        throw UsageError("--mapping-draft needs --target ros2 and no --mapping");
     if ((options.code.package_given || options.code.model_names) && options.code.target != cpp_emit::Target::ros2)
         throw UsageError("--license, --maintainer, --package-version and --model-names need --target ros2");
     if (!options.conform.traces.empty() && is_requested(options, Format::junit))

@@ -156,6 +156,29 @@ std::vector<std::string> fields_of(std::string_view message) {
     return names;
 }
 
+std::vector<std::string> known_messages() {
+    std::vector<std::string> result;
+    for (const FieldRow& row : rows)
+        if (!row.message.starts_with("std_srvs/")) result.emplace_back(row.message);
+    return result;
+}
+
+std::vector<Leaf> leaves_of(std::string_view message) {
+    std::vector<Leaf> result;
+    const FieldRow* const row = row_of(message);
+    if (row == nullptr) return result;
+    each_field(*row, [&](std::string_view name, std::string_view written) {
+        if (written == "std_msgs/Header") return;
+        const FieldType type = type_of(written);
+        if (type.kind != FieldKind::message) {
+            result.push_back({std::string(name), type});
+            return;
+        }
+        for (const Leaf& leaf : leaves_of(written)) result.push_back({std::string(name) + "." + leaf.path, leaf.type});
+    });
+    return result;
+}
+
 FoundField find_field(const MessageName& message, const Path& path) {
     const FieldRow* row = row_of(message.full_name());
     FoundField found{{}, path.words.size(), row == nullptr ? "" : row->message};

@@ -35,6 +35,16 @@ struct FieldType {
 /// The names of the fields of a message in the table; `message` is like "geometry_msgs/Vector3".
 [[nodiscard]] std::vector<std::string> fields_of(std::string_view message);
 
+/// A field that is no message itself, with its path: "linear.x".
+struct Leaf {
+    std::string path;
+    FieldType type;
+};
+/// The messages in the table, services excluded: "geometry_msgs/Vector3".
+[[nodiscard]] std::vector<std::string> known_messages();
+/// The leaves of a message in the table, except those of its header. Recursion depth: the depth of messages.
+[[nodiscard]] std::vector<Leaf> leaves_of(std::string_view message);
+
 /// The field at the end of a path. Fields of a message that is not in the table are unknown.
 struct FoundField {
     FieldType type;

@@ -7,9 +7,21 @@
 #include <vector>
 
 #include "cpp_emit/ros2/messages.hpp"
-#include "cpp_emit/ros2/node_plan.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit::ros2 {
+
+/// The conversion between a scalar of the model and a field.
+enum class ScalarKind { truth, nat, integer, real, enumeration };
+
+/// A part of a value of the model that a message carries: "a0.x", "value.position.x".
+struct Scalar {
+    ScalarKind kind = ScalarKind::real;
+    ir::TypeId type;      ///< of the scalar, or of an item
+    std::string place;    ///< C++ expression relative to the value's root
+    std::string reading;  ///< for messages to the user: "speed", "value.x"
+    bool list = false;    ///< a sequence of such scalars, which an array carries
+};
 
 /// A value of the model to which a mapping refers: a parameter, or the value of an event or variable.
 struct ModelValue {

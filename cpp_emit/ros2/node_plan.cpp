@@ -10,6 +10,7 @@
 
 #include "base/diagnostics/spelling.hpp"
 #include "cpp_emit/plan/rules.hpp"
+#include "cpp_emit/ros2/elements.hpp"
 #include "cpp_emit/ros2/messages.hpp"
 #include "cpp_emit/ros2/model_values.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
@@ -21,45 +22,9 @@ namespace {
 
 using diagnostics::Span;
 
-/// An operation, event or variable at the component's boundary, in one direction.
-struct Element {
-    ElementKind kind = ElementKind::operation;
-    bool published = false;
-    std::string name;
-    const ApiOperation* operation = nullptr;
-    const ApiEvent* event = nullptr;
-    const ApiVariable* variable = nullptr;
-    Span span;
-    const Item* item = nullptr;  ///< the element's item in the mapping
-    const Deadline* deadline = nullptr;
-
-    [[nodiscard]] bool is_mapped() const { return item != nullptr || deadline != nullptr; }
-};
-
 std::string suggest_name(const std::string& name, const std::vector<std::string>& known) {
     const std::string meant = diagnostics::nearest_spelling(name, known);
     return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
-}
-
-std::vector<Element> elements_of(const Generation& generation, const ClassApi& api) {
-    std::vector<Element> result;
-    const Span whole = generation.component.origin.span;
-    each_class(api, [&](const ApiClass& part) {
-        for (const ApiEvent& event : part.events)
-            result.push_back({ElementKind::event, event.sent, event.port->model_name, nullptr, &event, nullptr, whole});
-        for (const ApiOperation& operation : part.operations)
-            if (!operation.modelled)
-                result.push_back({ElementKind::operation, true, operation.signature->name, &operation, nullptr, nullptr,
-                                  operation.signature->origin.span});
-        for (const ApiVariable& variable : part.variables) {
-            const ir::Variable& declared = *variable.stored->variable;
-            for (const bool published : {true, false})
-                if (published ? variable.stored->visible : variable.stored->external && variable.stored->has_member())
-                    result.push_back({ElementKind::variable, published, declared.name, nullptr, nullptr, &variable,
-                                      declared.origin.span});
-        }
-    });
-    return result;
 }
 
 bool is_modelled(const ClassApi& api, const std::string& name) {
@@ -312,27 +277,6 @@ private:
         quality.latched = delivery.latched.value_or(quality.latched);
         quality.depth = delivery.depth.value_or(quality.depth);
         return quality;
-    }
-
-    // ------------------------------------------------------------ values of the model
-
-    static std::optional<ir::TypeId> type_of(const Element& element) {
-        if (element.event != nullptr) return element.event->port->type;
-        if (element.variable != nullptr) return element.variable->stored->variable->type;
-        return std::nullopt;
-    }
-
-    static std::vector<ModelValue> values_of(const Element& element) {
-        std::vector<ModelValue> values;
-        if (element.operation != nullptr) {
-            const ir::OperationSignature& signature = *element.operation->signature;
-            for (std::size_t i = 0; i < signature.parameters.size(); ++i)
-                values.push_back({signature.parameter_names[i], fmt::format("a{}", i), signature.parameters[i]});
-        } else if (const auto type = type_of(element)) {
-            const bool sent = element.published && element.event != nullptr;
-            values.push_back({"value", sent ? "a0" : "value", *type});
-        }
-        return values;
     }
 
     // ------------------------------------------------------------ without a mapping

@@ -11,6 +11,7 @@
 #include "base/diagnostics/diagnostic.hpp"
 #include "cpp_emit/api/class_api.hpp"
 #include "cpp_emit/ros2/mapping.hpp"
+#include "cpp_emit/ros2/model_values.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
@@ -31,18 +32,6 @@ struct Topic {
     std::string member;    ///< member of the node and of the class that sends messages
     std::string user;      ///< the first element on the topic, for messages to the user
     bool service = false;  ///< a service, which an operation calls; its requests are published, its answers received
-};
-
-/// The conversion between a scalar of the model and a field.
-enum class ScalarKind { truth, nat, integer, real, enumeration };
-
-/// A part of a value of the model that a message carries: "a0.x", "value.position.x".
-struct Scalar {
-    ScalarKind kind = ScalarKind::real;
-    ir::TypeId type;      ///< of the scalar, or of an item
-    std::string place;    ///< C++ expression relative to the value's root
-    std::string reading;  ///< for messages to the user: "speed", "value.x"
-    bool list = false;    ///< a sequence of such scalars, which an array carries
 };
 
 /// A field that is filled with a scalar or a literal.

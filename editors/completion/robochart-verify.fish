@@ -81,6 +81,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit
 complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit monitor" "emit tests" "conform"' -l cycle -x -d 'time units of one control cycle'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l target -x -a 'library main ros2 enki argos' -d 'write a complete project for this platform to DIR/TARGET/COMPONENT'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l mapping -r -F -d 'with --target ros2: the messages and topics of operations, events and variables'
+complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l mapping-draft -d 'with --target ros2: write only a mapping to start from, COMPONENT.ros2; an existing one stays as it is'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l license -x -d 'with --target ros2: the licence in package.xml'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l maintainer -x -d 'with --target ros2: the maintainer in package.xml, as \'NAME <EMAIL>\''
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l package-version -x -d 'with --target ros2: the version in package.xml'
