@@ -20,6 +20,14 @@ bool only_explored(const std::string& path) {
            path == "main.cpp" || path == "CMakeLists.txt";
 }
 
+/// The start of a comment in a file with this name; "" if a line above its text would change its meaning.
+std::string_view comment_mark(std::string_view path) {
+    if (path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h")) return "// ";
+    if (path.ends_with(".py") || path.ends_with(".cmake") || path.ends_with(".yaml") || path.ends_with(".txt"))
+        return "# ";
+    return "";
+}
+
 class ProjectMaker {
 public:
     ProjectMaker(const Generation& generation, const Core& core, const ClassApi& api,
@@ -121,6 +129,17 @@ private:
             {headers + api_.cpp_name + "_messages.hpp", messages_header(generation_, core_, api_, *node_)});
         files_.push_back({headers + api_.cpp_name + "_node.hpp", node_header(generation_, core_, api_, *node_)});
         files_.push_back({"src/" + api_.cpp_name + "_node.cpp", node_source(generation_, core_, api_, *node_)});
+        add_license();
+    }
+
+    /// Puts the declared licence above each file, as REUSE and ament_copyright expect.
+    void add_license() {
+        const std::string& license = generation_.options.package.license;
+        if (license.empty()) return;
+        for (OutputFile& file : files_) {
+            const std::string_view mark = comment_mark(file.path);
+            if (!mark.empty()) file.text = fmt::format("{}SPDX-License-Identifier: {}\n{}", mark, license, file.text);
+        }
     }
 
     void add_robot() {

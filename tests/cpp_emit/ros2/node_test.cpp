@@ -908,6 +908,8 @@ TEST_F(Package, MayHaveTheNamesOfTheModel) {
     folder_.run(
         "grep -q '<version>1.20.3</version>' package.xml && grep -q '<license>Apache-2.0 OR MIT</license>' package.xml "
         "&& grep -q '<maintainer email=\"ada@example.org\">Ada &amp; &lt;co&gt;</maintainer>' package.xml");
+    folder_.run("head -n 1 src/SwarmTaxisFSM_node.cpp | grep -qx '// SPDX-License-Identifier: Apache-2.0 OR MIT'");
+    folder_.run("! find . -name '*.?pp' -o -name '*.py' -o -name 'CMakeLists.txt' | xargs grep -L SPDX | grep .");
 }
 
 TEST_F(Package, NamesWhatItNeeds) {
