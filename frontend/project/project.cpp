@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "base/diagnostics/files.hpp"
@@ -68,6 +69,7 @@ bool is_empty(const File& file) {
 struct Neighbour {
     fs::path path;
     bool readable = false;
+    bool simulates = false;  ///< claims about RoboSim that compare with components of RoboChart
     std::string package;
     std::set<std::string> declares;
     std::set<std::string> mentions;
@@ -82,6 +84,7 @@ Neighbour survey_file(const fs::path& path) {
     const auto file = read(sources, path, ignored);
     if (!file) return result;
     result.readable = true;
+    result.simulates = !file->simulations.empty();
     result.package = file->package.text();
     for (const auto& declaration : file->declarations) {
         result.declares.insert(declaration->name);
@@ -103,27 +106,70 @@ bool sets_overlap(const std::set<std::string>& a, const std::set<std::string>& b
     return std::ranges::any_of(a, [&](const std::string& x) { return b.contains(x); });
 }
 
+/// The names that the chosen files declare, by dialect and package.
+class Declared {
+public:
+    /// If claims about RoboSim compare with RoboChart, a name may mean a component of either dialect in any package. So
+    /// only files of the candidate's dialect and package make the candidate superfluous.
+    explicit Declared(const Neighbour& named) : apart_(named.simulates) {}
+
+    void add(const Neighbour& file) { names_[key_of(file)].insert(file.declares.begin(), file.declares.end()); }
+
+    /// The names that the candidate declares and no chosen file.
+    [[nodiscard]] std::set<std::string> only_in(const Neighbour& candidate) const {
+        std::set<std::string> result = candidate.declares;
+        for (const auto& [key, names] : names_)
+            if (!apart_ || key == key_of(candidate))
+                for (const std::string& name : names) result.erase(name);
+        return result;
+    }
+
+private:
+    using Key = std::pair<Dialect, std::string>;
+    static Key key_of(const Neighbour& file) { return {dialect_of(file.path.string()), file.package}; }
+
+    bool apart_;
+    std::map<Key, std::set<std::string>> names_;
+};
+
 /// True if a chosen file needs the candidate: it imports its package, has the same package, or mentions a name that
 /// only the candidate declares.
-bool needs_candidate(const Neighbour& chosen, const Neighbour& candidate, const std::set<std::string>& declared) {
+bool needs_candidate(const Neighbour& chosen, const Neighbour& candidate, const Declared& declared) {
     if (is_assertions(candidate.path)) return false;
     if (!candidate.package.empty() && chosen.package == candidate.package) return true;
     if (chosen.imports.contains(candidate.package)) return true;
     const std::string first_part = candidate.package.substr(0, candidate.package.find("::"));
     if (!first_part.empty() && !chosen.mentions.contains(first_part)) return false;
-    std::set<std::string> only_there;
-    std::ranges::set_difference(candidate.declares, declared, std::inserter(only_there, only_there.end()));
-    return sets_overlap(only_there, chosen.mentions);
+    return sets_overlap(declared.only_in(candidate), chosen.mentions);
+}
+
+/// The models of the folders in this folder. RoboTool writes a translation as `x.rsa`, `robochart/` and `robosim/`.
+std::vector<fs::path> models_below(const fs::path& folder) {
+    std::vector<fs::path> folders, result;
+    std::error_code code;
+    fs::directory_iterator at(folder, code);
+    for (const fs::directory_iterator end; !code && at != end; at.increment(code))
+        if (std::error_code ignored; at->is_directory(ignored) && !at->path().filename().string().starts_with("."))
+            folders.push_back(at->path());
+    std::ranges::sort(folders);
+    Diagnostics ignored;  // these folders are not inputs, so they are not checked
+    for (const fs::path& inner : folders)
+        for (const fs::path& path : files_of(inner, false, ignored))
+            if (!is_assertions(path)) result.push_back(path);
+    return result;
 }
 
 /// The files that the named file may need: those of its folder. An assertion file that is the only input may be in a
-/// folder without models; its assertions then refer to the models of the parent folder.
+/// folder without models; its assertions then refer to the models of the parent folder, and those of a `.rsa` file also
+/// to the models of the folders in its folder.
 std::vector<fs::path> candidate_files(const fs::path& named, bool alone, Diagnostics& out) {
     const fs::path folder = named.has_parent_path() ? named.parent_path() : fs::path(".");
     std::vector<fs::path> found = files_of(folder, false, out);
     if (alone && is_assertions(named) && std::ranges::none_of(found, is_model)) {
         Diagnostics ignored;  // that folder is not an input, so it is not checked
         found = files_of((folder / "..").lexically_normal(), false, ignored);
+        if (dialect_of(named.string()) == Dialect::robosim)
+            for (fs::path& path : models_below(folder)) found.push_back(std::move(path));
     } else {
         std::erase_if(found, [&](const fs::path& path) { return path.filename() == named.filename(); });
     }
@@ -137,14 +183,16 @@ std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostic
     std::vector<Neighbour> open;
     for (const fs::path& path : candidate_files(named, alone, out)) open.push_back(survey_file(path));
     std::vector<Neighbour> chosen{survey_file(named)};
-    std::set<std::string> declared = chosen.front().declares;
+    std::ranges::stable_partition(open, [&](const Neighbour& file) { return same_dialect(file.path, named); });
+    Declared declared(chosen.front());
+    declared.add(chosen.front());
     for (std::size_t i = 0; i < chosen.size(); ++i)
         for (std::size_t k = 0; k < open.size();) {
             if (!needs_candidate(chosen[i], open[k], declared)) {
                 ++k;
                 continue;
             }
-            declared.insert(open[k].declares.begin(), open[k].declares.end());
+            declared.add(open[k]);
             chosen.push_back(std::move(open[k]));
             open.erase(open.begin() + static_cast<std::ptrdiff_t>(k));
             k = 0;
