@@ -459,6 +459,7 @@ EndKind Interpreter::end_kind() const {
         case ir::PropertyKind::refines:
         case ir::PropertyKind::equals:
         case ir::PropertyKind::conforms:
+        case ir::PropertyKind::schedulable:
             break;
     }
     switch (counterexample_.kind) {

@@ -73,6 +73,17 @@ std::vector<ExprPtr> outputs_of(const Provenance& provenance, const std::string&
     return result;
 }
 
+std::vector<ExprPtr> cycle_events_of(const Provenance& provenance, const std::string& path) {
+    std::vector<ExprPtr> result;
+    for (const char* const channel : {"registerRead.", "registerWrite.", "endexec"}) {
+        const std::string name = path + "::" + channel;
+        const auto found = provenance.events.lower_bound(name);
+        const bool declared = found != provenance.events.end() && found->first.starts_with(name);
+        if (declared) result.push_back(b::name(name.ends_with('.') ? name.substr(0, name.size() - 1) : name));
+    }
+    return result;
+}
+
 ExprPtr WatchedCopy::copy_process(const std::vector<ExprPtr>& arguments) const {
     return b::call(name + "::D__", arguments);
 }

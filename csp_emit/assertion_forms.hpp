@@ -29,6 +29,9 @@ namespace robochart::csp_emit {
 /// The effects of a component on its platform: its calls, outputs, and writes of variables that others share.
 [[nodiscard]] std::vector<cspm::ExprPtr> outputs_of(const Provenance&, const std::string& path);
 
+/// RoboSim: the channels of the registers of a component, and the end of its execution. Empty for other components.
+[[nodiscard]] std::vector<cspm::ExprPtr> cycle_events_of(const Provenance&, const std::string& path);
+
 /// A copy of a machine that an assertion watches.
 struct WatchedCopy {
     cspm::DeclPtr module;

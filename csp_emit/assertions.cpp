@@ -9,6 +9,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/assertion_forms.hpp"
 #include "csp_emit/base/names.hpp"
+#include "csp_emit/base/registers.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/expressions/expressions.hpp"
@@ -61,6 +62,8 @@ std::string opposite_claim(const ir::Property& property) {
             return "no run reaches the state";
         case PropertyKind::event_missed:
             return "no run misses it";
+        case PropertyKind::schedulable:
+            return "it is schedulable";
         case PropertyKind::refines:
         case PropertyKind::equals:
         case PropertyKind::clock_initialised:
@@ -73,7 +76,10 @@ std::string opposite_claim(const ir::Property& property) {
 class Asserter {
 public:
     Asserter(const Project& project, NameManager& names, Emitted& emitted)
-        : project_(project), names_(names), emitted_(emitted), own_(ir::own_constants(project.system)) {}
+        : project_(project), names_(names), emitted_(emitted), own_(ir::own_constants(project.system)) {
+        for (const ir::NamedConstant& constant : ir::named_constants(project.system))
+            if (ir::is_cycle_name(constant.name) && !constant.has_value) open_cycles_.insert(constant.name);
+    }
 
     Obligation make_obligation(std::uint32_t index);
 
@@ -92,6 +98,9 @@ private:
                                       bool negated) const;
     std::vector<DeclPtr> assert_termination(const ExprPtr& process, cspm::Model model, bool negated) const;
     void add_refinement(const ir::Property& property, Obligation& out);
+    ExprPtr compared(const ir::ComponentRef& ref, const ir::ComponentRef& other, const ir::Property& property) const;
+    bool runs_in_cycles(const ir::ComponentRef& ref) const;
+    std::string open_registers(const ir::ComponentRef& ref, const ir::Property& property) const;
     std::string model_shifting(const ir::Property& property, Obligation& out);
     ExprPtr alphabet_of(const ir::ComponentRef& ref) const;
     std::string missing_alphabet(const ir::ComponentRef& ref, const ir::ComponentRef& other) const;
@@ -107,6 +116,7 @@ private:
     const Project& project_;
     NameManager& names_;
     Emitted& emitted_;
+    std::set<std::string> open_cycles_;       // cycles without a length
     std::map<std::string, std::string> own_;  // maps a constant of a part to the machine's own constant
 };
 
@@ -145,7 +155,8 @@ bool Asserter::takes_constant(const ir::ComponentRef& ref, const std::string& co
 void Asserter::report_unused(const ir::Property& property) const {
     if (timed() && property.untimed) return;
     for (const auto& [name, value] : property.constants)
-        if (!takes_constant(property.subject, name) && !takes_constant(property.other, name))
+        if (!ir::is_cycle_name(name) && !takes_constant(property.subject, name) &&
+            !takes_constant(property.other, name))
             project_.diagnostics.report(rules::constant_without_use, property.origin.span, {property.name, name});
 }
 
@@ -209,7 +220,7 @@ ExprPtr Asserter::renamed_to(const ir::ComponentRef& ref, const ir::ComponentRef
     std::vector<cspm::Link> links;
     for (const std::string& channel : from->visible)
         if (std::ranges::find(to->visible, channel) != to->visible.end())
-            links.push_back({b::name(path_of(ref) + "::" + channel), b::name(path_of(other) + "::" + channel)});
+            links.push_back({visible_event(path_of(ref), channel), visible_event(path_of(other), channel)});
     return links.empty() ? process : b::rename(process, links);
 }
 
@@ -244,7 +255,7 @@ ExprPtr Asserter::joint_alphabet(const ir::Property& property) const {
     b::Exprs rest;
     for (const std::string& channel : from->visible)
         if (std::ranges::find(to->visible, channel) == to->visible.end())
-            rest.push_back(b::name(path_of(property.subject) + "::" + channel));
+            rest.push_back(visible_event(path_of(property.subject), channel));
     return rest.empty() ? alphabet_of(property.other)
                         : b::call("union", {alphabet_of(property.other), b::productions(rest)});
 }
@@ -260,9 +271,23 @@ std::string Asserter::model_shifting(const ir::Property& property, Obligation& o
 
 /// `X refines Y` is `Y [M= X`. `equals` is the refinement in both directions, and its negation means that one of them
 /// fails. In the tick-tock model, traces are compared after model shifting.
+/// A simulation has no `endexec` and no `terminate`, so they are hidden in what it is compared with.
+ExprPtr Asserter::compared(const ir::ComponentRef& ref, const ir::ComponentRef& other,
+                           const ir::Property& property) const {
+    const ExprPtr process = process_of(ref, property, "D__");
+    const ComponentEmission* component = find_component(ref);
+    if (other.kind != ir::ComponentKind::simulation || component == nullptr) return process;
+    b::Exprs hidden;
+    for (const char* event : {"endexec", "terminate"})
+        if (std::ranges::find(component->visible, event) != component->visible.end())
+            hidden.push_back(b::name(path_of(ref) + "::" + event));
+    return hidden.empty() ? process : b::hide(process, b::productions(hidden));
+}
+
 void Asserter::add_refinement(const ir::Property& property, Obligation& out) {
-    ExprPtr subject = renamed_to(property.subject, property.other, process_of(property.subject, property, "D__"));
-    ExprPtr other = process_of(property.other, property, "D__");
+    ExprPtr subject =
+        renamed_to(property.subject, property.other, compared(property.subject, property.other, property));
+    ExprPtr other = compared(property.other, property.subject, property);
     cspm::Model model = model_of(property.model);
     if (property.model == ir::PropertyModel::tick_tock) {
         const std::string shifted = model_shifting(property, out) + "::TT";
@@ -349,6 +374,32 @@ std::string Asserter::unavailable_model(const ir::Property& property) const {
     return "";
 }
 
+bool Asserter::runs_in_cycles(const ir::ComponentRef& ref) const {
+    const ComponentEmission* component = find_component(ref);
+    return component != nullptr && ref.kind != ir::ComponentKind::simulation &&
+           std::ranges::any_of(component->visible, [](const std::string& channel) {
+               return channel == "endexec" || channel.starts_with("registerRead.") ||
+                      channel.starts_with("registerWrite.");
+           });
+}
+
+/// The reason why a RoboSim component has no process: a cycle without a length, or inputs of an operation alone, which
+/// only a cycle reads; "" if it has one.
+std::string Asserter::open_registers(const ir::ComponentRef& ref, const ir::Property& property) const {
+    const ComponentEmission* component = find_component(ref);
+    if (component == nullptr) return "";
+    if (ref.kind == ir::ComponentKind::operation && component->machine->robosim)
+        return component->machine->inputs.empty()
+                   ? ""
+                   : ref.path + " alone has no cycle, which would read its inputs: claim it of a machine that calls it";
+    for (const ConstantParameter& constant : component->constants)
+        if (constant.constant == ir::cycle_length &&
+            open_cycles_.contains(constant.source.empty() ? constant.value : constant.source) &&
+            !find_argument({constant.parameter, constant.source, constant.value}, property))
+            return ref.path + " has no cycleDef, so its cycles have no length: add `cycleDef cycle == 1`";
+    return "";
+}
+
 /// The reason why a property has no CSPM form here; "" if it has one.
 std::string Asserter::why_unavailable(const ir::Property& property) const {
     const bool binary = property.kind == PropertyKind::refines || property.kind == PropertyKind::equals;
@@ -362,6 +413,11 @@ std::string Asserter::why_unavailable(const ir::Property& property) const {
     };
     if (missing(property.subject)) return property.subject.path + " was not emitted";
     if (binary && missing(property.other)) return property.other.path + " was not emitted";
+    const bool watched =
+        property.kind == PropertyKind::clock_initialised || property.kind == PropertyKind::event_missed;
+    if (watched && runs_in_cycles(property.subject)) return "this is decided of RoboChart machines only";
+    for (const ir::ComponentRef* ref : {&property.subject, &property.other})
+        if (const std::string open = open_registers(*ref, property); !open.empty()) return open;
     if (component_only && property.subject.kind == ir::ComponentKind::process)
         return "only components of the model have states to reach and clocks to reset";
     if (property.kind == PropertyKind::clock_initialised && find_component(property.subject)->machine == nullptr)
@@ -376,6 +432,8 @@ void Asserter::add_assertions(const ir::Property& property, Obligation& out) {
     switch (property.kind) {
         case PropertyKind::deadlock_free:
             out.assertions = {deadlock_free(subject(), timed(), model, property.negated)};
+            if (!property.negated && runs_in_cycles(property.subject))
+                out.time_goes_on = RecurrenceQuestion{running_on(subject(), "tock"), b::productions({b::name("tock")})};
             break;
         case PropertyKind::divergence_free:
             out.assertions = assert_unary(AssertionKind::divergence_free, subject(), model, property.negated);
@@ -401,6 +459,10 @@ void Asserter::add_assertions(const ir::Property& property, Obligation& out) {
             break;
         case PropertyKind::event_missed:
             missed_event(property, out);
+            break;
+        case PropertyKind::schedulable:
+            out.assertions = assert_unary(AssertionKind::deadlock_free, process_of(property.subject, property, "TLF"),
+                                          cspm::Model::failures, property.negated);
             break;
         case PropertyKind::conforms:
             break;

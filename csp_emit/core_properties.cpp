@@ -141,11 +141,14 @@ std::vector<Obligation> core_properties(const Project& project, NameManager& nam
              CoreProperties(project, names, emitted, name, fmt::format("{} {}", kind, name)).make_obligations())
             result.push_back(std::move(obligation));
     };
-    for (const ir::Module& module : project.system.modules) ask(module.package, module.name, "module");
+    // those of RoboSim differ: time passes only at the end of a cycle
+    for (const ir::Module& module : project.system.modules)
+        if (!module.robosim) ask(module.package, module.name, "module");
     for (const ir::Controller& controller : project.system.controllers)
-        ask(controller.package, controller.path, "controller");
+        if (!controller.robosim) ask(controller.package, controller.path, "controller");
     for (const ir::Machine& machine : project.system.machines)
-        if (machine.kind == ir::MachineKind::state_machine) ask(machine.package, machine.path, "state machine");
+        if (machine.kind == ir::MachineKind::state_machine && !machine.robosim)
+            ask(machine.package, machine.path, "state machine");
     return result;
 }
 

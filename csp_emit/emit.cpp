@@ -20,6 +20,7 @@
 #include "csp_emit/compose/controller.hpp"
 #include "csp_emit/compose/instantiations.hpp"
 #include "csp_emit/compose/module.hpp"
+#include "csp_emit/compose/simulation.hpp"
 #include "csp_emit/core_properties.hpp"
 #include "csp_emit/expressions/expressions.hpp"
 #include "csp_emit/machine/machine.hpp"
@@ -43,6 +44,10 @@ public:
     NameSurvey(const Project& project, NameManager& names) : project_(project), names_(names) {}
 
     void reserve_elements() {
+        for (const char* name : {"registerRead", "registerWrite", "startexec", "endexec", "terminate",
+                                 "RegisterDataInput", "RegisterDataOutput", "RegisterInputs", "RegisterOutputs"})
+            names_.reserve(name);
+        for (const ir::Simulation& simulation : project_.system.simulations) names_.reserve(simulation.name);
         for (const ir::Type& type : project_.system.types) reserve_type(type);
         for (const ir::Function& function : project_.system.functions) reserve_name(function_name(function));
         for (const ir::NamedConstant& constant : ir::named_constants(project_.system)) names_.reserve(constant.name);
@@ -73,7 +78,15 @@ private:
         for (const ir::Variable& variable : component.variables) {
             names_.reserve("set_" + variable.name);
             names_.reserve("set_EXT_" + variable.name);
+            reserve_register(variable.name);
         }
+        for (const ir::Event& event : component.events) reserve_register(event.name);
+        for (const auto& operation : component.operations) reserve_register(operation.name);
+    }
+    /// The constructors of the channels of registers; RoboSim.
+    void reserve_register(const std::string& name) {
+        const std::string plain = name.starts_with("$") ? name.substr(1) : name;
+        for (const char* prefix : {"i_", "o_"}) names_.reserve(prefix + plain);
     }
     void reserve_nodes(const ir::Machine& machine) {
         for (const ir::Node& node : machine.nodes)
@@ -121,6 +134,7 @@ void emit_components(const Project& project, const NameManager& names, const std
     const ir::System& system = project.system;
     for (const ir::Machine& machine : system.machines) {
         if (machine.path != machine.name) continue;  // inline: emitted inside its controller
+        if (machine.robosim && !project.is_timed()) continue;
         MachineContext context;
         context.project = &project;
         context.machine = &machine;
@@ -130,19 +144,22 @@ void emit_components(const Project& project, const NameManager& names, const std
         packages.add_module(machine.package, emit_machine(std::move(context), emitted).module);
     }
     for (const ir::Controller& controller : system.controllers) {
-        if (controller.path != controller.name) continue;
+        if (controller.path != controller.name || (controller.robosim && !project.is_timed())) continue;
         const ControllerContext context{
             &project, &controller, controller.name, qualified_name(controller.package, controller.name),
             names,    nullptr,     &given};
         packages.add_module(controller.package, emit_controller(context, emitted).module);
     }
     for (const ir::Module& module : system.modules) {
+        if (module.robosim && !project.is_timed()) continue;
         const ModuleContext context{&project, &module, qualified_name(module.package, module.name), names, &given};
         packages.add_module(module.package, emit_module(context, emitted).module);
     }
     const bool share = project.options.share_modules && project.diagnostics.ok();
     const auto modules = share ? share_modules(packages.decls(), names) : packages.decls();
     decls.insert(decls.end(), modules.begin(), modules.end());
+    for (const ir::Simulation& simulation : system.simulations)
+        if (project.is_timed()) decls.push_back(emit_simulation(project, simulation, emitted).module);
 }
 
 /// Parses a block so that its diagnostics point into the .assertions file: the text around it is replaced by blanks.
@@ -251,6 +268,16 @@ void name_claim(const Project& project, Obligation& obligation) {
     first.front() = std::make_shared<const cspm::Decl>(std::move(named));
 }
 
+/// Refuses blocks that give a value to one of several instances of a machine from which an operation requires it.
+void check_shared_constants(const Project& project, const std::set<std::string>& given) {
+    for (const ir::SharedConstant& shared : ir::shared_constants(project.system))
+        for (const ir::ConstantSource& source : shared.sources)
+            if (given.contains(source.name))
+                project.report_unsupported("a value of its own for " + source.name + " in a csp block, while " +
+                                               shared.operation->name + " requires the constant of several callers,",
+                                           shared.operation->origin.span);
+}
+
 /// The script's name for a generated name.
 std::string new_name(const cspm::NewNames& names, const std::string& name) {
     const auto found = names.find(name);
@@ -295,6 +322,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     std::vector<std::string> left_out;
     Emitted emitted;
     const std::set<std::string> given = given_names(files, safe.for_blocks);
+    check_shared_constants(project, given);
     std::set<std::string> deciding = given;  // if a constant has two names, the name that decides
     add_instantiations(project, given, generated, result.bounded, left_out);
     if (project.instantiations_replaced()) {

@@ -579,6 +579,13 @@ Exit refuse_parts(const driver::Project& stopped, const std::vector<driver::Part
     return refusal_code(stopped);
 }
 
+/// Whether all components are of RoboSim, for which no code is generated.
+bool has_only_robosim(const ir::System& system) {
+    const auto chart = [](const auto& component) { return !component.robosim; };
+    return !ir::robosim_components(system).empty() && std::ranges::none_of(system.machines, chart) &&
+           std::ranges::none_of(system.controllers, chart) && std::ranges::none_of(system.modules, chart);
+}
+
 /// Runs a verb whose answer is a report over all parts. A part with errors is rejected, and the others are still
 /// processed.
 Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
@@ -594,7 +601,7 @@ Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, R
         Options part_options = options;
         part_options.claims.core = core_wanted(part, options);
         const bool code =
-            !part.again &&
+            !part.again && !has_only_robosim(part.project->system) &&
             (parts.size() == 1 || !driver::code_components(part.project->system, options.load.component).empty());
         (void)run_phases(*part.project, part_options, code, report);
     }

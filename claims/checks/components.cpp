@@ -28,12 +28,15 @@ class Lister {
 public:
     explicit Lister(const ir::System& system) : system_(system) {}
 
+    /// Claims in English are about RoboChart components only.
     std::vector<Component> list_all() {
-        for (const ir::Module& module : system_.modules) add_module(module);
+        for (const ir::Module& module : system_.modules)
+            if (!module.robosim) add_module(module);
         for (const ir::Controller& controller : system_.controllers)
-            add_controller(controller, qualified(controller.package, controller.path), controller.package, false);
+            if (!controller.robosim)
+                add_controller(controller, qualified(controller.package, controller.path), controller.package, false);
         for (const ir::Machine& machine : system_.machines)
-            if (machine.kind == ir::MachineKind::state_machine)
+            if (machine.kind == ir::MachineKind::state_machine && !machine.robosim)
                 add_machine(machine, {}, qualified(machine.package, machine.path), machine.package, false);
         return std::move(result_);
     }

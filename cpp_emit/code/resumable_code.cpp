@@ -131,6 +131,7 @@ void ProgramWriter::write_statement(const ir::StmtPtr& stmt, const std::string& 
         case StmtKind::deadline:
             return write_deadline(*stmt, stem);
         case StmtKind::skip:
+        case StmtKind::exec:    // RoboSim: no code is generated
         case StmtKind::choose:  // only in models that are decided
             return;
     }

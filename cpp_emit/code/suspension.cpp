@@ -59,6 +59,7 @@ bool suspends_itself(const Generation& generation, const Unit& unit, const ir::S
         case StmtKind::if_then_else:
         case StmtKind::clock_reset:
         case StmtKind::deadline:
+        case StmtKind::exec:  // RoboSim: no code is generated
         case StmtKind::choose:
             break;
     }

@@ -103,6 +103,7 @@ StmtPtr StatementFaults::apply_fault(const ir::Stmt& stmt) {
         case StmtKind::deadline:
             return deadline_statement(stmt);
         case StmtKind::skip:
+        case StmtKind::exec:  // RoboSim: no code is generated
         case StmtKind::choose:
             break;
     }

@@ -178,6 +178,7 @@ private:
             case StmtKind::wait:
             case StmtKind::wait_interval:
             case StmtKind::clock_reset:
+            case StmtKind::exec:  // RoboSim: no code is generated
             case StmtKind::choose:
                 break;
         }
@@ -210,6 +211,7 @@ private:
             case StmtKind::if_then_else:
             case StmtKind::assign:
             case StmtKind::clock_reset:
+            case StmtKind::exec:  // RoboSim: no code is generated
             case StmtKind::choose:
                 break;
         }

@@ -83,6 +83,7 @@ private:
             case ir::ComponentKind::module:
                 return in_module(ref);
             case ir::ComponentKind::operation:
+            case ir::ComponentKind::simulation:
             case ir::ComponentKind::process:
                 break;
         }

@@ -160,8 +160,11 @@ struct Obligation {
     std::optional<FiringQuestion> firing;          ///< decided without an assertion: do all of these transitions fire?
     std::optional<RecurrenceQuestion> recurrence;  ///< decided in addition to the assertions: does the event stay
                                                    ///< reachable?
-    std::shared_ptr<const Premise> premise;        ///< premise of the answer "holds"; null if there is none. Several
-                                                   ///< claims may share one
+    /// RoboSim: a component that stops time is deadlock-free in RoboTool's sense. If the claim holds, and time can stop
+    /// for ever, the report says so; the claim still holds.
+    std::optional<RecurrenceQuestion> time_goes_on;
+    std::shared_ptr<const Premise> premise;  ///< premise of the answer "holds"; null if there is none. Several
+                                             ///< claims may share one
     bool one_suffices = false;  ///< the claim holds if one of the assertions holds; otherwise all must hold
     std::string reason;  ///< the reason why there is no check; or the true statement if the check fails without a
                          ///< single run as evidence

@@ -6,6 +6,7 @@
 
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/compose/cycles.hpp"
 #include "csp_emit/compose/instantiations.hpp"
 #include "csp_emit/machine/machine.hpp"
 #include "semantics/ir/query.hpp"
@@ -33,6 +34,7 @@ private:
     void declare_channels(std::vector<DeclPtr>& decls);
     void declare_sets(std::vector<DeclPtr>& decls);
     void add_constants();
+    void add_constants(bool cycle);
     void add_part(const ir::MachineInstance& instance, std::vector<DeclPtr>& decls);
     std::string constant_argument(const std::string& part, const ConstantParameter& constant);
     std::string part_of(const std::string& instance, const ir::Machine& owner) const;
@@ -79,8 +81,13 @@ void ControllerEmitter::declare_sets(std::vector<DeclPtr>& decls) {
 }
 
 void ControllerEmitter::add_constants() {
+    for (const bool cycle : {true, false}) add_constants(cycle);  // RoboTool's order
+}
+
+void ControllerEmitter::add_constants(bool cycle) {
     for (std::uint32_t i = 0; i < controller().constants.size(); ++i) {
         const ir::Constant& constant = controller().constants[i];
+        if ((constant.name == ir::cycle_length) != cycle) continue;
         const std::string name = ir::constant_name(controller().package, controller().path, constant.name);
         const std::string source = ir::constant_source(context_.module, controller(), {i}).name;
         composition_.constants.push_back({name, constant.name, source, nullptr, {i}, constant.type, source});
@@ -123,7 +130,8 @@ ComponentEmission ControllerEmitter::emit_part(const ir::Machine& machine, const
     context.names = context_.names;
     for (const ir::MachineId id : controller().definitions) context.definitions[project().system.machine(id).name] = id;
     for (const ir::OperationSignature& operation : machine.operations)
-        if (const ir::MachineId id = ir::definition_in(project().system, controller(), operation); id.is_valid())
+        if (const ir::MachineId id = ir::definition_in(project().system, controller(), operation);
+            id.is_valid() && !operation.output)
             context.definitions[operation.name] = id;
     const std::string path = context.path;
     ComponentEmission result = emit_machine(std::move(context), emitted_);
@@ -200,13 +208,24 @@ void ControllerEmitter::add_connections() {
 ComponentEmission ControllerEmitter::emit() {
     composition_.project = &project();
     std::vector<DeclPtr> decls;
-    declare_channels(decls);
-    declare_sets(decls);
+    CycleLinks links;
+    if (controller().robosim) {
+        links = cycle_links(project(), controller());
+        visible_ = declare_cycle_channels(project(), context_.path, links, controller().origin, false,
+                                          emitted_.provenance, decls);
+    } else {
+        declare_channels(decls);
+        declare_sets(decls);
+    }
     add_constants();
     for (const ir::MachineInstance& instance : controller().machines) add_part(instance, decls);
     add_operations(decls);
-    add_connections();
-    define_composition(composition_, decls);
+    if (controller().robosim) {
+        define_cycles(composition_, links, decls);
+    } else {
+        add_connections();
+        define_composition(composition_, decls);
+    }
     ComponentEmission result;
     result.module = b::module_(context_.name, {}, {}, decls, "controller " + controller().origin.element);
     result.constants = composition_.constants;

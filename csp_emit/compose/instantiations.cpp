@@ -151,6 +151,8 @@ void add_constants(const Project& project, std::vector<DeclPtr>& decls) {
     for (const ir::Module& module : system.modules)
         for (const ir::Constant& constant : module.platform.constants)
             constants.add_constant(ir::constant_name(module.package, module.name, constant.name), constant, nullptr);
+    for (const ir::Simulation& simulation : system.simulations)
+        constants.add_constant(ir::constant_name("", simulation.name, ir::cycle_length), simulation.cycle, nullptr);
 }
 
 /// The preconditions of the functions that the condition calls, followed by the condition.
@@ -247,6 +249,7 @@ std::set<std::string> names_at_top(const ir::System& system) {
     for (const ir::Machine& machine : system.machines) add_component(machine);
     for (const ir::Controller& controller : system.controllers) add_component(controller);
     for (const ir::Module& module : system.modules) add_component(module);
+    for (const ir::Simulation& simulation : system.simulations) names.insert(simulation.name);
     for (const ir::Function& function : system.functions) names.insert(function_name(function));
     for (const ir::NamedConstant& constant : ir::named_constants(system)) names.insert(constant.name);
     for (const ir::Type& type : system.types) {

@@ -8,6 +8,7 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/compose/controller.hpp"
+#include "csp_emit/compose/cycles.hpp"
 #include "csp_emit/expressions/expressions.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
@@ -34,6 +35,7 @@ private:
     void declare_sets(std::vector<DeclPtr>& decls);
     std::vector<ir::OperationSignature> calls_of_platform() const;
     void add_constants();
+    void add_constants(bool cycle);
     void add_part(const ir::ControllerInstance& instance, std::vector<DeclPtr>& decls);
     std::string constant_argument(const ir::Controller& controller, const ConstantParameter& constant);
     void add_connection(const ir::Connection& connection);
@@ -93,8 +95,13 @@ void ModuleEmitter::declare_sets(std::vector<DeclPtr>& decls) {
 }
 
 void ModuleEmitter::add_constants() {
+    for (const bool cycle : {true, false}) add_constants(cycle);  // RoboTool's order
+}
+
+void ModuleEmitter::add_constants(bool cycle) {
     for (std::uint32_t i = 0; i < platform().constants.size(); ++i) {
         const ir::Constant& constant = platform().constants[i];
+        if ((constant.name == ir::cycle_length) != cycle) continue;
         const std::string name = ir::constant_name(module().package, module().name, constant.name);
         composition_.constants.push_back({name, constant.name, name, nullptr, {i}, constant.type});
     }
@@ -160,13 +167,24 @@ ComponentEmission ModuleEmitter::emit() {
     composition_.project = &project();
     composition_.hides_termination = true;
     std::vector<DeclPtr> decls;
-    declare_channels(decls);
-    declare_variables(decls);
-    declare_sets(decls);
+    CycleLinks links;
+    if (module().robosim) {
+        links = cycle_links(project(), module());
+        visible_ =
+            declare_cycle_channels(project(), context_.path, links, module().origin, true, emitted_.provenance, decls);
+    } else {
+        declare_channels(decls);
+        declare_variables(decls);
+        declare_sets(decls);
+    }
     add_constants();
     for (const ir::ControllerInstance& instance : module().controllers) add_part(instance, decls);
-    for (const ir::Connection& connection : module().connections) add_connection(connection);
-    define_composition(composition_, decls);
+    if (module().robosim) {
+        define_cycles(composition_, links, decls);
+    } else {
+        for (const ir::Connection& connection : module().connections) add_connection(connection);
+        define_composition(composition_, decls);
+    }
     ComponentEmission result;
     result.module = b::module_(module().name, {}, {}, decls, "module " + module().origin.element);
     result.constants = composition_.constants;

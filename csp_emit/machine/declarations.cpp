@@ -6,6 +6,7 @@
 #include <string>
 
 #include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/registers.hpp"
 #include "csp_emit/base/types.hpp"
 #include "csp_emit/base/variants.hpp"
 #include "csp_emit/machine/rules/shared_variables.hpp"
@@ -57,7 +58,10 @@ void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
     tables_.record_meaning(
         "terminate", {MeaningKind::terminate, tables_.machine().name + " terminates", {}, tables_.machine().origin});
     ChannelDeclarations channels(tables_.project(), tables_.context.path, tables_.provenance, decls);
-    for (const ir::Event& event : tables_.machine().events) channels.declare_event(event);
+    if (tables_.machine().robosim)
+        declare_cycle_channels(decls);
+    else
+        for (const ir::Event& event : tables_.machine().events) channels.declare_event(event);
     for (std::size_t i = 0; i < tables_.machine().variables.size(); ++i) {
         const Cell& cell = tables_.cells[tables_.frames.root_frame().variables[i]];
         if (cell.shared)
@@ -65,6 +69,17 @@ void ModuleDeclarations::declare_channels(std::vector<DeclPtr>& decls) {
     }
     tables_.events.declare_channels(decls);
     for (DeclPtr& channel : memory_channels(remembered_)) decls.push_back(std::move(channel));
+}
+
+/// RoboSim: the registers, the end and the beginning of the execution.
+void ModuleDeclarations::declare_cycle_channels(std::vector<DeclPtr>& decls) {
+    Registers registers = registers_of(tables_.machine());
+    if (is_operation()) registers.inputs.clear();  // without a cycle, no inputs are read
+    declare_registers(tables_.project(), tables_.context.path, registers, {}, tables_.provenance, decls);
+    decls.push_back(b::channel({"endexec", "startexec"}));
+    const auto& origin = tables_.machine().origin;
+    tables_.record_meaning("endexec", {MeaningKind::step, "the execution ends", {}, origin});
+    tables_.record_meaning("startexec", {MeaningKind::step, "the execution begins", {}, origin});
 }
 
 /// Declares channels of RoboTool that this encoding does not use or hides, if CSP blocks mention them (semantics 3.2).
@@ -122,7 +137,7 @@ void ModuleDeclarations::declare_clocks(std::vector<DeclPtr>& decls) {
 void ModuleDeclarations::declare_calls(std::vector<DeclPtr>& decls) {
     ChannelDeclarations channels(tables_.project(), tables_.context.path, tables_.provenance, decls);
     for (const ir::OperationSignature& operation : tables_.machine().operations) {
-        if (tables_.context.definitions.count(operation.name) != 0) continue;
+        if (tables_.context.definitions.count(operation.name) != 0 || operation.output) continue;
         channels.declare_call(operation);
         calls_.push_back(operation.name);
     }
@@ -153,21 +168,62 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
         visible.push_back(b::name("set_EXT_" + tables_.cells[cell].channel));
         visible.push_back(b::name("set_" + tables_.cells[cell].channel));
     }
-    for (const ir::Event& event : tables_.machine().events) visible.push_back(b::name(event.name));
+    if (tables_.machine().robosim)
+        add_cycle_events(visible);
+    else
+        for (const ir::Event& event : tables_.machine().events) visible.push_back(b::name(event.name));
     for (const std::string& call : calls_) visible.push_back(b::name(call + "Call"));
     visible.insert(visible.end(), clock_events_.begin(), clock_events_.end());
     for (const ir::NodeId state : entered_states())
         entered.push_back(b::name(tables_.machine().nodes[state.index].path + "::entered"));
-    for (const ExprPtr& channel : visible)
-        if (channel->kind == cspm::ExprKind::name) visible_.push_back(channel->text);
+    for (const ExprPtr& channel : visible) {
+        const bool register_channel = channel->text == "registerRead" || channel->text == "registerWrite";
+        const bool replaced = tables_.machine().robosim && register_channel;  // by its constructors
+        if (channel->kind == cspm::ExprKind::name && !replaced) visible_.push_back(channel->text);
+    }
     decls.push_back(b::value("sem__events", b::productions(visible)));
     decls.push_back(b::value("shared_variable_events", b::productions(external_write_events(tables_))));
     decls.push_back(b::value("enteredSS", b::productions(entered)));
     decls.push_back(b::value("internal_events", b::productions(tables_.events.declared_channels())));
 }
 
+/// RoboSim: the events of the cycle. A machine hides the beginning of the execution, an operation alone shows it.
+void ModuleDeclarations::add_cycle_events(b::Exprs& visible) {
+    Registers registers = registers_of(tables_.machine());
+    if (is_operation()) registers.inputs.clear();
+    visible.push_back(b::name("endexec"));
+    if (is_operation()) visible.push_back(b::name("startexec"));
+    if (!registers.inputs.empty()) visible.push_back(b::name("registerRead"));
+    if (!registers.outputs.empty()) visible.push_back(b::name("registerWrite"));
+    visible_ = visible_registers(registers);
+}
+
+/// RoboSim: the machine in the frame of its cycle,
+///     (Cycle__(c) [| registers, startexec, endexec, terminate, tock |] machine) \ {startexec}.
+ExprPtr ModuleDeclarations::in_cycles(const ExprPtr& machine, std::vector<DeclPtr>& decls) const {
+    const Registers registers = registers_of(tables_.machine());
+    b::Exprs reads, shared;
+    std::vector<std::vector<ExprPtr>> writes;
+    for (const Register& input : registers.inputs)
+        reads.push_back(b::prefix(register_read("i_" + input.name), {b::input("x__")}, b::skip()));
+    for (const Register& output : registers.outputs) writes.push_back({register_write("o_" + output.name)});
+    if (!registers.inputs.empty()) shared.push_back(b::name("registerRead"));
+    if (!registers.outputs.empty()) shared.push_back(b::name("registerWrite"));
+    for (const char* event : {"startexec", "endexec", "terminate", "tock"}) shared.push_back(b::name(event));
+    const ExprPtr execution = b::prefix(b::name("startexec"), writes_of_cycle(writes));
+    decls.push_back(cycle_definition("Cycle__", "cycle__", b::interleave(reads), execution));
+    std::string length;
+    for (const ConstantParameter& constant : tables_.calls.constants())
+        if (constant.constant == ir::cycle_length && constant.owner == &tables_.machine()) length = constant.inside;
+    const ExprPtr frame = b::call("Cycle__", {b::name(length)});
+    return b::hide(b::parallel(frame, b::productions(shared), machine), b::productions({b::name("startexec")}));
+}
+
 /// Declares D__, O__, VS__, VS_O__, FVS__, HEXT__ and HUP__ (semantics 3.12).
 void ModuleDeclarations::declare_variants(std::vector<DeclPtr>& decls, const ExprPtr& initial) const {
+    const ExprPtr machine = with_memories(initial, remembered_, tables_.timed());
+    const bool cycles = tables_.machine().robosim && !is_operation();
+    const ExprPtr whole = cycles ? in_cycles(machine, decls) : machine;
     std::vector<std::string> constants;
     for (const ConstantParameter& constant : tables_.calls.constants()) constants.push_back(constant.parameter);
     const auto parameters = parameters_with(tables_, constants);
@@ -177,8 +233,8 @@ void ModuleDeclarations::declare_variants(std::vector<DeclPtr>& decls, const Exp
     const auto of = [&](const std::string& name) { return call_of(name, parameters); };
     const ExprPtr within = b::name("internal_events");
     const ExprPtr inside = local_resets_ ? b::call("union", {within, b::name("localClockResets")}) : within;
-    decls.push_back(b::function_decl("STM__", b::variables(parameters_with(tables_, tables_.calls.constants_inside())),
-                                     with_memories(initial, remembered_, tables_.timed())));
+    decls.push_back(
+        b::function_decl("STM__", b::variables(parameters_with(tables_, tables_.calls.constants_inside())), whole));
     if (tables_.project().blocks_mention("FVS_C__"))
         define("FVS_C__", maximal_progress(tables_.project(), b::hide(of("STM__"), within)));
     define("FVS__", maximal_progress(tables_.project(), b::hide(of("STM__"), inside)));

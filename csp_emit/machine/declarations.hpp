@@ -29,6 +29,10 @@ public:
 
 private:
     void declare_channels(std::vector<cspm::DeclPtr>& decls);
+    void declare_cycle_channels(std::vector<cspm::DeclPtr>& decls);
+    void add_cycle_events(std::vector<cspm::ExprPtr>& visible);
+    cspm::ExprPtr in_cycles(const cspm::ExprPtr& machine, std::vector<cspm::DeclPtr>& decls) const;
+    bool is_operation() const { return tables_.machine().kind == ir::MachineKind::operation; }
     void declare_mentioned(std::vector<cspm::DeclPtr>& decls) const;
     void declare_clocks(std::vector<cspm::DeclPtr>& decls);
     void declare_calls(std::vector<cspm::DeclPtr>& decls);

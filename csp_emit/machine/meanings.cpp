@@ -175,6 +175,7 @@ std::string DefinitionMeanings::describe_activation(const Activation& config) co
         result += item->label;
         if (item->kind == ItemKind::waiting) result += ", waiting";
         if (item->kind == ItemKind::stuck) result += ", blocked";
+        if (item->kind == ItemKind::resume) result += ", when the next cycle begins";
         const bool statement = item->kind == ItemKind::statement || item->kind == ItemKind::frozen;
         const std::string text =
             statement && item->stmt != nullptr ? tables_.project().model_text(item->stmt->origin.span) : "";

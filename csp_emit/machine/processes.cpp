@@ -6,6 +6,7 @@
 
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/machine/rules/actions.hpp"
+#include "csp_emit/machine/rules/cycles.hpp"
 #include "csp_emit/machine/rules/shared_variables.hpp"
 #include "csp_emit/machine/rules/states.hpp"
 #include "csp_emit/machine/rules/time.hpp"
@@ -68,6 +69,7 @@ ExprPtr Processes::initial_process() {
     if (machine.kind == ir::MachineKind::operation && !machine.initial.is_valid()) return without_body(tables_);
     Activation start;
     start.at = machine.initial;
+    if (machine.robosim && machine.kind == ir::MachineKind::state_machine) start = before_first_cycle(machine);
     return process_at(start, initial_values(tables_));
 }
 
@@ -231,6 +233,11 @@ std::vector<ExprPtr> Processes::reading_branches(const Activation& config, const
 }
 
 std::vector<ExprPtr> Processes::make_branches(const Activation& settled) {
+    if (tables_.machine().robosim) {
+        std::vector<ExprPtr> result;
+        add_branches(cycle_branches(tables_, settled), result);
+        return result;
+    }
     const View asking = view_of(settled);
     const std::vector<CellId> clocks = tables_.timed() ? clocks_needed(tables_, asking) : std::vector<CellId>{};
     if (settled.clocks_read < clocks.size()) return reading_branches(settled, asking, clocks[settled.clocks_read]);

@@ -39,14 +39,16 @@ public:
         for (const ir::Machine& machine : system.machines) visit_machine(machine);
         for (const ir::Controller& controller : system.controllers) {
             visit_component(controller.package, controller.name, controller.origin.span);
-            visit_members(controller);
+            visit_members(controller, controller.robosim);
             for (const auto& part : controller.machines) visit_(Bearer::part, part.name, false, part.origin.span);
         }
         for (const ir::Module& module : system.modules) {
             visit_component(module.package, module.name, module.origin.span);
-            visit_members(module.platform);
+            visit_members(module.platform, module.robosim);
             for (const auto& part : module.controllers) visit_(Bearer::part, part.name, false, part.origin.span);
         }
+        for (const ir::Simulation& simulation : system.simulations)
+            visit_component("", simulation.name, simulation.origin.span);
     }
 
 private:
@@ -55,8 +57,10 @@ private:
         visit_(Bearer::component, name, package.empty(), span);
         if (!package.empty()) visit_(Bearer::package, flatten_name(package), true, span);
     }
+    /// The registers of RoboSim have the names `i_e` and `o_e`, which no other element has.
     template <class Component>
-    void visit_members(const Component& component) {
+    void visit_members(const Component& component, bool robosim) {
+        if (robosim) return;
         for (const ir::Event& event : component.events) visit_(Bearer::event, event.name, false, event.origin.span);
         for (const ir::OperationSignature& operation : component.operations)
             visit_(Bearer::operation, operation.name, false, operation.origin.span);
@@ -64,7 +68,7 @@ private:
     void visit_machine(const ir::Machine& machine) {
         if (machine.kind == ir::MachineKind::state_machine)
             visit_component(machine.package, machine.name, machine.origin.span);
-        visit_members(machine);
+        visit_members(machine, machine.robosim);
         for (const ir::Node& node : machine.nodes)
             if (node.kind == ir::NodeKind::state || node.kind == ir::NodeKind::final)
                 visit_(Bearer::state, node.name, false, node.origin.span);
@@ -337,6 +341,12 @@ public:
             rename_reference(property.other);
             if (property.kind == ir::PropertyKind::reachable) rename_path(property.state, states_, states_);
         }
+        for (ir::Simulation& simulation : system.simulations) {
+            rename_name(simulation.name);
+            rename_reference(simulation.subject);
+            for (auto* list : {&simulation.inputs, &simulation.outputs})
+                for (std::string& name : *list) rename_name(name);
+        }
         for (ir::CspBlock& block : system.csp_blocks)
             for (ir::ComponentRef& associated : block.associated) rename_reference(associated);
     }
@@ -365,7 +375,8 @@ private:
         text = result;
     }
     template <class Component>
-    void rename_members(Component& component) const {
+    void rename_members(Component& component, bool robosim) const {
+        if (robosim) return;
         for (ir::Event& event : component.events) rename_name(event.name);
         for (ir::OperationSignature& operation : component.operations) rename_name(operation.name, names_.operations);
     }
@@ -383,7 +394,7 @@ private:
         machine.path = above;
         rename_path(machine.path, names_.all, names_.all);
         machine.path += machine.name;
-        rename_members(machine);
+        rename_members(machine, machine.robosim);
         for (ir::Node& node : machine.nodes) {
             rename_name(node.name, states_);
             rename_path(node.path, states_, states_);
@@ -393,16 +404,16 @@ private:
         rename_package(controller.package);
         rename_name(controller.name);
         rename_path(controller.path, names_.all, names_.all);
-        rename_members(controller);
+        rename_members(controller, controller.robosim);
         for (auto& part : controller.machines) rename_name(part.name, states_);
-        rename_connections(controller.connections);
+        if (!controller.robosim) rename_connections(controller.connections);
     }
     void rename_module(ir::Module& module) const {
         rename_package(module.package);
         rename_name(module.name);
-        rename_members(module.platform);
+        rename_members(module.platform, module.robosim);
         for (auto& part : module.controllers) rename_name(part.name, states_);
-        rename_connections(module.connections);
+        if (!module.robosim) rename_connections(module.connections);
     }
     void rename_reference(ir::ComponentRef& reference) const {
         rename_package(reference.package);
@@ -441,6 +452,8 @@ public:
             check_component(module.package, module.name, module.origin);
             check_constants(module.package, module.name, module.platform.constants);
         }
+        for (const ir::Simulation& simulation : system.simulations)
+            check_component("", simulation.name, simulation.origin);
         for (const auto& [package, origin] : packages_) check_name(package, "package " + package, origin);
     }
 

@@ -44,7 +44,10 @@ bool chooses_ranges(const Project& project) {
 
 bool keeps_carriers(const Project& project, const Settings& settings) {
     const bool instantiated = std::ranges::any_of(project.system.csp_blocks, ir::is_instantiations);
-    return settings.claims.concrete || chooses_ranges(project) || instantiated || !settings.swarm.file.empty();
+    // an empty register has any value of its type
+    const bool robosim = !ir::robosim_components(project.system).empty();
+    return robosim || settings.claims.concrete || chooses_ranges(project) || instantiated ||
+           !settings.swarm.file.empty();
 }
 
 ClassProject class_project(const Project& project, const Settings& settings) {

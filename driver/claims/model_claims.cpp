@@ -35,13 +35,9 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
         const auto edit = search.services.edit();
         results.assertions.push_back(std::move(one));
     };
-    for (const auto& file : project.model->files) {
+    for (const auto& file : project.model->files)
         for (const frontend::KeptPart& part : file->kept)
             if (part.claims) unchecked(part.name, part.span, fmt::format("`{}` is for another tool", part.form));
-        if (file->dialect == frontend::Dialect::robochart) continue;
-        for (const frontend::Assertion& claim : file->assertions)
-            unchecked(claim.name, claim.span, "it is about RoboSim, whose meaning is not built yet");
-    }
 }
 
 /// The places in the results of claims in one semantics that are decided in two projects.

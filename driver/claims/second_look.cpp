@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/reader.hpp"
@@ -112,6 +113,11 @@ ExprPtr SecondLook::with_outputs_taken(const ExprPtr& process) const {
     std::vector<ExprPtr> outputs;
     for (const std::string& path : csp_emit::components_in(emission_, {process}))
         for (const ExprPtr& output : csp_emit::outputs_of(emission_.provenance, path)) outputs.push_back(output);
+    // a claim that compares two components renames the registers of one to those of the other
+    if (runs_in_cycles(process))
+        for (const csp_emit::ComponentProcesses& component : emission_.components)
+            for (const ExprPtr& event : csp_emit::cycle_events_of(emission_.provenance, component.path))
+                outputs.push_back(event);
     return outputs.empty() ? process : b::hide(process, b::productions(outputs));
 }
 
@@ -131,6 +137,13 @@ ExprPtr SecondLook::subject_of(const csp_emit::Obligation& obligation, const std
     return nullptr;
 }
 
+/// Whether some component of the process is of RoboSim.
+bool SecondLook::runs_in_cycles(const ExprPtr& process) const {
+    const std::set<std::string> paths = csp_emit::components_in(emission_, {process});
+    return std::ranges::any_of(
+        paths, [&](const std::string& path) { return !csp_emit::cycle_events_of(emission_.provenance, path).empty(); });
+}
+
 void SecondLook::add_time_stops(const ExprPtr& process, AssertionReport& report) {
     const Seen& seen = seen_of(with_outputs_taken(process));
     if (!seen.whole || !seen.time_stops) return;
@@ -139,7 +152,8 @@ void SecondLook::add_time_stops(const ExprPtr& process, AssertionReport& report)
                        {},
                        {},
                        {},
-                       "`is timelock-free` shows a run to where time stops"});
+                       runs_in_cycles(process) ? "`is deadlock-free` says after which inputs"
+                                               : "`is timelock-free` shows a run to where time stops"});
 }
 
 /// Adds an entry if the violation is the passing of time. A specification without `tock` allows only events that occur

@@ -39,6 +39,7 @@ private:
     const Seen& seen_of(const cspm::ExprPtr&);
     Seen find_seen(const cspm::ExprPtr&);
     [[nodiscard]] cspm::ExprPtr with_outputs_taken(const cspm::ExprPtr&) const;
+    [[nodiscard]] bool runs_in_cycles(const cspm::ExprPtr&) const;
     [[nodiscard]] cspm::ExprPtr subject_of(const csp_emit::Obligation&, const std::string& variant) const;
     void add_of_refinement(const cspm::Decl&, bool timed, AssertionReport&);
     void add_no_time(const cspm::Assertion&, AssertionReport&);

@@ -289,6 +289,44 @@ void decide_recurrence(const ClaimContext& context, const csp_emit::Obligation& 
     }
 }
 
+/// The inputs and outputs of a run, by the time at which they happen: "input e with false at time 0; ...".
+std::string cycles_of(const runs::Run& run) {
+    std::string result, now;
+    std::int64_t time = 0;
+    const auto end = [&] {
+        if (!now.empty()) result += fmt::format("{}{} at time {}", result.empty() ? "" : "; ", now, time);
+        now.clear();
+    };
+    for (const runs::Step& step : run.steps) {
+        if (step.event.kind == runs::Kind::tock) {
+            end();
+            time += step.units;
+        }
+        const bool shown = step.event.kind == runs::Kind::input || step.event.kind == runs::Kind::output ||
+                           step.event.kind == runs::Kind::call || step.event.kind == runs::Kind::assignment;
+        if (shown && !step.hidden) now += (now.empty() ? "" : ", ") + step.event.text;
+    }
+    end();
+    return result;
+}
+
+/// A deadlock-free RoboSim component may stop time: says after which inputs.
+void note_time_stop(const ClaimContext& context, const csp_emit::Obligation& claim, AssertionReport& report) {
+    csp_emit::Obligation obligation;
+    obligation.kind = ir::PropertyKind::refines;
+    obligation.title = claim.title + ": time goes on";
+    obligation.property = claim.property;
+    obligation.time = claim.time;
+    obligation.recurrence = claim.time_goes_on;
+    AssertionReport found;
+    decide_recurrence(context, obligation, found);
+    if (found.answer == Answer::inconclusive) report.reason = "whether it can stop time is not known: " + found.reason;
+    if (found.answer != Answer::fails) return;
+    const std::string cycles = found.run ? cycles_of(*found.run) : "";
+    report.reason = "it can stop time, which is no deadlock in this sense: " +
+                    (cycles.empty() ? "no cycle ever ends" : "after " + cycles + ", no cycle ends any more");
+}
+
 /// Decides a claim that consists of several assertions. If all of them must hold, the first that fails ends the check.
 /// If one suffices, the first that holds ends the check, and the claim fails only if all of them fail. If none holds
 /// and one is inconclusive, the claim is inconclusive. Returns the assertions on which a positive answer is based.
@@ -595,6 +633,7 @@ std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context,
         one.reason.clear();
         decide_recurrence(context, obligation, one);
     }
+    if (obligation.time_goes_on && one.answer == Answer::holds) note_time_stop(context, obligation, one);
     const bool decided = one.answer == Answer::holds || one.answer == Answer::fails;
     if (decided && is_open_in_classes(project_, obligation, one.answer)) {
         one.answer = Answer::inconclusive;

@@ -83,6 +83,8 @@ public:
             items_.push_back({assertion.span.begin, assertion.span.end});
         for (const auto& definition : file.probabilistic_definitions)
             items_.push_back({definition.span.begin, definition.span.end});
+        for (const auto& simulation : file.simulations)
+            items_.push_back({simulation->span.begin, simulation->span.end});
         for (const auto& part : file.kept) items_.push_back({part.whole.begin, part.whole.end});
         std::ranges::sort(items_, [](const Item& a, const Item& b) { return a.begin < b.begin; });
     }

@@ -36,6 +36,7 @@
 #include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/instantiate/given_constants.hpp"
 #include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/query.hpp"
 #include "semantics/lower/lower.hpp"
 
 namespace robochart::driver {
@@ -56,21 +57,6 @@ std::string project_name(const std::string& input) {
 void prepare_project(Project& project, const LoadSettings& settings, diagnostics::Budget* budget) {
     for (const std::string& code : settings.allowed) project.diagnostics.allow_code(code);
     project.diagnostics.set_budget(budget);
-}
-
-bool lower(Project& project, const LoadSettings& settings) {
-    const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "reading the model");
-    if (!is_acceptable(project, settings)) return false;
-    project.system = ir::lower(*project.model, project.sources, project.diagnostics);
-    return project.diagnostics.ok();
-}
-
-/// Makes the project finite. `options` are the settings without constants that exist only in other parts.
-bool make_finite(Project& project, const ir::InstantiationOptions& options, ir::Carriers carriers) {
-    const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "making the model finite");
-    project.asked = options;
-    project.instantiation = ir::instantiate_system(project.system, options, project.diagnostics, carriers);
-    return project.diagnostics.ok();
 }
 
 ir::ComponentRef make_component_ref(ir::ComponentKind kind, std::size_t index, const std::string& package,
@@ -97,6 +83,29 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
             all.push_back(make_component_ref(ir::ComponentKind::machine, i, machine.package, machine.name));
     }
     return all;
+}
+
+bool is_robosim(const ir::System& system, const ir::ComponentRef& ref) {
+    const auto robosim = ir::robosim_components(system);
+    return std::ranges::any_of(
+        robosim, [&](const ir::ComponentRef& one) { return one.kind == ref.kind && one.definition == ref.definition; });
+}
+
+bool lower(Project& project, const LoadSettings& settings) {
+    const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "reading the model");
+    if (!is_acceptable(project, settings)) return false;
+    project.system = ir::lower(*project.model, project.sources, project.diagnostics);
+    const bool scripts = settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write;
+    if (!scripts && project.diagnostics.ok()) ir::leave_out_robosim(project.system, project.diagnostics);
+    return project.diagnostics.ok();
+}
+
+/// Makes the project finite. `options` are the settings without constants that exist only in other parts.
+bool make_finite(Project& project, const ir::InstantiationOptions& options, ir::Carriers carriers) {
+    const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "making the model finite");
+    project.asked = options;
+    project.instantiation = ir::instantiate_system(project.system, options, project.diagnostics, carriers);
+    return project.diagnostics.ok();
 }
 
 }  // namespace
@@ -667,6 +676,7 @@ std::string files_inside(const std::string& folder, std::string_view ending) {
 std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& name) {
     std::vector<ir::ComponentRef> chosen;
     for (const ir::ComponentRef& ref : all_components(system)) {
+        if (is_robosim(system, ref)) continue;
         const bool named = ref.path == name || ref.package + "::" + ref.path == name;
         if (name.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
     }

@@ -11,6 +11,8 @@ diagnostics::Span declared_at(const ir::System& system, const ir::ComponentRef& 
             return system.controllers[component.definition].origin.span;
         case ir::ComponentKind::machine:
             return system.machines[component.definition].origin.span;
+        case ir::ComponentKind::simulation:
+            return system.simulations[component.definition].origin.span;
         case ir::ComponentKind::operation:
         case ir::ComponentKind::process:
             break;

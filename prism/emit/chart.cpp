@@ -53,6 +53,7 @@ private:
             case ir::StmtKind::call:
                 result.push_back(stmt);
                 return;
+            case ir::StmtKind::exec:    // RoboSim, which is not encoded
             case ir::StmtKind::choose:  // only in models that are decided by the CSP checker
                 assert(false);
                 return;

@@ -178,6 +178,24 @@ ChosenConstants chosen_constants(const System& system, const GivenConstants& opt
     return chosen;
 }
 
+void check_shared_constants(const System& system, const Instantiation& instantiation, Diagnostics& diagnostics) {
+    const auto value_of = [&](const ConstantSource& source) -> const Value* {
+        const auto found = instantiation.constants.find(source.name);
+        return found == instantiation.constants.end() ? nullptr : &found->second;
+    };
+    for (const SharedConstant& shared : shared_constants(system)) {
+        const Value* first = value_of(shared.sources.front());
+        const bool same = std::ranges::all_of(shared.sources, [&](const ConstantSource& source) {
+            const Value* value = value_of(source);
+            return (value == nullptr) == (first == nullptr) && (value == nullptr || *value == *first);
+        });
+        if (!same)
+            diagnostics.report(
+                rules::ambiguous_constant, shared.operation->origin.span,
+                {shared.operation->name, shared.constant, shared.controller->name, shared.source_names()});
+    }
+}
+
 void set_constants(const System& system, const ChosenConstants& chosen, Instantiation& instantiation) {
     for (const auto& constant : named_constants(system)) {
         const auto it = chosen.find(constant.name);

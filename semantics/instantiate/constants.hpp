@@ -21,5 +21,7 @@ using ChosenConstants = std::map<std::string, ExprPtr>;
                                                diagnostics::Diagnostics&);
 /// Fills Instantiation::constants from the options and the defaults. Carriers and scale must be set before.
 void set_constants(const System&, const ChosenConstants&, Instantiation&);
+/// Reports RC-S19 for a constant that an operation requires from several callers which have different values.
+void check_shared_constants(const System&, const Instantiation&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::ir

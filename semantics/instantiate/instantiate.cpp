@@ -299,6 +299,7 @@ Instantiation instantiate_system(const System& system, const InstantiationOption
     instantiation.integer = numbers.whole(ranges.by_type[1], "int", instantiation.nat);
     instantiation.real = numbers.reals(ranges.by_type[2], instantiation.integer, instantiation.scale);
     set_constants(system, chosen, instantiation);
+    check_shared_constants(system, instantiation, diagnostics);
     const std::int64_t clocks = clock_need(system, instantiation);
     instantiation.clock_bound = std::max(instantiation.clock_bound, clocks);
     set_sizes(options, clocks, instantiation, diagnostics);

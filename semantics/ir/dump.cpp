@@ -28,6 +28,8 @@ std::string scope_text(VariableScope scope) {
             return "required";
         case VariableScope::parameter:
             return "parameter";
+        case VariableScope::reg:
+            return "register";
         case VariableScope::local:
             break;
     }
@@ -53,12 +55,12 @@ std::string kind_text(NodeKind kind) {
 std::string kind_text(PropertyKind kind) {
     constexpr const char* words[] = {"deadlock-free",     "divergence-free", "deterministic", "timelock-free",
                                      "terminates",        "refines",         "equals",        "reachable",
-                                     "clock-initialised", "event-missed",    "conforms"};
+                                     "clock-initialised", "event-missed",    "conforms",      "schedulable"};
     return words[static_cast<std::size_t>(kind)];
 }
 
 std::string kind_text(ComponentKind kind) {
-    constexpr const char* words[] = {"module", "controller", "machine", "operation", "process"};
+    constexpr const char* words[] = {"module", "controller", "machine", "operation", "simulation", "process"};
     return words[static_cast<std::size_t>(kind)];
 }
 
@@ -176,12 +178,13 @@ void Dump::dump_node(const Machine& machine, const Node& node) {
 void Dump::dump_transition(const Machine& machine, const Transition& transition) {
     std::string resets;
     for (const auto clock : transition.resets) resets += " reset " + machine.clocks[clock.index].name;
-    write_line("  transition {} {} -> {}{}{}{}{}{}{}", transition.name, machine.nodes[transition.source.index].path,
-               machine.nodes[transition.target.index].path,
+    write_line("  transition {} {} -> {}{}{}{}{}{}{}{}", transition.name, machine.nodes[transition.source.index].path,
+               machine.nodes[transition.target.index].path, transition.exec ? " exec" : "",
                transition.trigger ? " on " + communication_text(system_, machine, *transition.trigger) : "", resets,
                clause_text(system_, &machine, "within", transition.deadline),
                clause_text(system_, &machine, transition.guard_timed ? "when-timed" : "when", transition.guard),
                clause_text(system_, &machine, "probability", transition.probability), transition.action ? " do" : "");
+    for (const auto& store : transition.stores) text_ += program_text(system_, machine, *store, 6);
     if (transition.action) text_ += program_text(system_, machine, *transition.action, 6);
 }
 

@@ -268,6 +268,8 @@ std::string statement_head(const System& system, const Machine& machine, const S
             return "reset " + name_at(machine.clocks, stmt.clock.index);
         case StmtKind::deadline:
             return "within " + value(stmt.value);
+        case StmtKind::exec:
+            return "exec";
         case StmtKind::choose:
             return "choose";
     }

@@ -205,6 +205,7 @@ enum class StmtKind {
     wait_interval,
     clock_reset,
     deadline,
+    exec,   ///< RoboSim: ends the cycle
     choose  ///< only in models that semantics/data makes, which are decided and never run
 };
 
@@ -237,6 +238,7 @@ enum class VariableScope {
     local,      ///< declared by the machine, private to it
     required,   ///< declared by a required interface and shared; the machine keeps a copy (semantics 3.7)
     parameter,  ///< a parameter of an operation; read-only
+    reg,        ///< RoboSim: a register of the input or output context; its name begins with `$`
 };
 
 /// A variable of a machine, a controller or a platform. Parameters of operations are variables, too.
@@ -247,6 +249,7 @@ struct Variable {
     ExprPtr initial;        ///< null: the type's default (booleans default to true)
     std::string interface;  ///< name of the interface that declares it; "" if the machine declares it
     Origin origin;
+    bool output = false;  ///< RoboSim: a variable of the output context, which assignments write
 };
 
 /// A constant of a machine, a controller or a platform.
@@ -290,7 +293,20 @@ struct OperationSignature {
     bool terminates = false;
     std::string interface;
     Origin origin;
+    bool output = false;  ///< RoboSim: an operation of the output context, which the platform performs
 };
+
+/// RoboSim: an input of a machine or operation, which a cycle reads at its beginning.
+struct Input {
+    std::string name;    ///< the name of the event or variable
+    VariableId full;     ///< an event: whether its register is full; a variable: invalid
+    VariableId content;  ///< the value of the register; invalid for an event without a type
+    Origin origin;
+};
+
+/// The name of the constant that holds the length of the cycles of a RoboSim component. No element of a model can have
+/// this name.
+inline constexpr const char* cycle_length = "cycle length";
 
 /// The kinds of nodes of a machine.
 enum class NodeKind { state, initial, junction, probabilistic, final };
@@ -323,6 +339,8 @@ struct Transition {
     ExprPtr probability;
     StmtPtr action;  ///< null if none
     Origin origin;
+    bool exec = false;            ///< RoboSim: the transition ends the cycle
+    std::vector<StmtPtr> stores;  ///< RoboSim: the assignments of `$e?v` in the condition, in textual order
 };
 
 /// A defined operation is a machine, too.
@@ -348,6 +366,8 @@ struct Machine {
     std::vector<std::string> interfaces;                 ///< interfaces used and required, in textual order
     std::uint32_t points = 0;                            ///< number of Stmt::point values
     Origin origin;
+    bool robosim = false;       ///< it runs in cycles; its constants include cycle_length
+    std::vector<Input> inputs;  ///< RoboSim: the input context
 };
 
 // ---------------------------------------------------------------- composition
@@ -394,6 +414,7 @@ struct Controller {
     std::vector<Connection> connections;
     std::vector<std::string> interfaces;
     Origin origin;
+    bool robosim = false;  ///< it runs in cycles; its constants include cycle_length
 };
 
 /// A controller in the module in which it runs.
@@ -423,6 +444,7 @@ struct Module {
     std::vector<ControllerInstance> controllers;
     std::vector<Connection> connections;
     Origin origin;
+    bool robosim = false;  ///< it runs in cycles; the constants of its platform include cycle_length
 };
 
 /// A function that the model uses and specifies only by contract. `parameter_names` are bound in the conditions, and
@@ -441,8 +463,8 @@ struct Function {
 
 // ---------------------------------------------------------------- properties (from .assertions)
 
-/// The subject of an assertion; `process`: a process that a CSP block defines.
-enum class ComponentKind { module, controller, machine, operation, process };
+/// The subject of an assertion; `process`: a process that a CSP block defines; `simulation`: of RoboSim.
+enum class ComponentKind { module, controller, machine, operation, simulation, process };
 
 /// A component named in an assertion, with references resolved.
 struct ComponentRef {
@@ -450,7 +472,7 @@ struct ComponentRef {
     /// CSP module path without the package ("M::ctrl_ref0::stm_ref0", "S", "OP_move"); process: the name as written.
     std::string path;
     std::string package;               ///< "" if unnamed
-    std::uint32_t definition = no_id;  ///< index into System::modules, controllers, machines or csp_blocks
+    std::uint32_t definition = no_id;  ///< index into System::modules, controllers, machines, simulations or csp_blocks
 };
 
 /// The forms of assertions.
@@ -465,7 +487,8 @@ enum class PropertyKind {
     reachable,
     clock_initialised,
     event_missed,
-    conforms,  ///< the component conforms to a SLEEC rule in another file
+    conforms,     ///< the component conforms to a SLEEC rule in another file
+    schedulable,  ///< RoboSim: the assumptions of a simulation never block an output of its component
 };
 /// The semantic model of CSP in which a property is decided.
 enum class PropertyModel { failures_divergences, traces, failures, tick_tock };
@@ -495,6 +518,15 @@ struct Property {
     Origin origin;
 };
 
+/// RoboSim: a RoboChart component that runs in cycles (docs/robosim.md).
+struct Simulation {
+    std::string name;
+    ComponentRef subject;
+    Constant cycle;                            ///< cycle_length
+    std::vector<std::string> inputs, outputs;  ///< of a machine: the names in the contexts
+    Origin origin;
+};
+
 /// A raw CSPM block of an .assertions file.
 struct CspBlock {
     std::string name;
@@ -514,6 +546,7 @@ struct System {
     std::vector<Module> modules;
     std::vector<Property> properties;  ///< by the paths of their files, then in textual order
     std::vector<CspBlock> csp_blocks;
+    std::vector<Simulation> simulations;  ///< RoboSim, by the paths of their files, then in textual order
 
     [[nodiscard]] const Type& type(TypeId id) const { return types[id.index]; }
     [[nodiscard]] const Machine& machine(MachineId id) const { return machines[id.index]; }

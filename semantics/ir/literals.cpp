@@ -56,6 +56,7 @@ std::set<const Expr*> values_of(const std::set<std::string>& names, const System
 
 std::set<std::string> constants_of_durations(const System& system) {
     ConstantUses uses;
+    uses.times.insert(cycle_length);
     for (const Machine& machine : system.machines)
         visit_expressions(machine, [&](const Expr& expr, ExprRole role) {
             uses.add(machine.constants, expr, role == ExprRole::time);

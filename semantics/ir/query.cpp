@@ -79,7 +79,15 @@ std::vector<OperationId> called_operations(const Machine& machine) {
 std::string constant_name(const std::string& package, const std::string& path, const std::string& constant) {
     std::string name = package.empty() ? path : package + "::" + path;
     for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::", at)) name.replace(at, 2, "_");
+    if (constant == cycle_length) {
+        const std::size_t last = path.rfind("::");
+        return "cycle_" + name + "_" + (last == std::string::npos ? path : path.substr(last + 2));
+    }
     return "const_" + name + "_" + constant;
+}
+
+bool is_cycle_name(const std::string& name) {
+    return name.starts_with("cycle_");
 }
 
 namespace {
@@ -158,6 +166,32 @@ std::vector<ConstantSource> constant_sources(const System& system, const Module*
     return search.take_sources();
 }
 
+bool SharedConstant::is_one_constant() const {
+    return std::ranges::all_of(
+        sources, [&](const ConstantSource& source) { return source.constant == sources.front().constant; });
+}
+
+std::string SharedConstant::source_names() const {
+    std::string names;
+    for (const ConstantSource& source : sources) names += (names.empty() ? "" : ", ") + source.name;
+    return names;
+}
+
+std::vector<SharedConstant> shared_constants(const System& system) {
+    std::vector<SharedConstant> result;
+    for (const Controller& controller : system.controllers)
+        for (std::size_t i = 0; i < controller.definitions.size(); ++i) {
+            const Machine& operation = system.machine(controller.definitions[i]);
+            for (std::uint32_t k = 0; k < operation.constants.size(); ++k) {
+                auto sources = constant_sources(system, nullptr, controller, controller.definition_names[i], operation,
+                                                ConstantId{k});
+                if (sources.size() > 1)
+                    result.push_back({&controller, &operation, operation.constants[k].name, std::move(sources)});
+            }
+        }
+    return result;
+}
+
 ConstantSource constant_source(const System& system, const Module* module, const Controller* controller,
                                const std::string& part, const Machine& machine, ConstantId id) {
     const Constant& own = machine.constants.at(id.index);
@@ -189,7 +223,35 @@ std::vector<NamedConstant> named_constants(const System& system) {
                           system.machine(controller.definitions[i]));
     }
     for (const auto& module : system.modules) list.add_all(module.package, module.name, module.platform.constants);
+    for (const auto& simulation : system.simulations) list.add("", simulation.name, simulation.cycle);
     return list.take_constants();
+}
+
+std::vector<ComponentRef> robosim_components(const System& system) {
+    std::vector<ComponentRef> result;
+    const auto add = [&](ComponentKind kind, const auto& component, const std::string& path, std::size_t index) {
+        if (component.robosim) result.push_back({kind, path, component.package, static_cast<std::uint32_t>(index)});
+    };
+    for (std::size_t i = 0; i < system.machines.size(); ++i) {
+        const bool operation = system.machines[i].kind == MachineKind::operation;
+        add(operation ? ComponentKind::operation : ComponentKind::machine, system.machines[i], system.machines[i].path,
+            i);
+    }
+    for (std::size_t i = 0; i < system.controllers.size(); ++i)
+        add(ComponentKind::controller, system.controllers[i], system.controllers[i].path, i);
+    for (std::size_t i = 0; i < system.modules.size(); ++i)
+        add(ComponentKind::module, system.modules[i], system.modules[i].name, i);
+    return result;
+}
+
+void remove_robosim(System& system) {
+    // lowering puts them behind those of RoboChart
+    std::erase_if(system.machines, [](const Machine& machine) { return machine.robosim; });
+    std::erase_if(system.controllers, [](const Controller& controller) { return controller.robosim; });
+    std::erase_if(system.modules, [](const Module& module) { return module.robosim; });
+    system.simulations.clear();
+    std::erase_if(system.properties, [](const Property& property) { return property.file.ends_with(".rsa"); });
+    std::erase_if(system.csp_blocks, [](const CspBlock& block) { return block.file.ends_with(".rsa"); });
 }
 
 bool is_instantiations(const CspBlock& block) {

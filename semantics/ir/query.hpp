@@ -26,8 +26,11 @@ namespace robochart::ir {
 /// RoboTool's name of a constant that a process takes as a parameter: `const_<package>_<path>_<constant>`. The path is
 /// that of the defining component (`S`, `C`); inside a controller, the reference's name follows (`C::stm_ref`,
 /// `C::op_ref`).
+/// The length of the cycles of a RoboSim component: `cycle_<package>_<path>_<component>`.
 [[nodiscard]] std::string constant_name(const std::string& package, const std::string& path,
                                         const std::string& constant);
+/// Whether constant_name made the name for the length of a cycle.
+[[nodiscard]] bool is_cycle_name(const std::string&);
 
 /// The source of the value of a machine's constant when the machine runs as `part` of a controller (the name of its
 /// MachineInstance, or of its entry in Controller::definition_names):
@@ -46,9 +49,22 @@ struct ConstantSource {
 [[nodiscard]] ConstantSource constant_source(const System&, const Module* module, const Controller* controller,
                                              const std::string& part, const Machine&, ConstantId);
 
-/// All sources, if callers of an operation provide different ones; lowering rejects such models (RC-S19).
+/// All sources, if callers of an operation provide different ones (RC-S19).
 [[nodiscard]] std::vector<ConstantSource> constant_sources(const System&, const Module* module, const Controller&,
                                                            const std::string& part, const Machine&, ConstantId);
+/// A constant that an operation of a controller requires from several callers.
+struct SharedConstant {
+    const Controller* controller = nullptr;
+    const Machine* operation = nullptr;
+    std::string constant;
+    std::vector<ConstantSource> sources;  ///< at least two
+    /// Whether all sources are one constant of one machine that runs several times. They have one value unless the
+    /// value of one of them is set; otherwise lowering rejects the model.
+    [[nodiscard]] bool is_one_constant() const;
+    [[nodiscard]] std::string source_names() const;
+};
+[[nodiscard]] std::vector<SharedConstant> shared_constants(const System&);
+
 /// The source of the value of a controller's constant: the platform's constant, if the controller requires it and runs
 /// in a module.
 [[nodiscard]] ConstantSource constant_source(const Module* module, const Controller&, ConstantId);
@@ -64,6 +80,11 @@ struct NamedConstant {
 [[nodiscard]] std::vector<NamedConstant> named_constants(const System&);
 /// Whether a user may write `name` for the element with this path: the path itself, or its end after a `::`.
 [[nodiscard]] bool is_named_by(const std::string& path, const std::string& name);
+
+/// The components of RoboSim, machines before controllers before modules; inner ones too.
+[[nodiscard]] std::vector<ComponentRef> robosim_components(const System&);
+/// Removes the components and simulations of RoboSim and the claims about them. Those of RoboChart keep their indices.
+void remove_robosim(System&);
 
 /// Whether the block replaces carriers, constants and functions of the scripts: `csp Instantiations`.
 [[nodiscard]] bool is_instantiations(const CspBlock&);

@@ -2,6 +2,8 @@
 // Traversals of the IR.
 #include "semantics/ir/visit.hpp"
 
+#include "semantics/ir/query.hpp"
+
 namespace robochart::ir {
 namespace {
 
@@ -47,8 +49,10 @@ void visit_statements(const Machine& machine, const StmtVisitor& visitor) {
     for (const auto& node : machine.nodes)
         for (const auto* action : {&node.entry, &node.during, &node.exit})
             if (*action) visit_statements(**action, visitor);
-    for (const auto& transition : machine.transitions)
+    for (const auto& transition : machine.transitions) {
+        for (const auto& store : transition.stores) visit_statements(*store, visitor);
         if (transition.action) visit_statements(*transition.action, visitor);
+    }
 }
 
 void visit_expressions(const Machine& machine, const RootVisitor& visitor) {
@@ -84,7 +88,9 @@ void visit_expressions(const System& system, const RootVisitor& visitor) {
     for (const auto& controller : system.controllers) visit_declarations(controller, visitor);
     for (const auto& module : system.modules) visit_declarations(module.platform, visitor);
     for (const auto& property : system.properties)
-        for (const auto& [name, value] : property.constants) visit_root(value, ExprRole::value, visitor);
+        for (const auto& [name, value] : property.constants)
+            visit_root(value, is_cycle_name(name) ? ExprRole::time : ExprRole::value, visitor);
+    for (const auto& simulation : system.simulations) visit_root(simulation.cycle.value, ExprRole::time, visitor);
 }
 
 void visit_operands(const Expr& expr, const std::function<void(const Expr&)>& visitor) {

@@ -64,26 +64,15 @@ void check_recursion(Lowering& lowering, const Controller& controller) {
         report_cycle(lowering, controller, parents, boost::target(edge, graph), boost::source(edge, graph));
 }
 
-void check_constants(Lowering& lowering, const Controller& controller, std::size_t definition) {
-    const Machine& machine = lowering.system.machine(controller.definitions[definition]);
-    const std::string& part = controller.definition_names[definition];
-    for (std::uint32_t i = 0; i < machine.constants.size(); ++i) {
-        const auto sources = constant_sources(lowering.system, nullptr, controller, part, machine, ConstantId{i});
-        if (sources.size() < 2) continue;
-        std::string names;
-        for (const auto& source : sources) names += (names.empty() ? "" : ", ") + source.name;
-        lowering.diagnostics.report(rules::ambiguous_constant, machine.origin.span,
-                                    {machine.name, machine.constants[i].name, controller.name, names});
-    }
-}
-
 }  // namespace
 
 void check_calls(Lowering& lowering) {
-    for (const auto& controller : lowering.system.controllers) {
-        check_recursion(lowering, controller);
-        for (std::size_t i = 0; i < controller.definitions.size(); ++i) check_constants(lowering, controller, i);
-    }
+    for (const auto& controller : lowering.system.controllers) check_recursion(lowering, controller);
+    for (const SharedConstant& shared : shared_constants(lowering.system))
+        if (!shared.is_one_constant())
+            lowering.diagnostics.report(
+                rules::ambiguous_constant, shared.operation->origin.span,
+                {shared.operation->name, shared.constant, shared.controller->name, shared.source_names()});
 }
 
 }  // namespace robochart::ir

@@ -4,6 +4,7 @@
 
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/machines.hpp"
+#include "semantics/lower/registers.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {
@@ -81,6 +82,7 @@ private:
     void lower_part(const ast::Declaration& declaration);
     void lower_machine_part(const Part& part, MachineId id);
     void bind_operations();
+    void check_software_calls();
 
     Lowering& lowering_;
     const ast::Component& source_;
@@ -95,6 +97,8 @@ void ControllerLowering::declare_members() {
     controller_.events = std::move(declared.events);
     controller_.operations = std::move(declared.operations);
     controller_.interfaces = std::move(declared.interfaces);
+    controller_.robosim = source_.dialect == ast::Dialect::robosim;
+    if (controller_.robosim) controller_.constants.push_back(cycle_constant(lowering_, declared.names, source_, true));
     if (!declared.clocks.empty())
         lowering_.report_unsupported("a clock of controller " + source_.name, source_.name_span);
 }
@@ -134,12 +138,33 @@ void ControllerLowering::lower_part(const ast::Declaration& declaration) {
 void ControllerLowering::bind_operations() {
     for (auto& instance : controller_.machines)
         for (const auto& signature : lowering_.system.machine(instance.machine).operations)
-            instance.definitions.push_back(definition_in(lowering_.system, controller_, signature));
+            instance.definitions.push_back(signature.output ? MachineId{}
+                                                            : definition_in(lowering_.system, controller_, signature));
     auto& leaving = controller_.operations;
     const auto defined = [&](const OperationSignature& signature) {
         return definition_in(lowering_.system, controller_, signature).is_valid();
     };
-    std::erase_if(leaving, defined);
+    // the operations that a RoboSim controller requires are outputs
+    if (!controller_.robosim) std::erase_if(leaving, defined);
+    if (controller_.robosim) check_software_calls();
+}
+
+/// A call without `$` runs an operation of the controller.
+void ControllerLowering::check_software_calls() {
+    std::vector<MachineId> callers = controller_.definitions;
+    for (const auto& instance : controller_.machines) callers.push_back(instance.machine);
+    for (const MachineId id : callers) {
+        const Machine& caller = lowering_.system.machine(id);
+        for (const OperationId called : called_operations(caller)) {
+            const OperationSignature& operation = caller.operations[called.index];
+            if (operation.output || definition_in(lowering_.system, controller_, operation).is_valid()) continue;
+            lowering_.diagnostics.report(
+                rules::robosim_unsupported, caller.origin.span,
+                {"the call of " + operation.name + " in " + caller.name + ", which " + controller_.name +
+                     " does not define,",
+                 "call `$" + operation.name + "` if the platform performs it, or add the operation to the controller"});
+        }
+    }
 }
 
 void ControllerLowering::run() {
@@ -203,6 +228,10 @@ void ModuleLowering::run() {
     module_.origin = origin_of(module_.name, source_.span);
     for (const auto* declaration : source_.order) lower_part(*declaration);
     if (platform_ == nullptr) lowering_.report_unresolved("the platform of module " + source_.name, source_.name_span);
+    module_.robosim = source_.dialect == ast::Dialect::robosim;
+    if (module_.robosim) {
+        module_.platform.constants.push_back(cycle_constant(lowering_, {}, source_, false));
+    }
     module_.connections = connections_of(lowering_, source_, module_.name, parts_, platform_);
     mark_uses(module_.platform.events, module_.connections);
 }

@@ -9,8 +9,6 @@ namespace robochart::ir {
 /// Creates the entries of all machines, operations, controllers and modules in the System, in textual order of files by
 /// path; inline ones at their place. The bodies are added later.
 void register_components(Lowering&);
-/// Reports components of RoboSim, which have no entries: an error if the model has no other components.
-void report_robosim(const Lowering&);
 void lower_controller(Lowering&, const frontend::Component&, ControllerId);
 void lower_module(Lowering&, const frontend::Component&, std::size_t index);
 /// Reports operations that call themselves through the definitions of a controller, and required constants for which

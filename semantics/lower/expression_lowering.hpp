@@ -51,6 +51,10 @@ private:
     ExprPtr lower_string(const ast::Expr& source);
     ExprPtr lower_result(const ast::Expr& source);
     ExprPtr lower_clock(const ast::Expr& source);
+    ExprPtr lower_register(const ast::Expr& source);
+    ExprPtr lower_cycle(const ast::Expr& source);
+    ExprPtr read_variable(const ast::Expr& source, VariableId id) const;
+    void add_store(const ast::Expr& source, VariableId content);
     ExprPtr reject_construct(const ast::Expr& source, const std::string& what);
 
     Expr start_node(const ast::Expr& source, ExprKind kind);

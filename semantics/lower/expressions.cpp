@@ -217,10 +217,12 @@ ExprPtr Expressions::lower_form(const ast::Expr& source, TypeId expected) {
         case ast::ExprKind::event:
         case ast::ExprKind::marked:
         case ast::ExprKind::simulation:
-        case ast::ExprKind::register_:
-        case ast::ExprKind::cycle:
         case ast::ExprKind::error:
-            break;  // mistakes, and forms of probabilistic assertions and of RoboSim, which are not lowered
+            break;  // mistakes, and forms of probabilistic assertions, which are not lowered
+        case ast::ExprKind::register_:
+            return lower_register(source);
+        case ast::ExprKind::cycle:
+            return lower_cycle(source);
     }
     lowering_.report_unresolved("an expression", source.span);
     return make_boolean(true, source.span);

@@ -18,6 +18,11 @@ struct Names {
     Machine* machine = nullptr;  ///< receives the clocks of sinceEntry; null outside machines
     const frontend::Declaration* trigger_variable = nullptr;  ///< the variable that trigger_value replaces in a guard
     TypeId result;                                            ///< the type of the function's result in a postcondition
+    // RoboSim
+    ByDeclaration<std::size_t> inputs;               ///< events and variables of the input context: Machine::inputs
+    ByDeclaration<VariableId> registers;             ///< variables of the contexts
+    ByDeclaration<OperationId> platform_operations;  ///< operations of the output context
+    std::vector<StmtPtr>* stores = nullptr;          ///< receives the assignments of `$e?v`; null outside conditions
 };
 
 /// The expression in the IR. With an `expected` type, a number of a narrower type is converted to it: literals are

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "semantics/ir/query.hpp"
 #include "semantics/lower/components.hpp"
 #include "semantics/lower/machines.hpp"
 #include "semantics/lower/properties.hpp"
 #include "semantics/lower/types.hpp"
+#include "semantics/rules.hpp"
 
 namespace robochart::ir {
 namespace {
@@ -55,11 +57,28 @@ System lower(const ast::Model& model, const diagnostics::SourceManager& sources,
     intern_core_types(lowering);
     lower_declared_types(lowering);
     register_components(lowering);
-    report_robosim(lowering);
     lower_components(lowering);
     check_calls(lowering);
     lower_properties(lowering);
     return std::move(lowering.system);
+}
+
+void leave_out_robosim(System& system, diagnostics::Diagnostics& diagnostics) {
+    const std::vector<ComponentRef> robosim = robosim_components(system);
+    if (robosim.empty()) return;
+    const ComponentRef& first = robosim.front();
+    diagnostics::Span place;
+    if (first.kind == ComponentKind::module)
+        place = system.modules[first.definition].origin.span;
+    else if (first.kind == ComponentKind::controller)
+        place = system.controllers[first.definition].origin.span;
+    else
+        place = system.machines[first.definition].origin.span;
+    std::string what = "`" + first.path + "`";
+    if (robosim.size() > 1) what += " (and " + std::to_string(robosim.size() - 1) + " more)";
+    remove_robosim(system);
+    const bool only = system.machines.empty() && system.controllers.empty() && system.modules.empty();
+    diagnostics.report(only ? rules::robosim_only : rules::robosim_passed_over, place, {what, "this command"});
 }
 
 }  // namespace robochart::ir

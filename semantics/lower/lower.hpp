@@ -13,4 +13,8 @@ namespace robochart::ir {
 /// table semantics/rules.hpp) and omitted. The sources provide paths and the wording of assertions.
 [[nodiscard]] System lower(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
+/// Leaves out the components of RoboSim, for a command that is built for RoboChart only (RC-S26). If there are no other
+/// components, this is an error.
+void leave_out_robosim(System&, diagnostics::Diagnostics&);
+
 }  // namespace robochart::ir

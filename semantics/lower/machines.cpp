@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "semantics/ir/visit.hpp"
 #include "semantics/lower/programs.hpp"
+#include "semantics/lower/registers.hpp"
 #include "semantics/rules.hpp"
 
 namespace robochart::ir {
@@ -32,6 +34,7 @@ private:
 
     void declare_members();
     void lower_contracts();
+    void check_required_variables();
     void add_nodes(const ast::NodeContainer& container, NodeId parent, std::size_t depth);
     NodeId add_node(const ast::State& source, NodeId parent);
     void collect_transitions(const ast::NodeContainer& container, const std::string& path);
@@ -72,6 +75,11 @@ void MachineLowering::declare_members() {
     const bool operation = machine_.kind == MachineKind::operation;
     Declarations declared =
         lower_declarations(lowering_, source_, machine_.path, operation ? &source_.parameters : nullptr);
+    if (machine_.robosim) {
+        add_registers(lowering_, source_, machine_.path, declared, machine_.inputs);
+        // an operation has no `cycleDef`: its cycle is that of its caller
+        declared.constants.push_back(cycle_constant(lowering_, declared.names, source_, true));
+    }
     machine_.variables = std::move(declared.variables);
     machine_.constants = std::move(declared.constants);
     machine_.events = std::move(declared.events);
@@ -80,6 +88,26 @@ void MachineLowering::declare_members() {
     machine_.interfaces = std::move(declared.interfaces);
     names_ = std::move(declared.names);
     names_.machine = &machine_;
+}
+
+/// A variable that a RoboSim machine requires outside of its contexts has no owner. It is refused if the machine uses
+/// it.
+void MachineLowering::check_required_variables() {
+    std::set<VariableId> used;
+    visit_reads(machine_, [&](VariableId id) { used.insert(id); });
+    visit_statements(machine_, [&](const Stmt& stmt) {
+        if (stmt.kind == StmtKind::assign) used.insert(stmt.variable);
+    });
+    for (std::uint32_t i = 0; i < machine_.variables.size(); ++i) {
+        Variable& variable = machine_.variables[i];
+        if (variable.scope != VariableScope::required) continue;
+        variable.scope = VariableScope::local;
+        if (used.contains({i}))
+            lowering_.diagnostics.report(
+                rules::robosim_unsupported, source_.name_span,
+                {"variable " + variable.name + ", which " + machine_.name + " requires outside of its contexts,",
+                 "require its interface in the input or output context"});
+    }
 }
 
 void MachineLowering::lower_contracts() {
@@ -143,7 +171,9 @@ void MachineLowering::communication_and_guard(Pending& pending, Transition& tran
         if (source.trigger->predicate)
             transition.guard = lower_expression(lowering_, names_, *source.trigger->predicate, boolean_type);
     }
+    if (machine_.robosim) names_.stores = &transition.stores;
     if (source.condition) pending.condition = lower_expression(lowering_, names_, *source.condition, boolean_type);
+    names_.stores = nullptr;
     names_.trigger_variable = nullptr;
     if (pending.condition) transition.guard = make_conjunction(transition.guard, pending.condition);
 }
@@ -152,6 +182,7 @@ void MachineLowering::lower_transition(Pending& pending) {
     const ast::Transition& source = *pending.source;
     Transition transition;
     transition.name = source.name;
+    transition.exec = source.exec;
     transition.origin = origin_of(element_path(pending.path + source.name), source.span);
     const auto from = names_.nodes.find(source.source);
     const auto to = names_.nodes.find(source.target);
@@ -252,6 +283,7 @@ void MachineLowering::run() {
         machine_.nodes[id.index] = std::move(node);
     }
     for (auto& pending : pending_) lower_transition(pending);
+    if (machine_.robosim && !operation) check_required_variables();
     // If a transition was left out after an error, transitions and sources no longer correspond.
     if (machine_.transitions.size() == pending_.size()) finish_guards();
     event_uses();
@@ -262,6 +294,7 @@ void MachineLowering::run() {
 void lower_machine(Lowering& lowering, const ast::Machine& source, MachineId id) {
     Machine machine = std::move(lowering.system.machines[id.index]);
     machine.terminates = source.terminates;
+    machine.robosim = source.dialect == ast::Dialect::robosim;
     machine.origin = origin_of(machine.path, source.span);
     MachineLowering(lowering, source, machine).run();
     lowering.system.machines[id.index] = std::move(machine);

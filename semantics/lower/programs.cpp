@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "semantics/lower/types.hpp"
+#include "semantics/rules.hpp"
 
 namespace robochart::ir {
 namespace {
@@ -29,6 +30,7 @@ private:
     TypeId index_step(const ast::Expr& target, TypeId base, Stmt& stmt);
     void lower_communication_statement(const ast::Stmt& source, Stmt& stmt);
     void lower_call(const ast::Stmt& source, Stmt& stmt);
+    OperationId software_operation(const ast::Stmt& source);
     void clock_reset(const ast::Stmt& source, Stmt& stmt);
 
     static StmtPtr share_statement(Stmt stmt) { return std::make_shared<const Stmt>(std::move(stmt)); }
@@ -58,9 +60,10 @@ StmtKind kind_of(ast::StmtKind kind) {
             return StmtKind::clock_reset;
         case ast::StmtKind::deadline:
             return StmtKind::deadline;
+        case ast::StmtKind::exec:
+            return StmtKind::exec;
         case ast::StmtKind::skip:
         case ast::StmtKind::parenthesised:
-        case ast::StmtKind::exec:
         case ast::StmtKind::error:
             break;
     }
@@ -171,7 +174,8 @@ TypeId Programs::lower_path(const ast::Expr& target, Stmt& stmt) {
         const TypeId base = lower_path(*target.args[0], stmt);
         return target.kind == ast::ExprKind::member ? member_step(target, base, stmt) : index_step(target, base, stmt);
     }
-    stmt.variable = look_up(names_.variables, target.target);
+    const bool written = target.kind == ast::ExprKind::register_;
+    stmt.variable = look_up(written ? names_.registers : names_.variables, target.target);
     if (stmt.variable.is_valid()) return names_.machine->variables[stmt.variable.index].type;
     lowering_.report_unresolved("variable '" + target.name.text() + "'", target.span);
     return nat_type;
@@ -179,6 +183,13 @@ TypeId Programs::lower_path(const ast::Expr& target, Stmt& stmt) {
 
 void Programs::lower_assignment(const ast::Stmt& source, Stmt& stmt) {
     const TypeId type = lower_path(*source.target, stmt);
+    const bool part = !stmt.path.empty() && stmt.variable.is_valid();
+    const bool written = part && names_.machine->variables[stmt.variable.index].output;
+    const auto reads = [&](const Input& input) { return input.content == stmt.variable; };
+    if (written && std::ranges::none_of(names_.machine->inputs, reads))
+        lowering_.diagnostics.report(rules::robosim_unsupported, source.span,
+                                     {"an assignment to a part of an output that is not an input",
+                                      "its other parts have no value; add the variable to the input context"});
     stmt.value = lower_expression(lowering_, names_, *source.value, type);
     if (mentions_time(stmt.value)) lowering_.report_unsupported("a timed expression in an action", source.value->span);
 }
@@ -197,8 +208,26 @@ void Programs::lower_communication_statement(const ast::Stmt& source, Stmt& stmt
         lowering_.report_unsupported("a timed expression in an action", communication.predicate->span);
 }
 
+/// The software operation with the name of an output that is called without `$`; invalid if there is no such output.
+OperationId Programs::software_operation(const ast::Stmt& source) {
+    const OperationId output = look_up(names_.platform_operations, source.declaration);
+    if (!output.is_valid()) return {};
+    std::vector<OperationSignature>& known = names_.machine->operations;
+    OperationSignature software = known[output.index];
+    software.output = false;
+    const auto same = std::ranges::find_if(known, [&](const OperationSignature& operation) {
+        return !operation.output && operation.name == software.name && operation.parameters == software.parameters;
+    });
+    const OperationId result{static_cast<std::uint32_t>(same - known.begin())};
+    if (same == known.end()) known.push_back(std::move(software));
+    return result;
+}
+
 void Programs::lower_call(const ast::Stmt& source, Stmt& stmt) {
-    stmt.operation = look_up(names_.operations, source.declaration);
+    const bool marked = source.through_register;
+    stmt.operation = look_up(marked ? names_.platform_operations : names_.operations, source.declaration);
+    // a call of an output without `$` (RC-Y06)
+    if (!marked && !stmt.operation.is_valid()) stmt.operation = software_operation(source);
     if (!stmt.operation.is_valid())
         return lowering_.report_unresolved("operation '" + source.name.text() + "'", source.span);
     const auto types = names_.machine->operations[stmt.operation.index].parameters;
@@ -228,6 +257,9 @@ void Programs::fill_statement(const ast::Stmt& source, Stmt& stmt) {
         case ast::StmtKind::clock_reset:
             return clock_reset(source, stmt);
         case ast::StmtKind::deadline:
+            if (names_.machine->robosim)
+                lowering_.diagnostics.report(rules::robosim_unsupported, source.span,
+                                             {"a deadline in an action", "no source defines its meaning"});
             lower_sequence(source, stmt);
             [[fallthrough]];
         case ast::StmtKind::wait:
@@ -236,9 +268,9 @@ void Programs::fill_statement(const ast::Stmt& source, Stmt& stmt) {
             if (source.upper) stmt.upper = lower_duration(lowering_, names_, *source.upper);
             return;
         case ast::StmtKind::skip:
+        case ast::StmtKind::exec:
             return;
         case ast::StmtKind::parenthesised:
-        case ast::StmtKind::exec:
         case ast::StmtKind::error:
             return lowering_.report_unresolved("a statement", source.span);
     }

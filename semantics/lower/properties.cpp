@@ -4,13 +4,14 @@
 #include "semantics/lower/properties.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 
 #include "base/diagnostics/text.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/expressions.hpp"
 #include "semantics/lower/paths.hpp"
+#include "semantics/lower/registers.hpp"
+#include "semantics/rules.hpp"
 
 namespace robochart::ir {
 namespace {
@@ -39,7 +40,8 @@ PropertyKind kind_of(ast::AssertionKind kind) {
             return PropertyKind::event_missed;
         case ast::AssertionKind::conforms:
             return PropertyKind::conforms;
-        case ast::AssertionKind::schedulable:  // RoboSim, which is not lowered
+        case ast::AssertionKind::schedulable:
+            return PropertyKind::schedulable;
         case ast::AssertionKind::clock_initialised:
             break;
     }
@@ -76,6 +78,7 @@ public:
     Properties(Lowering& lowering, const ast::File& file, Blocks& blocks)
         : lowering_(lowering), file_(file), blocks_(blocks) {}
 
+    void lower_simulations();
     void lower_blocks();
     void lower_assertions();
 
@@ -89,6 +92,8 @@ private:
     void lower_parameter(const ast::AssertionParameter& source, Property& property);
     void lower_constant(const ast::AssertionParameter& source, const FoundComponent& context, Property& property);
     void operation_parameter(const ast::AssertionParameter& source, const FoundComponent& context, Property& property);
+    void lower_cycle(const ast::AssertionParameter& source, Property& property);
+    void lower_simulation(const ast::Simulation& source);
     ExprPtr lower_value(const ast::AssertionParameter& source, TypeId type);
 
     Lowering& lowering_;
@@ -104,6 +109,14 @@ std::optional<FoundComponent> Properties::find_component(const ast::ComponentPat
         process.ref.path = path.process->name;
         if (const auto at = blocks_.find(path.process); at != blocks_.end()) process.ref.definition = at->second;
         return process;
+    }
+    if (!path.steps.empty() && path.steps.front()->kind == ast::DeclKind::simulation) {
+        FoundComponent simulation;
+        const auto& all = lowering_.system.simulations;
+        const auto at = std::ranges::find(all, path.steps.front()->name, &Simulation::name);
+        simulation.ref = {ComponentKind::simulation, path.steps.front()->name, "",
+                          static_cast<std::uint32_t>(at - all.begin())};
+        return simulation;
     }
     auto found = component_at(lowering_, path);
     if (!found) lowering_.report_unresolved(name.text(), name.span);
@@ -197,10 +210,21 @@ void Properties::operation_parameter(const ast::AssertionParameter& source, cons
     property.constants.emplace_back(name, lower_value(source, context.machine->variables[*at].type));
 }
 
+/// `cycleDef of X set to n`: the name is that of the constant of X itself.
+void Properties::lower_cycle(const ast::AssertionParameter& source, Property& property) {
+    const auto context = find_component(source.context_path, source.context);
+    if (!context || !source.value) return;
+    const ExprPtr length = lower_cycle_length(lowering_, {}, *source.value);
+    if (length->kind == ExprKind::integer && length->number <= 0)
+        return lowering_.report_unsupported("a cycle of " + std::to_string(length->number) + " time units",
+                                            source.value->span);
+    property.constants.emplace_back(constant_name(context->ref.package, context->ref.path, cycle_length), length);
+}
+
 void Properties::lower_parameter(const ast::AssertionParameter& source, Property& property) {
+    if (source.kind == ast::ParameterKind::cycle) return lower_cycle(source, property);
     const auto context = find_component(source.context_path, source.context);
     if (!context) return;
-    assert(source.kind != ast::ParameterKind::cycle && "only RoboSim sets cycles");
     if (source.kind == ast::ParameterKind::constant)
         lower_constant(source, *context, property);
     else
@@ -213,7 +237,8 @@ void Properties::lower_assertion(const ast::Assertion& source) {
     property.kind = kind_of(source.kind);
     property.negated = source.negated;
     property.timed = source.time != ast::AssertionTime::untimed;
-    property.untimed = source.time != ast::AssertionTime::timed;
+    // RoboSim has only the timed semantics
+    property.untimed = source.time != ast::AssertionTime::timed && file_.dialect == ast::Dialect::robochart;
     property.model = model_of(source.model);
     property.file = lowering_.sources.path(file_.source);
     property.wording = wording_of(lowering_.sources, source);
@@ -230,6 +255,9 @@ void Properties::lower_assertion(const ast::Assertion& source) {
     if (property.kind == PropertyKind::refines || property.kind == PropertyKind::equals)
         if (const auto other = find_component(source.other_path, source.other)) property.other = other->ref;
     for (const auto& item : source.parameters) lower_parameter(item, property);
+    if (property.kind == PropertyKind::conforms && file_.dialect == ast::Dialect::robosim)
+        lowering_.diagnostics.report(rules::robosim_unsupported, source.span,
+                                     {"a rule of SLEEC about RoboSim", "claim it of the RoboChart model"});
     lowering_.system.properties.push_back(std::move(property));
 }
 
@@ -237,7 +265,7 @@ void Properties::lower_block(const ast::CspBlock& source) {
     CspBlock block;
     block.name = source.name;
     block.timed = source.time != ast::AssertionTime::untimed;
-    block.untimed = source.time != ast::AssertionTime::timed;
+    block.untimed = source.time != ast::AssertionTime::timed && file_.dialect == ast::Dialect::robochart;
     for (std::size_t i = 0; i < source.associated_paths.size(); ++i)
         if (const auto found = find_component(source.associated_paths[i], source.associated[i]))
             block.associated.push_back(found->ref);
@@ -246,6 +274,49 @@ void Properties::lower_block(const ast::CspBlock& source) {
     block.file = lowering_.sources.path(file_.source);
     blocks_[&source] = static_cast<std::uint32_t>(lowering_.system.csp_blocks.size());
     lowering_.system.csp_blocks.push_back(std::move(block));
+}
+
+/// The names of the members of a context.
+std::vector<std::string> names_in(const ast::Context* registers) {
+    std::vector<std::string> result;
+    const auto add = [&](const ast::Context& owner, bool events) {
+        for (const auto& event : owner.events)
+            if (events) result.push_back(event->name);
+        for (const auto& variable : owner.variables)
+            if (variable->kind == ast::DeclKind::variable) result.push_back(variable->name);
+        for (const auto& operation : owner.signatures) result.push_back(operation->name);
+    };
+    if (registers == nullptr) return result;
+    add(*registers, true);
+    const bool input = registers->kind == ast::DeclKind::input_context;
+    for (const ast::InterfaceClause& clause : registers->interfaces)
+        if (const auto* interface = dynamic_cast<const ast::Context*>(clause.target))
+            add(*interface, !input || clause.use == ast::InterfaceUse::uses);
+    return result;
+}
+
+void Properties::lower_simulation(const ast::Simulation& source) {
+    const auto subject = find_component(source.subject_path, source.subject);
+    if (!subject) return;
+    for (const Simulation& known : lowering_.system.simulations)
+        if (known.name == source.name) {
+            lowering_.diagnostics
+                .report(rules::declared_twice, source.name_span, {"the project", "simulation", source.name})
+                .notes.push_back({known.origin.span, "the first one"});
+            return;
+        }
+    Simulation simulation;
+    simulation.name = source.name;
+    simulation.subject = subject->ref;
+    simulation.cycle = cycle_constant(lowering_, {}, source, false);
+    simulation.inputs = names_in(source.input.get());
+    simulation.outputs = names_in(source.output.get());
+    simulation.origin = origin_of(source.name, source.name_span);
+    lowering_.system.simulations.push_back(std::move(simulation));
+}
+
+void Properties::lower_simulations() {
+    for (const auto& simulation : file_.simulations) this->lower_simulation(*simulation);
 }
 
 void Properties::lower_blocks() {
@@ -258,13 +329,28 @@ void Properties::lower_assertions() {
 
 }  // namespace
 
+namespace {
+
+/// Reports RC-S19 for a claim that gives a value to one of several instances from which an operation requires it.
+void check_shared_constants(const Lowering& lowering) {
+    const std::vector<SharedConstant> all = shared_constants(lowering.system);
+    for (const Property& property : lowering.system.properties)
+        for (const SharedConstant& shared : all)
+            for (const auto& [name, value] : property.constants)
+                if (std::ranges::find(shared.sources, name, &ConstantSource::name) != shared.sources.end())
+                    lowering.diagnostics.report(
+                        rules::ambiguous_constant, property.origin.span,
+                        {shared.operation->name, shared.constant, shared.controller->name, shared.source_names()});
+}
+
+}  // namespace
+
 void lower_properties(Lowering& lowering) {
     Properties::Blocks blocks;
-    const auto lowered = [](const ast::File* file) { return file->dialect == ast::Dialect::robochart; };
-    for (const auto* file : lowering.files)
-        if (lowered(file)) Properties(lowering, *file, blocks).lower_blocks();
-    for (const auto* file : lowering.files)
-        if (lowered(file)) Properties(lowering, *file, blocks).lower_assertions();
+    for (const auto* file : lowering.files) Properties(lowering, *file, blocks).lower_simulations();
+    for (const auto* file : lowering.files) Properties(lowering, *file, blocks).lower_blocks();
+    for (const auto* file : lowering.files) Properties(lowering, *file, blocks).lower_assertions();
+    check_shared_constants(lowering);
 }
 
 }  // namespace robochart::ir

@@ -2,9 +2,6 @@
 // Creates the entries in the System before bodies are lowered, so that references can be resolved.
 #include "semantics/lower/components.hpp"
 
-#include "frontend/syntax/print.hpp"
-#include "semantics/rules.hpp"
-
 namespace robochart::ir {
 namespace {
 
@@ -60,34 +57,19 @@ bool is_robosim(const ast::Declaration& declaration) {
 
 }  // namespace
 
-void report_robosim(const Lowering& lowering) {
-    const ast::Declaration* first = nullptr;
-    std::size_t count = 0;
-    for (const auto* file : lowering.files)
-        for (const auto& declaration : file->declarations) {
-            if (!is_robosim(*declaration)) continue;
-            if (first == nullptr) first = declaration.get();
-            ++count;
-        }
-    if (first == nullptr) return;
-    const bool others =
-        !lowering.machine_sources.empty() || !lowering.controller_sources.empty() || !lowering.module_sources.empty();
-    std::string what = std::string(to_text(first->kind)) + " `" + first->name + "`";
-    if (count > 1) what += " (and " + std::to_string(count - 1) + " more)";
-    lowering.diagnostics.report(others ? rules::robosim_passed_over : rules::robosim_only, first->name_span, {what});
-}
-
+/// RoboChart's components come first, so that the others can be left out (without_robosim).
 void register_components(Lowering& lowering) {
-    for (const auto* file : lowering.files)
-        for (const auto& declaration : file->declarations) {
-            if (is_robosim(*declaration)) continue;
-            if (declaration->kind == ast::DeclKind::state_machine || declaration->kind == ast::DeclKind::operation)
-                add_machine(lowering, static_cast<const ast::Machine&>(*declaration), "");
-            if (declaration->kind == ast::DeclKind::controller)
-                add_controller(lowering, static_cast<const ast::Component&>(*declaration), "");
-            if (declaration->kind == ast::DeclKind::module)
-                add_module(lowering, static_cast<const ast::Component&>(*declaration));
-        }
+    for (const bool robosim : {false, true})
+        for (const auto* file : lowering.files)
+            for (const auto& declaration : file->declarations) {
+                if (is_robosim(*declaration) != robosim) continue;
+                if (declaration->kind == ast::DeclKind::state_machine || declaration->kind == ast::DeclKind::operation)
+                    add_machine(lowering, static_cast<const ast::Machine&>(*declaration), "");
+                if (declaration->kind == ast::DeclKind::controller)
+                    add_controller(lowering, static_cast<const ast::Component&>(*declaration), "");
+                if (declaration->kind == ast::DeclKind::module)
+                    add_module(lowering, static_cast<const ast::Component&>(*declaration));
+            }
 }
 
 }  // namespace robochart::ir

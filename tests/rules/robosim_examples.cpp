@@ -73,7 +73,9 @@ csp-end
 )"}},
         {blink,
          model(machine(cycle + contexts, "stm S {  // expect: RC-S26")),
-         {"console", "", "$ robochart-verify check MODEL"}},
+         {"console", "", "$ robochart-verify emit cpp MODEL"}},
+        {model(machine(cycle + contexts, "stm S {  // expect: RC-S26")),
+         {"console", "", "$ robochart-verify emit cpp MODEL"}},
     };
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/registers.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/machine/rules/cycles.hpp"
 #include "csp_emit/machine/rules/operations.hpp"
 #include "csp_emit/machine/rules/shared_variables.hpp"
 #include "csp_emit/machine/rules/states.hpp"
@@ -115,6 +117,7 @@ Next effect_of(MachineTables& tables, const RunningThread& running, const Values
             return choose_alternative(running, stmt, rest, values);
         case StmtKind::skip:
         case StmtKind::communicate:
+        case StmtKind::exec:
             break;
     }
     return finish_item(running, values);
@@ -166,7 +169,8 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
             return std::nullopt;
         case ItemKind::store: {
             const CellId target = tables.frames[running.frame()].variables.at(item.variable.index);
-            if (tables.cells[target].shared || !alone || running.during) return std::nullopt;
+            const Cell& cell = tables.cells[target];
+            if (cell.shared || !cell.output.empty() || !alone || running.during) return std::nullopt;
             Values changed = values;
             changed[target] = tables.cells.current_value(item.cells.at(0), values);
             return finish_item(running, changed);
@@ -174,6 +178,7 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
         case ItemKind::frozen:
         case ItemKind::waiting:
         case ItemKind::left:
+        case ItemKind::resume:
         case ItemKind::stuck:
             break;
     }
@@ -218,6 +223,8 @@ Branch send_event(const MachineTables& tables, const RunningThread& running, con
     const std::string& channel = tables.frames[running.frame()].events.at(stmt.communication.event.index);
     std::vector<cspm::Field> fields;
     if (!value.empty()) fields.push_back(b::output(value.front()));
+    if (tables.machine().robosim)
+        return {nullptr, register_write("o_" + channel), std::move(fields), finish_item(running, {})};
     return {nullptr, b::dot({b::name(channel), b::name("out")}), std::move(fields), finish_item(running, {})};
 }
 
@@ -252,6 +259,7 @@ Branch receive_event(MachineTables& tables, const RunningThread& running, const 
 Branch write_variable(MachineTables& tables, const RunningThread& running, CellId id, const ExprPtr& value) {
     const Cell& cell = tables.cells[id];
     Next next = finish_item(running, {{id, value}});
+    if (!cell.output.empty()) return {nullptr, register_write(cell.output), {b::output(value)}, std::move(next)};
     if (cell.shared) return {nullptr, b::name("set_" + cell.channel), {b::output(value)}, std::move(next)};
     if (const ir::Stmt* stmt = running.head().stmt)
         return {nullptr, hidden_step(tables, running.frame(), *stmt, ""), {}, std::move(next)};
@@ -271,6 +279,7 @@ Branch event_of(MachineTables& tables, const RunningThread& running, const b::Ex
 Branch statement_branch(MachineTables& tables, const RunningThread& running, bool alone) {
     const ir::Stmt& stmt = *running.head().stmt;
     const std::uint32_t frame = running.frame();
+    if (stmt.kind == StmtKind::exec) return end_cycle(running);
     if (!is_visible(tables, running, stmt)) {
         Next then = perform_statement(tables, running, {});
         return {nullptr, hidden_step(tables, frame, stmt, ""), {}, std::move(then)};
@@ -300,8 +309,11 @@ std::optional<Next> silent_step(MachineTables& tables, const Activation& config,
     for (const RunningThread& waiting : now.calls)  // a called operation in its final state returns (semantics 3.8)
         if (is_final(tables, *waiting.thread().callee))
             return next_configuration(waiting.replace(waiting.thread().rest), values);
+    const bool between = is_between_cycles(now);
     for (const RunningThread& running : now.threads)
-        if (auto result = silent_head(tables, running, config, values, now.threads.size() == 1, branching))
+        if (between && touches_registers(tables, running))
+            continue;
+        else if (auto result = silent_head(tables, running, config, values, now.threads.size() == 1, branching))
             return result;
     return std::nullopt;
 }
@@ -327,6 +339,7 @@ std::optional<Branch> head_branch(MachineTables& tables, const RunningThread& ru
         case ItemKind::deadline_end:
         case ItemKind::enter:
         case ItemKind::join:
+        case ItemKind::resume:
         case ItemKind::stuck:  // nothing more happens
             break;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "checker/cspm/syntax/build.hpp"
+#include "csp_emit/base/registers.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/machine/rules/time.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 /// Whether the call runs without concurrency, so that the return address determines the caller's configuration.
 bool may_share_call(const MachineTables& tables, const RunningThread& running, const Activation& returned) {
     // A shared operation runs in a separate configuration, which does not contain the state of its caller.
-    if (!tables.project().options.share_calls || tables.context.within) return false;
+    if (!tables.project().options.share_calls || tables.context.within || tables.machine().robosim) return false;
     if (running.during || returned.frame != running.frame()) return false;
     if (!returned.durings.empty() || returned.control.callee) return false;
     for (const Link* link = returned.control.rest.get(); link != nullptr; link = link->tail.get())
@@ -92,11 +93,11 @@ Next call_operation(MachineTables& tables, const RunningThread& running, const i
 
 Branch call_event(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt,
                   const b::Exprs& arguments) {
-    const std::string& name = tables.frames[running.frame()].machine->operations.at(stmt.operation.index).name;
+    const ir::OperationSignature& called = tables.frames[running.frame()].machine->operations.at(stmt.operation.index);
     std::vector<cspm::Field> fields;
     for (const ExprPtr& argument : arguments) fields.push_back(b::output(argument));
-    return {nullptr, b::name(name + "Call"), std::move(fields),
-            next_configuration(running.replace(running.tail()), {})};
+    return {nullptr, called.output ? register_write("o_" + called.name) : b::name(called.name + "Call"),
+            std::move(fields), next_configuration(running.replace(running.tail()), {})};
 }
 
 }  // namespace robochart::csp_emit

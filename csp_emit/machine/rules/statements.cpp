@@ -51,12 +51,14 @@ bool is_defined(const MachineTables& tables, const RunningThread& running, const
 }
 
 bool is_visible(const MachineTables& tables, const RunningThread& running, const ir::Stmt& stmt) {
-    if (stmt.kind == StmtKind::communicate) return true;
+    if (stmt.kind == StmtKind::communicate || stmt.kind == StmtKind::exec) return true;
     if (stmt.kind == StmtKind::call) return !is_defined(tables, running, stmt);
     if (stmt.kind == StmtKind::clock_reset)
         return tables.frames.reset_constructor(running.frame(), stmt.clock) != nullptr;
     const Frame& frame = tables.frames[running.frame()];
-    return stmt.kind == StmtKind::assign && tables.cells[frame.variables.at(stmt.variable.index)].shared;
+    if (stmt.kind != StmtKind::assign) return false;
+    const Cell& cell = tables.cells[frame.variables.at(stmt.variable.index)];
+    return cell.shared || !cell.output.empty();
 }
 
 b::Exprs function_preconditions(const MachineTables& tables, std::uint32_t frame, const ir::Stmt& stmt,

@@ -131,11 +131,11 @@ Activation leave_source(MachineTables& tables, const Activation& activation, ir:
     const ir::Transition& transition = left.transitions[id.index];
     const NodeId source = transition.source;
     std::vector<Item> items;
-    const bool race =
-        first && has_inner_exit(left, activation.at, source) && store_races(tables, activation.frame, transition);
+    const bool race = first && transition.trigger && has_inner_exit(left, activation.at, source) &&
+                      store_races(tables, activation.frame, transition);
     for (; first; first = first->tail) items.push_back(first->head);
     for (const ir::ClockId clock : transition.resets) {
-        if (tables.frames.reset_constructor(activation.frame, clock) == nullptr) continue;
+        if (tables.frames.reset_constructor(activation.frame, clock) == nullptr && !transition.exec) continue;
         items.push_back(item_of(transition, ItemKind::statement));
         items.back().stmt = tables.frames.reset_statement(activation.frame, id, clock);
     }
@@ -209,6 +209,29 @@ Branch fire_trigger(MachineTables& tables, const RunningMachine& running, ir::Tr
     return result;
 }
 
+/// RoboSim: a transition without `exec` is a hidden step; one with `exec` is `endexec`, and its effect follows in the
+/// next cycle. The values of `$e?v` are those that made the condition true (docs/robosim.md).
+Branch fire_in_cycle(MachineTables& tables, const RunningMachine& running, ir::TransitionId id) {
+    const std::uint32_t index = running.activation->frame;
+    const ir::Transition& transition = tables.frames[index].machine->transitions[id.index];
+    Values values = transition.exec ? Values{} : reset_clocks(tables, index, transition);
+    std::vector<Item> first;
+    if (transition.exec) first.push_back(item_of(transition, ItemKind::resume));
+    for (const ir::StmtPtr& stmt : transition.stores) {
+        Item store = item_of(transition, ItemKind::store);
+        store.variable = stmt->variable;
+        store.cells = {tables.cells.of_statement(index, *stmt, 0, CellKind::frozen, "x__")};
+        values[store.cells[0]] =
+            translate_expression(tables.project(), tables.frames.make_scope(index, {}), *stmt->value);
+        first.push_back(std::move(store));
+    }
+    return {unless_true(guard_of(tables, index, transition, {}, nullptr)),
+            transition.exec ? b::name("endexec") : tables.events.transition_event(index, id),
+            {},
+            next_configuration(running.replace(leave_source(tables, *running.activation, id, program_of(first))),
+                               std::move(values))};
+}
+
 }  // namespace
 
 std::vector<ir::TransitionId> outgoing_transitions(const MachineTables& tables, const Activation& activation) {
@@ -249,6 +272,7 @@ Branch fire_transition(MachineTables& tables, const RunningMachine& running, ir:
     const std::uint32_t index = running.activation->frame;
     const ir::Transition& transition = tables.frames[index].machine->transitions[id.index];
     if (transition.trigger) return fire_trigger(tables, running, id);
+    if (tables.machine().robosim) return fire_in_cycle(tables, running, id);
     return {unless_true(guard_of(tables, index, transition, {}, nullptr)),
             tables.events.transition_event(index, id),
             {},

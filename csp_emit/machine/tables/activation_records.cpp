@@ -82,7 +82,8 @@ void ActivationRecords::add_variables(Frame& frame, bool root) {
     for (const ir::Variable& variable : frame.machine->variables)
         if (variable.scope == ir::VariableScope::required) channels.insert(variable.name);
     for (const ir::Variable& variable : frame.machine->variables) {
-        if (!root && variable.scope == ir::VariableScope::required) {
+        const bool callers = variable.scope == ir::VariableScope::required || variable.scope == ir::VariableScope::reg;
+        if (!root && callers) {
             const Frame& caller = frames_[frame.parent];
             const auto found = find_named(caller.machine->variables, variable.name);
             if (!found)
@@ -100,6 +101,11 @@ void ActivationRecords::add_variables(Frame& frame, bool root) {
         cell.shared = root && variable.scope == ir::VariableScope::required;
         cell.parameter = variable.scope == ir::VariableScope::parameter;
         cell.channel = variable.name;
+        if (variable.scope == ir::VariableScope::reg) {
+            cell.name = "v_" + frame.prefix + flatten_name(variable.name);
+            cell.channel = flatten_name(variable.name);
+            if (variable.output) cell.output = "o_" + variable.name.substr(1);
+        }
         while (variable.scope != ir::VariableScope::required && !channels.insert(cell.channel).second)
             cell.channel += "_";
         frame.variables.push_back(cells_.add_cell(std::move(cell)));
@@ -160,7 +166,10 @@ bool ActivationRecords::read_somewhere(const ir::Machine& opened, ir::ClockId id
 
 void ActivationRecords::add_constants(Frame& frame) const {
     for (const ConstantParameter& constant : calls_.constants())
-        if (constant.owner == frame.machine) frame.constants.push_back(b::name(constant.inside));
+        if (constant.owner == frame.machine) {
+            frame.constants.resize(std::max<std::size_t>(frame.constants.size(), constant.id.index + 1));
+            frame.constants[constant.id.index] = b::name(constant.inside);
+        }
 }
 
 void ActivationRecords::add_events(Frame& frame, bool root) const {

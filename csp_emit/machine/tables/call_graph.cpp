@@ -19,7 +19,8 @@ Callees find_callees(const std::vector<const ir::Machine*>& definitions) {
     Callees result;
     for (const ir::Machine* definition : definitions)
         for (const ir::OperationId called : ir::called_operations(*definition))
-            if (const auto found = by_name.find(definition->operations[called.index].name); found != by_name.end())
+            if (const auto found = by_name.find(definition->operations[called.index].name);
+                found != by_name.end() && !definition->operations[called.index].output)
                 result[definition].push_back(found->second);
     return result;
 }
@@ -51,17 +52,26 @@ CallGraph::CallGraph(MachineContext& context) : context_(context) {
 void CallGraph::collect_calls(const ir::Machine& owner, NameManager& names) {
     if (std::ranges::find(reached_, &owner) != reached_.end()) return;
     reached_.push_back(&owner);
-    for (std::uint32_t i = 0; i < owner.constants.size(); ++i) {
-        const ir::Constant& constant = owner.constants[i];
-        const std::string name = ir::constant_name(owner.package, owner.path, constant.name);
-        constants_.push_back(
-            {name, constant.name, name, &owner, {i}, constant.type, names.unique_name(flatten_name(constant.name))});
-    }
+    const auto is_cycle = [](const ir::Constant& constant) { return constant.name == ir::cycle_length; };
+    for (const bool cycle : {true, false})  // RoboTool's parameter for the length of the cycle comes first
+        for (std::uint32_t i = 0; i < owner.constants.size(); ++i) {
+            const ir::Constant& constant = owner.constants[i];
+            if (is_cycle(constant) != cycle) continue;
+            const std::string name = ir::constant_name(owner.package, owner.path, constant.name);
+            constants_.push_back({name,
+                                  constant.name,
+                                  name,
+                                  &owner,
+                                  {i},
+                                  constant.type,
+                                  names.unique_name(flatten_name(constant.name))});
+        }
     for (const ir::OperationId called : ir::called_operations(owner))
         if (const ir::Machine* operation = find_definition(owner, called)) collect_calls(*operation, names);
 }
 
 const ir::Machine* CallGraph::find_definition(const ir::Machine& caller, ir::OperationId operation) const {
+    if (caller.operations.at(operation.index).output) return nullptr;
     const auto found = context_.definitions.find(caller.operations.at(operation.index).name);
     return found == context_.definitions.end() ? nullptr : &context_.project->system.machine(found->second);
 }

@@ -25,6 +25,7 @@ enum class ItemKind {
     enter,         ///< enter a node
     entered,       ///< a state has been entered
     join,          ///< waits until the store that runs in parallel with the exits of `node`'s inner states is done
+    resume,        ///< RoboSim: the thread has ended the cycle and waits for the next one
     stuck,         ///< a failed precondition or an operation without behaviour: the thread is blocked
 };
 

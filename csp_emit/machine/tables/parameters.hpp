@@ -28,6 +28,7 @@ struct Cell {
     bool shared = false;     ///< a required variable: others may write it; writes are events set_x
     bool parameter = false;  ///< an operation's parameter: read-only
     std::string channel;     ///< variable: its name in set_x
+    std::string output;      ///< RoboSim: the constructor of registerWrite that writes the variable; "" if none does
     cspm::ExprPtr limit;     ///< clock: its maximal value
     ir::Origin deadline;     ///< deadline, monitor: the element whose deadline it counts down
     /// For a clock of the caller, if the operation is checked separately: the channel that reads it.

@@ -354,6 +354,20 @@ TEST(LowerComponents, CallersThatProvideAConstantDifferentlyAreRefused) {
     EXPECT_NE(lowered->messages().find("const_C_a_limit, const_C_b_limit"), std::string::npos);
 }
 
+TEST(LowerComponents, InstancesOfOneMachineShareAConstantUnlessAClaimSetsItForOne) {
+    std::string two = limit_model("");
+    two.replace(two.find("sref b = B"), 10, "sref b = A");
+    EXPECT_EQ(lower_files({{"t.rct", two}})->codes(), Codes{});
+    const auto one = [&](const std::string& name) {
+        return lower_files({{"t.rct", two},
+                            {"t.assertions",
+                             "assertion A1 : C is deadlock-free with constant limit of " + name + " set to 1\n"}})
+            ->codes();
+    };
+    EXPECT_EQ(one("C::a"), Codes{"RC-S19"});
+    EXPECT_EQ(one("A"), Codes{}) << "it is set for both";
+}
+
 TEST(LowerMachines, StatesNestedTooDeepAreReported) {
     std::string text = "stm S {\n initial i\n transition t { from i to s }\n";
     const int depth = 70;

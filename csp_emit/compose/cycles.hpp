@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoboSim: controllers and modules in cycles (docs/robosim.md). The frame is that of a machine. At the beginning of a
+// cycle the inputs are read and passed to the parts; then the writes of the parts are passed on one by one; the
+// execution ends when every part has ended its own. Events between parts are seen in the next cycle and in no other.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "csp_emit/base/registers.hpp"
+#include "csp_emit/compose/composition.hpp"
+
+namespace robochart::csp_emit {
+
+/// A register of a part.
+struct RegisterOfPart {
+    std::size_t part = 0;
+    std::string name;
+};
+
+/// A register inside the composition: an event between parts, or a variable that the composition declares.
+struct InnerRegister {
+    std::string name;
+    bool event = false;
+    ir::TypeId type;        ///< invalid for an event without a type
+    cspm::ExprPtr initial;  ///< of a variable
+    std::vector<RegisterOfPart> writers, readers;
+};
+
+/// The registers of a composition and where those of its parts lead. A register of a part that is nowhere here is not
+/// connected: an input has any value in each cycle, and an output vanishes.
+struct CycleLinks {
+    std::vector<Registers> parts;
+    Registers registers;
+    std::vector<Register> also_named;                            ///< outputs that only the type of outputs has
+    std::map<std::string, std::vector<RegisterOfPart>> inputs;   ///< by own input
+    std::map<std::string, std::vector<RegisterOfPart>> outputs;  ///< by own output
+    std::vector<InnerRegister> inner;
+};
+
+[[nodiscard]] CycleLinks cycle_links(const Project&, const ir::Controller&);
+[[nodiscard]] CycleLinks cycle_links(const Project&, const ir::Module&);
+
+/// Declares the channels and sets of the composition. Returns its visible channels.
+[[nodiscard]] std::vector<std::string> declare_cycle_channels(const Project&, const std::string& path,
+                                                              const CycleLinks&, const ir::Origin&, bool module,
+                                                              Provenance&, std::vector<cspm::DeclPtr>&);
+/// Defines the processes. The first constant of the composition is the length of its cycles.
+void define_cycles(const Composition&, const CycleLinks&, std::vector<cspm::DeclPtr>&);
+
+}  // namespace robochart::csp_emit

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoboSim: the registers of machines and operations, and the lengths of cycles. Private to semantics/lower*.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "semantics/lower/machines.hpp"
+
+namespace robochart::ir {
+
+/// Adds the variables, events, operations and inputs of both contexts, and their names.
+void add_registers(Lowering&, const frontend::Machine&, const std::string& element, Declarations&,
+                   std::vector<Input>& inputs);
+/// The length in `cycle == e`, `{ cycle == e }` or `e`.
+[[nodiscard]] ExprPtr lower_cycle_length(Lowering&, const Names&, const frontend::Expr&);
+/// The constant cycle_length of a component; its value is null if the component has no `cycleDef`. `required`: the
+/// component around it gives the value, if there is one.
+[[nodiscard]] Constant cycle_constant(Lowering&, const Names&, const frontend::Context&, bool required);
+
+}  // namespace robochart::ir
