@@ -43,7 +43,8 @@ std::unique_ptr<Model> model_of(const std::vector<std::pair<std::string, std::st
     frontend::Model parsed;
     for (const auto& [path, text] : files)
         parsed.files.push_back(frontend::parse(result->sources, result->sources.add(path, text),
-                                               path.ends_with(".assertions"), result->diagnostics));
+                                               path.ends_with(".assertions") || path.ends_with(".rsa"),
+                                               result->diagnostics));
     frontend::add_toolkits(result->sources, parsed, result->diagnostics);
     frontend::resolve(parsed, result->diagnostics);
     finish_model(*result, parsed);

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoboTool's scripts and ours in one script.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "csp_emit/emit.hpp"
+
+namespace robochart::csp_emit::testing {
+
+/// The names that the declarations define.
+[[nodiscard]] std::set<std::string> names_of(const std::vector<cspm::DeclPtr>& decls);
+/// RoboTool's script followed by our components in a separate module `ours__`, with the definitions that they need.
+[[nodiscard]] cspm::Script join_scripts(const cspm::Script& theirs, const Emission& ours);
+
+}  // namespace robochart::csp_emit::testing
