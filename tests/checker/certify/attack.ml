@@ -205,15 +205,19 @@ let lying proof =
   let lie kind key honest other =
     if Hashtbl.hash (salt, kind) mod 3 = 0 && Hashtbl.hash (salt, kind, key) mod rate = 0 then other (abs (Hashtbl.hash (salt, key, kind, 1))) else honest in
   let pairs (p : int list pairs) =
-    { count = p.count;
-      state_of = (fun j -> lie 1 j (p.state_of j) (fun r -> if p.count = 0 then [] else p.state_of (r mod p.count)));
+    { state_of = (fun j -> lie 1 j (p.state_of j) (fun r -> p.state_of (r mod (j + 1))));
       node_of = (fun j -> lie 2 j (p.node_of j) (fun r -> r mod 4));
-      rank_of = (fun j -> lie 3 j (p.rank_of j) (fun r -> r mod 5));
-      locate = (fun s n -> lie 4 (s, n) (p.locate s n) (fun r -> r mod (p.count + 1)));
-      choose = (fun n moves -> lie 5 (n, List.map fst moves) (p.choose n moves) (fun r -> r mod 4)) }
+      place_of = (fun j -> lie 3 j (p.place_of j) (fun r -> r mod 5));
+      pair_at = (fun j -> lie 15 j (p.pair_at j) (fun r -> r mod (j + 1)));
+      locate = (fun s n -> lie 4 (s, n) (p.locate s n) (fun r -> r mod (p.locate s n + 2)));
+      choose = (fun n moves -> lie 5 (n, List.map fst moves) (p.choose n moves) (fun r -> r mod 4));
+      deed = (fun t opened ->
+        lie 16 t (p.deed t opened) (fun r -> match r mod 4 with 0 -> Visit | 1 -> Stop | _ -> Open (r mod ((t / 2) + 1)))) }
   in
+  let shape h =
+    { h with merges = { h.merges with representative = (fun k v -> lie 17 (k, v) (h.merges.representative k v) (fun r -> r mod (v + 1))) } } in
   match proof with
-  | Certificate_check.Of_property (q, l, s, p) -> Certificate_check.Of_property (q, l, s, pairs p)
+  | Certificate_check.Of_property (q, h, s, p) -> Certificate_check.Of_property (q, shape h, s, pairs p)
   | Of_refinement (m, ls, s, li, i, n, e, p) ->
       let normal = { n with where_is = (fun k a -> lie 6 (k, a) (n.where_is k a) (fun r -> r mod 4));
                      divergent = (fun k -> lie 7 k (n.divergent k) (fun r -> r mod 2 = 0)) } in
@@ -226,12 +230,12 @@ let lying proof =
           loop_next = (fun j -> lie 12 j (e.loop_next j) (fun r -> r mod 4));
           diverging_member = (fun k -> lie 13 k (e.diverging_member k) (fun r -> r mod 4));
           loop_entry = (fun k -> lie 14 k (e.loop_entry k) (fun r -> r mod 4)) } in
-      Of_refinement (m, ls, s, li, i, normal, evidence, pairs p)
+      Of_refinement (m, shape ls, s, shape li, i, normal, evidence, pairs p)
 
 (* Members are derived from each other in circles, wherever there is a tau between them. *)
 let circular = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let lts = packed ls s in
+      let lts = compact ls s in
       let source k j honest =
         let taus_to f = List.exists (fun (a, u) -> a = 0 && u = e.member k j) (lts.succ0 (e.member k f)) in
         match List.find_opt taus_to (List.init (e.size0 k) Fun.id) with
@@ -246,7 +250,7 @@ let circular = function
 (* Any member with the arc's event is given as the origin, and any member as the witness, whatever they lead to. *)
 let loose = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let lts = packed ls s in
+      let lts = compact ls s in
       let first k chk = Option.value ~default:0 (List.find_opt chk (List.init (e.size0 k) Fun.id)) in
       let from k a = first k (fun f -> List.exists (fun (b, _) -> a = b) (lts.succ0 (e.member k f))) in
       let fitting k set =
@@ -277,7 +281,7 @@ let accepted_attack attempt =
   match Certificate_check.guarded (fun () -> if attempt () then Certified { pairs = 0; nodes = 0; transitions = 0; components = 0; rules = 0 } else Refused "") with
   | Certificate_check.Certified _ -> true
   | Refused "" -> false
-  | Refused _ -> incr unreadable; false
+  | Refused _ | Undecided _ -> incr unreadable; false
 
 let report_wrong what seed trial =
   incr wrong;
@@ -305,12 +309,19 @@ let attack_question seed trial question spec impl truth =
   let claim = claim_of question spec_text (text impl) in
   (match Certificate_check.certify claim ~most with
   | Certified _ -> if truth then incr held else report_wrong "an honest search" seed trial
-  | Refused why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
+  | Refused why | Undecided why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
   let attempt forge tell () =
-    let proof, _, _, _ = Certificate_check.prove ~lenient:true ~forge claim ~most in
+    let proof, _, _ = Certificate_check.prove ~lenient:true ~forge claim ~most in
     Certificate_check.accepted (tell proof) in
+  let on_the_way forge tell () =
+    let plan = Certificate_check.plan_of ~forge claim ~most in
+    let walk = Search.new_walk (Certificate_check.width plan.shape) in
+    let pairs = Search.pairs_on_the_way walk plan.choose ~ordered:plan.task.forbid_cycles ~most in
+    try Certificate_check.accepted (tell (plan.completed pairs)) with Search.Loop_of_taus -> false in
   List.iter (fun forge ->
     if accepted_attack (attempt forge Fun.id) && not truth then report_wrong "a forged normal form" seed trial;
+    if accepted_attack (on_the_way forge Fun.id) && not truth then report_wrong "a walk" seed trial;
+    if accepted_attack (on_the_way forge lying) && not truth then report_wrong "a lie on the way" seed trial;
     if accepted_attack (attempt forge loose) && not truth then report_wrong "loose evidence" seed trial;
     if accepted_attack (attempt forge chained) && not truth then report_wrong "a chain" seed trial;
     if accepted_attack (attempt forge circular) && not truth then report_wrong "a circle" seed trial;
@@ -323,7 +334,7 @@ let attack_question seed trial question spec impl truth =
     match claim_of question spec_text impl_text with
     | exception Formats.Unreadable _ -> incr attacks; incr unreadable
     | claim ->
-        if accepted_attack (fun () -> match Certificate_check.certify claim ~most:2_000 with Certified _ -> true | Refused _ -> false) then begin
+        if accepted_attack (fun () -> match Certificate_check.certify claim ~most:2_000 with Certified _ -> true | Refused _ | Undecided _ -> false) then begin
           incr files_accepted;
           let impl = process_of claim.implementation in
           let holds = match (question, claim.specification) with
