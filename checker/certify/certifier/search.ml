@@ -115,10 +115,12 @@ let find store words node =
   if j < 0 then store.filled else j
 
 module Signatures = Hashtbl.Make (struct
-  type t = int * (int * int) list
+  type t = int list
 
-  let equal (a : t) b = a = b
-  let hash (c, edges) = List.fold_left (fun h (e, u) -> mix (mix h e) u) c edges land max_int
+  let rec equal (a : t) (b : t) =
+    match (a, b) with x :: a, y :: b -> x = y && equal a b | [], [] -> true | _ -> false
+
+  let hash numbers = List.fold_left mix 0 numbers land max_int
 end)
 
 (* By state of a component: the first state that no transition distinguishes from it. Classes are refined until their
@@ -136,7 +138,7 @@ let equal_states (edges : (int * int) list array) =
           Signatures.add signatures key c;
           c
     in
-    let signature v = (classes.(v), List.sort_uniq compare (List.map (fun (e, u) -> (e, classes.(u))) edges.(v))) in
+    let signature v = classes.(v) :: List.sort_uniq Int.compare (List.map (fun (e, u) -> (e * count) + classes.(u)) edges.(v)) in
     let refined = Array.init count (fun v -> class_of (signature v)) in
     let refined_number = Signatures.length signatures in
     if refined_number = number then refined

@@ -1089,6 +1089,12 @@ let leads_of c l = function
   flat_map (fun m -> map (fun r -> (r, (snd m))) (find (fst m)))
     (inner_moves i l)
 
+(** val extend : 'a1 list -> 'a1 list -> 'a1 list **)
+
+let extend first way = match way with
+| [] -> first
+| _ :: _ -> app first way
+
 (** val add_moves :
     ('a1, 'a2) lead -> 'a2 list list -> 'a2 fmove list -> 'a2 fmove list **)
 
@@ -1096,7 +1102,7 @@ let add_moves q ways acc =
   let (r, first) = q in
   fold_left (fun acc0 way -> (r.f_does,
     (match r.f_puts with
-     | [] -> app first way
+     | [] -> extend first way
      | p0 :: l -> app first (app way (p0 :: l)))) :: acc0) ways acc
 
 (** val fire_all :

@@ -395,6 +395,8 @@ val others : 'a1 -> 'a2 inner_list -> ('a1, 'a2) ask list -> 'a2 list list
 val leads_of :
   'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant -> ('a1, 'a2) lead list
 
+val extend : 'a1 list -> 'a1 list -> 'a1 list
+
 val add_moves :
   ('a1, 'a2) lead -> 'a2 list list -> 'a2 fmove list -> 'a2 fmove list
 

@@ -142,9 +142,12 @@ Section Fast.
     | FSlot get leads => leads (get c)
     | FInner i _ find => flat_map (fun m : fmove => map (fun r => (r, snd m)) (find (fst m))) (inner_moves i l)
     end.
+  (* Most rules have one participant; their lists are not copied. *)
+  Definition extend (first way : list packed_change) : list packed_change :=
+    match way with [] => first | _ => first ++ way end.
   Definition add_moves (q : lead) (ways : list (list packed_change)) (acc : list fmove) : list fmove :=
     let (r, first) := q in
-    fold_left (fun acc way => (f_does r, match f_puts r with [] => first ++ way | p => first ++ (way ++ p) end) :: acc)
+    fold_left (fun acc way => (f_does r, match f_puts r with [] => extend first way | p => first ++ (way ++ p) end) :: acc)
               ways acc.
   Definition fire_all (c : packed_state) (l : inner_list) (inside : list fparticipant) : list fmove :=
     fold_left (fun acc p =>
@@ -184,17 +187,19 @@ Section Fast.
   Lemma set_all_app : forall x y, set_all (x ++ y) = set_all x ++ set_all y.
   Proof. intros. unfold set_all. apply map_app. Qed.
 
+  Lemma extend_app : forall first way, extend first way = first ++ way.
+  Proof. intros first [| c way]; cbn; [ symmetry; apply app_nil_r | reflexivity ]. Qed.
   Lemma add_moves_in : forall q ways acc a x, In (a, x) (add_moves q ways acc) <->
     In (a, x) acc \/ exists way, In way ways /\ a = f_does (fst q) /\ x = snd q ++ (way ++ f_puts (fst q)).
   Proof.
     intros [r first] ways acc a x. unfold add_moves.
     rewrite (fold_in fmove (list packed_change)
-               (fun way acc => (f_does r, match f_puts r with [] => first ++ way | p => first ++ (way ++ p) end) :: acc)
+               (fun way acc => (f_does r, match f_puts r with [] => extend first way | p => first ++ (way ++ p) end) :: acc)
                (fun way y => y = (f_does r, first ++ (way ++ f_puts r)))).
     - cbn [fst snd]. split; (intros [K | (way & Hw & K)]; [ auto | right; exists way; split; [ exact Hw |] ]).
       + inversion K. auto.
       + destruct K. subst. reflexivity.
-    - intros way acc' y. destruct (f_puts r); rewrite ?app_nil_r; cbn [In]; intuition auto.
+    - intros way acc' y. rewrite extend_app. destruct (f_puts r); rewrite ?app_nil_r; cbn [In]; intuition auto.
   Qed.
 
   (* What a region's participants do is `ms`; `rules` are its rules, and `f` prepares them. *)

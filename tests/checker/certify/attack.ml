@@ -186,7 +186,10 @@ let forge_targets (nodes : Search.node array) =
   Array.map (fun (node : Search.node) -> { node with arcs = Array.map (fun (a, _) -> (a, Random.int (Array.length nodes))) node.arcs }) nodes
 let forge_root (nodes : Search.node array) =
   let at = Random.int (Array.length nodes) in
-  Array.mapi (fun i node -> if i = 0 then nodes.(at) else if i = at then nodes.(0) else node) nodes
+  let other k = if k = 0 then at else if k = at then 0 else k in
+  Array.init (Array.length nodes) (fun i ->
+      let node = nodes.(other i) in
+      { node with arcs = Array.map (fun (a, k) -> (a, other k)) node.arcs })
 
 (* Every node has all states, arcs and acceptances that some node has. *)
 let forge_members (nodes : Search.node array) =
@@ -197,7 +200,12 @@ let forge_members (nodes : Search.node array) =
   let witnesses = Array.map (fun _ -> Random.int (Array.length members)) acceptances in
   Array.map (fun (node : Search.node) -> { node with members; arcs; acceptances; witnesses }) nodes
 
-let forges = [ forge_members; Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
+(* As before, but the root keeps its members. *)
+let forge_later_members nodes =
+  let forged = forge_members nodes in
+  Array.mapi (fun n (node : Search.node) -> if n = 0 then { nodes.(0) with arcs = node.arcs } else node) forged
+
+let forges = [ forge_members; forge_later_members; Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
 
 (* Functions that lie in some places, always in the same way. *)
 let lying proof =
@@ -259,19 +267,66 @@ let loose = function
       let evidence =
         { e with origin_after = (fun k a _ -> { by_event = true; from = from k (fst (n.arc k a)); depth = 0 });
           origin_in_root = (fun _ -> { by_event = true; from = 0; depth = 0 });
-          witness = (fun k a -> fitting k (n.acceptance k a)) } in
+          witness = (fun k a -> fitting k (n.acceptance k a));
+          diverging_member = (fun _ -> 0);
+          loop_entry = (fun _ -> 0) } in
+      let included k moves =
+        let set_fits c = List.for_all (fun a -> List.mem_assoc a moves) (n.acceptance k c) in
+        Option.value ~default:0 (List.find_opt set_fits (List.init (n.acceptance_count k) Fun.id)) in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, { p with choose = included })
+  | other -> other
+
+(* One member is reached as it says, and all others by taus from it. *)
+let chained = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let lts = compact ls s in
+      let first k chk = Option.value ~default:0 (List.find_opt chk (List.init (e.size0 k) Fun.id)) in
+      let chain reached from j = if j = reached then { by_event = true; from; depth = 0 } else { by_event = false; from = reached; depth = 1 } in
+      let step k a u f = List.mem (a, e.member u f) (List.concat_map (fun g -> lts.succ0 (e.member k g)) (List.init (e.size0 k) Fun.id)) in
+      let evidence =
+        { e with origin_in_root = (fun j -> chain (first n.root (fun f -> e.member n.root f = lts.init)) 0 j);
+          origin_after =
+            (fun k c j ->
+              let a, u = n.arc k c in
+              let reached = first u (step k a u) in
+              let from = first k (fun g -> List.mem (a, e.member u reached) (lts.succ0 (e.member k g))) in
+              chain reached from j) } in
       Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
   | other -> other
 
-(* The first member is reached as it says, and all others by taus from it. *)
-let chained = function
+(* Every node has a loop of its own: a tau from its first member to the member itself. *)
+let looping = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let chain j honest = if j = 0 then { honest with depth = 0 } else { by_event = false; from = 0; depth = 1 } in
       let evidence =
-        { e with origin_in_root = (fun j -> chain j (e.origin_in_root j));
-          origin_after = (fun k a j -> chain j (e.origin_after k a j)) } in
+        { e with loop_size = n.nodes; loop = (fun k -> e.member k 0); loop_next = Fun.id;
+          diverging_member = (fun _ -> 0); loop_entry = Fun.id } in
       Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
   | other -> other
+
+(* One pair for each state, with the node with which it was found first. *)
+let one_node = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let known = Hashtbl.create 50 in
+      let locate u k = match Hashtbl.find_opt known u with
+        | Some j -> j
+        | None -> let j = p.locate u k in Hashtbl.add known u j; j in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, e, { p with locate })
+  | other -> other
+
+(* In the place of one pair, another pair is visited, which has a large number. *)
+let impostor proof =
+  let far = 1 lsl 30 in
+  let replace (p : int list pairs) victim =
+    let far_of j = if j = victim then far else j in
+    { p with
+      state_of = (fun j -> p.state_of (if j = far then 0 else j));
+      node_of = (fun j -> p.node_of (if j = far then 0 else j));
+      place_of = (fun j -> p.place_of (if j = far then victim else j));
+      deed = (fun t opened -> match p.deed t opened with Open j -> Open (far_of j) | other -> other) } in
+  match proof with
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, e, replace p (Random.int 6))
+  | Of_property (q, h, s, p) -> Of_property (q, h, s, replace p (Random.int 6))
 
 let attacks = ref 0 and wrong = ref 0 and lost = ref 0 and held = ref 0 and failed = ref 0 and unreadable = ref 0
 let lies_accepted = ref 0 and files_accepted = ref 0
@@ -323,6 +378,9 @@ let attack_question seed trial question spec impl truth =
     if accepted_attack (on_the_way forge Fun.id) && not truth then report_wrong "a walk" seed trial;
     if accepted_attack (on_the_way forge lying) && not truth then report_wrong "a lie on the way" seed trial;
     if accepted_attack (attempt forge loose) && not truth then report_wrong "loose evidence" seed trial;
+    if accepted_attack (on_the_way forge one_node) && not truth then report_wrong "one node for each state" seed trial;
+    if accepted_attack (attempt forge impostor) && not truth then report_wrong "an impostor" seed trial;
+    if accepted_attack (attempt forge looping) && not truth then report_wrong "a loop" seed trial;
     if accepted_attack (attempt forge chained) && not truth then report_wrong "a chain" seed trial;
     if accepted_attack (attempt forge circular) && not truth then report_wrong "a circle" seed trial;
     for _ = 1 to 3 do
