@@ -1080,14 +1080,18 @@ let rec others c l = function
       | [] -> ways
       | _ :: _ -> flat_map (fun x -> map (app x) (others c l rest)) ways))
 
-(** val leads_of :
-    'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant -> ('a1, 'a2) lead list **)
+(** val fold_leads :
+    ('a3 -> ('a1, 'a2) lead -> 'a3) -> 'a1 -> 'a2 inner_list -> ('a1, 'a2)
+    fparticipant -> 'a3 -> 'a3 **)
 
-let leads_of c l = function
-| FSlot (get, leads) -> leads (get c)
-| FInner (i, _, find) ->
-  flat_map (fun m -> map (fun r -> (r, (snd m))) (find (fst m)))
-    (inner_moves i l)
+let fold_leads f c l p acc =
+  match p with
+  | FSlot (get, leads) -> fold_left f (leads (get c)) acc
+  | FInner (i, _, find) ->
+    fold_left (fun acc0 m ->
+      let (e, first) = m in
+      fold_left (fun acc1 r -> f acc1 (r, first)) (find e) acc0)
+      (inner_moves i l) acc
 
 (** val extend : 'a1 list -> 'a1 list -> 'a1 list **)
 
@@ -1110,8 +1114,8 @@ let add_moves q ways acc =
 
 let fire_all c l inside =
   fold_left (fun acc p ->
-    fold_left (fun acc0 q -> add_moves q (others c l (fst q).f_asks) acc0)
-      (leads_of c l p) acc) inside []
+    fold_leads (fun acc0 q -> add_moves q (others c l (fst q).f_asks) acc0) c
+      l p acc) inside []
 
 type ('packed_state, 'packed_change) candidate =
   ('packed_state, 'packed_change) lead * 'packed_change list list
@@ -1131,8 +1135,7 @@ let add_candidate c l q acc =
 
 let candidates c l inside =
   fold_left (fun acc p ->
-    fold_left (fun acc0 q -> add_candidate c l q acc0) (leads_of c l p) acc)
-    inside []
+    fold_leads (fun acc0 q -> add_candidate c l q acc0) c l p acc) inside []
 
 (** val lesser :
     Uint63.t option -> ('a1, 'a2) candidate -> Uint63.t option **)

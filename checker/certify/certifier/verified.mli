@@ -392,8 +392,9 @@ val fulfil : 'a1 -> 'a2 inner_list -> ('a1, 'a2) ask -> 'a2 list list
 
 val others : 'a1 -> 'a2 inner_list -> ('a1, 'a2) ask list -> 'a2 list list
 
-val leads_of :
-  'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant -> ('a1, 'a2) lead list
+val fold_leads :
+  ('a3 -> ('a1, 'a2) lead -> 'a3) -> 'a1 -> 'a2 inner_list -> ('a1, 'a2)
+  fparticipant -> 'a3 -> 'a3
 
 val extend : 'a1 list -> 'a1 list -> 'a1 list
 

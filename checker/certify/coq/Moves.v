@@ -142,6 +142,14 @@ Section Fast.
     | FSlot get leads => leads (get c)
     | FInner i _ find => flat_map (fun m : fmove => map (fun r => (r, snd m)) (find (fst m))) (inner_moves i l)
     end.
+  (* Without a list of them. *)
+  Definition fold_leads {A} (f : A -> lead -> A) (c : packed_state) (l : inner_list) (p : fparticipant) (acc : A) : A :=
+    match p with
+    | FSlot get leads => fold_left f (leads (get c)) acc
+    | FInner i _ find =>
+        fold_left (fun acc m => let (e, first) := m : fmove in fold_left (fun acc r => f acc (r, first)) (find e) acc)
+                  (inner_moves i l) acc
+    end.
   (* Most rules have one participant; their lists are not copied. *)
   Definition extend (first way : list packed_change) : list packed_change :=
     match way with [] => first | _ => first ++ way end.
@@ -151,13 +159,13 @@ Section Fast.
               ways acc.
   Definition fire_all (c : packed_state) (l : inner_list) (inside : list fparticipant) : list fmove :=
     fold_left (fun acc p =>
-      fold_left (fun acc q => add_moves q (others c l (f_asks (fst q))) acc) (leads_of c l p) acc) inside [].
+      fold_leads (fun acc q => add_moves q (others c l (f_asks (fst q))) acc) c l p acc) inside [].
 
   Definition candidate := (lead * list (list packed_change))%type.
   Definition add_candidate (c : packed_state) (l : inner_list) (q : lead) (acc : list candidate) : list candidate :=
     match others c l (f_asks (fst q)) with [] => acc | ways => (q, ways) :: acc end.
   Definition candidates (c : packed_state) (l : inner_list) (inside : list fparticipant) : list candidate :=
-    fold_left (fun acc p => fold_left (fun acc q => add_candidate c l q acc) (leads_of c l p) acc) inside [].
+    fold_left (fun acc p => fold_leads (fun acc q => add_candidate c l q acc) c l p acc) inside [].
   Definition lesser (b : option int) (c : candidate) : option int :=
     match f_level (fst (fst c)) with
     | None => b
@@ -187,6 +195,14 @@ Section Fast.
   Lemma set_all_app : forall x y, set_all (x ++ y) = set_all x ++ set_all y.
   Proof. intros. unfold set_all. apply map_app. Qed.
 
+  Lemma fold_leads_list : forall A (f : A -> lead -> A) c l p acc,
+    fold_leads f c l p acc = fold_left f (leads_of c l p) acc.
+  Proof.
+    intros A f c l [get leads | i r find] acc; [ reflexivity |]. cbn [fold_leads leads_of]. revert acc.
+    induction (inner_moves i l) as [| [e first] ms IH]; intros acc; [ reflexivity |].
+    cbn [fold_left flat_map fst snd]. rewrite fold_left_app, IH. f_equal. revert acc.
+    induction (find e) as [| x rs IH']; intros acc; [ reflexivity |]. cbn. apply IH'.
+  Qed.
   Lemma extend_app : forall first way, extend first way = first ++ way.
   Proof. intros first [| c way]; cbn; [ symmetry; apply app_nil_r | reflexivity ]. Qed.
   Lemma add_moves_in : forall q ways acc a x, In (a, x) (add_moves q ways acc) <->
@@ -246,9 +262,9 @@ Section Fast.
       intros NL a x. unfold fire_all.
       set (adds := fun (q : lead) (y : fmove) => exists way, In way (others c l (f_asks (fst q))) /\
         fst y = f_does (fst q) /\ snd y = snd q ++ (way ++ f_puts (fst q))).
-      rewrite (fold_in _ _ (fun p acc => fold_left (fun acc q => add_moves q (others c l (f_asks (fst q))) acc) (leads_of c l p) acc)
+      rewrite (fold_in _ _ (fun p acc => fold_leads (fun acc q => add_moves q (others c l (f_asks (fst q))) acc) c l p acc)
                  (fun p y => exists q, In q (leads_of c l p) /\ adds q y)).
-      2: { intros p acc y. apply (fold_in _ _ (fun q acc => add_moves q (others c l (f_asks (fst q))) acc) adds).
+      2: { intros p acc y. rewrite fold_leads_list. apply (fold_in _ _ (fun q acc => add_moves q (others c l (f_asks (fst q))) acc) adds).
            intros q acc' [a' x']. apply add_moves_in. }
       unfold adds. clear adds.
       assert (FREE : forall r, In r rules -> prevented ms rules r = false).
@@ -280,9 +296,9 @@ Section Fast.
     Proof.
       intros q ways. unfold candidates.
       set (adds := fun (q : lead) (y : candidate) => y = (q, others c l (f_asks (fst q))) /\ others c l (f_asks (fst q)) <> []).
-      rewrite (fold_in _ _ (fun p acc => fold_left (fun acc q => add_candidate c l q acc) (leads_of c l p) acc)
+      rewrite (fold_in _ _ (fun p acc => fold_leads (fun acc q => add_candidate c l q acc) c l p acc)
                  (fun p y => exists q, In q (leads_of c l p) /\ adds q y)).
-      2: { intros p acc y. apply (fold_in _ _ (add_candidate c l) adds). intros q' acc' y'. unfold add_candidate, adds. destruct (others c l (f_asks (fst q'))) as [| w ws].
+      2: { intros p acc y. rewrite fold_leads_list. apply (fold_in _ _ (add_candidate c l) adds). intros q' acc' y'. unfold add_candidate, adds. destruct (others c l (f_asks (fst q'))) as [| w ws].
            - split; [ auto |]. intros [K | [_ K]]; [ exact K | congruence ].
            - cbn [In]. split; [ intros [K | K]; [ right | auto ] | intros [K | [K _]]; auto ].
              split; [ auto | discriminate ]. }
