@@ -7,9 +7,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 sources="$PWD"
-scripts/setup.sh build
+scripts/setup.sh package
 cmake --preset package >/dev/null
-cmake --build --preset package --target robochart-verify robochart_library
+cmake --build --preset package --target robochart-verify robochart_library robochart_certifier
 rm -rf build/package/packages
 (cd build/package && cpack >cpack.log) || { cat build/package/cpack.log >&2; exit 1; }
 deb="$(echo "$sources"/build/package/packages/robochart-verify_*.deb)"
@@ -31,6 +31,9 @@ try() { # prefix
   [ "$status" -eq 3 ] || { echo "exit $status without a compiler, 3 expected" >&2; exit 1; }
   grep -F 'conformance was not checked' "$folder/report"
   "$1/bin/robochart-verify" conform "$examples/swarm_taxis" -q --no-cache
+  env -i "$1/bin/robochart-certify" "$examples/aggregation/certificates"
+  env -i "$1/bin/robochart-verify" check "$examples/aggregation" --no-cache --certify "$folder/certificates-$(basename "$1")" >"$folder/report"
+  grep -F 'holds (certified: product level, unreduced, ' "$folder/report" >/dev/null
   "$1/bin/robochart-verify" simulate "$examples/aggregation/aggregation.scenario" --no-pictures -q --no-cache
 }
 
@@ -53,6 +56,7 @@ start="$(date +%s%N)"
 apt-get install -q -y --no-install-recommends /tmp/robochart-verify.deb >/tmp/install.log 2>&1 || { cat /tmp/install.log; exit 1; }
 cd /tmp
 robochart-verify check /usr/share/doc/robochart-verify/examples/aggregation -q
+robochart-certify /usr/share/doc/robochart-verify/examples/aggregation/certificates
 passed=$(( $(date +%s%N) - start ))
 printf 'from install to the verdict: %d.%02d s\n' $(( passed / 1000000000 )) $(( passed / 10000000 % 100 ))
 status=0

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs the Debian packages that are missing. `scripts/setup.sh build` installs what a build needs; `quick` also what
-# `scripts/test.sh --quick` needs, `benchmarks` also what the benchmarks need. Without an argument the script installs what
-# a build and all tests need. Can be run again. Asks for sudo only if a package is missing.
+# `scripts/test.sh --quick` needs, `package` also what the packages need, `benchmarks` also what the benchmarks need.
+# Without an argument the script installs what a build and all tests need. Can be run again. Asks for sudo only if a package is missing.
 set -euo pipefail
 
 packages=(
@@ -14,7 +14,8 @@ packages=(
 case "${1:-tests}" in
   build) ;;
   quick) packages+=(clang-format libgtest-dev libgmock-dev) ;;
-  benchmarks) packages+=(libbenchmark-dev libenki-dev) ;;
+  package) packages+=(ocaml) ;;
+  benchmarks) packages+=(libbenchmark-dev libenki-dev ocaml) ;;
   tests)
     packages+=(
       clang clang-format libclang-rt-14-dev
@@ -32,7 +33,7 @@ case "${1:-tests}" in
     fi
     ;;
   *)
-    echo "usage: scripts/setup.sh [build|quick|benchmarks|tests]" >&2
+    echo "usage: scripts/setup.sh [build|quick|package|benchmarks|tests]" >&2
     exit 2
     ;;
 esac

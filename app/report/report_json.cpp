@@ -187,7 +187,18 @@ Json refused_json(const RefusedReport& refused) {
 
 Json certificate_json(const driver::CertificateReport& certificate) {
     if (certificate.folders.empty()) return {{"reason", certificate.reason}};
-    return {{"level", "product"}, {"reduced", false}, {"folders", certificate.folders}};
+    Json json{{"level", "product"},
+              {"reduced", false},
+              {"folders", certificate.folders},
+              {"certified", certificate.certification == driver::Certification::certified}};
+    if (certificate.certification == driver::Certification::certified) {
+        json["pairs"] = certificate.pairs;
+        json["components"] = certificate.components;
+    } else {
+        json["refused"] = certificate.certification == driver::Certification::refused;
+        json["reason"] = certificate.reason;
+    }
+    return json;
 }
 
 Json grounds_json(const driver::Basis& basis) {

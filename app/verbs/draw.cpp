@@ -19,7 +19,7 @@
 #include "app/pages/part_diagrams.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/files.hpp"
-#include "cpp_emit/load/shared_library.hpp"
+#include "base/diagnostics/programs.hpp"
 #include "frontend/diagrams/exports/dot.hpp"
 #include "frontend/diagrams/exports/mermaid.hpp"
 #include "frontend/diagrams/layout/arrange.hpp"
@@ -136,7 +136,7 @@ private:
         if (!error.empty()) return report_unwritable(drawn, error);
         const std::string made = folder.path() + "/diagram";
         const std::string log = folder.path() + "/log";
-        const int status = cpp_emit::run_program(
+        const int status = diagnostics::run_program(
             {"rsvg-convert", "--format", ending(), "--output", made, folder.path() + "/diagram.svg"}, log, error,
             budget);
         if (status < 0)

@@ -15,7 +15,7 @@
 #include "app/command/rules.hpp"
 #include "app/verbs/simulate.hpp"
 #include "base/diagnostics/files.hpp"
-#include "cpp_emit/load/shared_library.hpp"
+#include "base/diagnostics/programs.hpp"
 #include "simulation/report/pictures.hpp"
 #include "simulation/report/plot.hpp"
 #include "simulation/report/raster.hpp"
@@ -97,7 +97,7 @@ private:
     bool make_file(const std::string& name, const std::vector<std::string>& command, std::string& notes) {
         std::string error;
         const std::string log = work_->path() + "/log";
-        const int status = cpp_emit::run_program(command, log, error, project_.diagnostics.budget());
+        const int status = diagnostics::run_program(command, log, error, project_.diagnostics.budget());
         if (status == 0) return add(name, read_contents(work_->path() + "/" + name));
         if (error.empty()) error = fmt::format("status {}, {}", status, read_contents(log).substr(0, 500));
         notes += fmt::format("  {} did not make {}: {}\n", command.front(), name, error);

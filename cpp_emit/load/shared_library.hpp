@@ -21,12 +21,6 @@ struct BuildOptions {
     diagnostics::Cache* cache = nullptr;    ///< holds objects that earlier runs have compiled from the same files
 };
 
-/// Runs a program found through PATH. Its output and errors go to the file `log`. Returns its exit status; -1 with
-/// `error` set if it cannot be run. Polls the budget 50 times a second. If a limit is reached, kills the program and
-/// all its child processes, and throws diagnostics::LimitReached.
-int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
-                diagnostics::Budget* budget = nullptr);
-
 /// Thrown if no compiler can be run. The failure is then no evidence about the code.
 class NoCompiler : public std::runtime_error {
 public:

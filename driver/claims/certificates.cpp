@@ -3,12 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <new>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "base/diagnostics/escape.hpp"
+#include "base/diagnostics/files.hpp"
+#include "base/diagnostics/programs.hpp"
 #include "checker/certify/certificate.hpp"
 
 namespace robochart::driver {
@@ -31,6 +37,65 @@ std::vector<certify::Certificate> make_certificates(cspm::Session& session, cons
     return result;
 }
 
+/// The path of the program that checks certificates, if it is beside this program; otherwise its name, for PATH.
+std::string certifier_path() {
+    const std::string name = "robochart-certify";
+    std::error_code code;
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", code);
+    const std::filesystem::path beside = own.parent_path() / name;
+    return !code && std::filesystem::is_regular_file(beside, code) ? beside.string() : name;
+}
+
+/// Reads the answer of `robochart-certify --answer`: a word, and figures or a reason. Adds it to the report.
+void add_answer(const std::string& answer, CertificateReport& report) {
+    std::istringstream words(answer);
+    std::string word;
+    std::uint64_t pairs = 0;
+    std::uint64_t components = 0;
+    words >> word;
+    if (word == "certified" && words >> pairs >> components) {
+        report.pairs += pairs;
+        report.components += components;
+        return;
+    }
+    std::string reason;
+    std::getline(words >> std::ws, reason);
+    report.certification = word == "refused" ? Certification::refused : Certification::unchecked;
+    report.reason = reason.empty() ? "robochart-certify did not answer" : reason;
+}
+
+/// Runs robochart-certify on a certificate. It decides within the limits of the run.
+void check_certificate(const std::string& folder, diagnostics::Budget& budget, CertificateReport& report) {
+    std::string error;
+    const diagnostics::TemporaryFolder work("", error, &budget);
+    const std::string log = work.path() + "/log";
+    int status = -1;
+    try {
+        if (error.empty()) status = diagnostics::run_program({certifier_path(), "--answer", folder}, log, error, &budget);
+    } catch (const diagnostics::LimitReached& limit) {
+        error = limit.what();
+    }
+    if (status < 0) {
+        report.certification = Certification::unchecked;
+        report.reason = error;
+        return;
+    }
+    std::string answer;
+    std::ifstream file(log, std::ios::binary);
+    std::getline(file, answer);
+    add_answer(answer, report);
+}
+
+/// Runs robochart-certify on all certificates of the report, until one is not certified.
+void check_certificates(diagnostics::Budget& budget, CertificateReport& report) {
+    report.certification = Certification::certified;
+    for (const std::string& folder : report.folders) {
+        check_certificate(folder, budget, report);
+        if (report.certification != Certification::certified) break;
+    }
+    report.failed = report.certification == Certification::refused;
+}
+
 }  // namespace
 
 CertificateReport write_certificates(cspm::Session& session, const CertifiedClaim& claim, const SearchContext& search) {
@@ -51,6 +116,7 @@ CertificateReport write_certificates(cspm::Session& session, const CertifiedClai
         if (!error.empty()) return {{}, error, true};
         report.folders.push_back((std::filesystem::path(root) / folder).string());
     }
+    if (!report.folders.empty()) check_certificates(search.services.budget(), report);
     return report;
 }
 
@@ -64,13 +130,35 @@ std::string why_not_empty(const std::string& folder) {
                        diagnostics::escape_for_display(folder));
 }
 
+namespace {
+
+/// A number with a comma after each group of three digits, and what it counts.
+std::string counted(std::uint64_t number, const std::string& noun) {
+    std::string digits = std::to_string(number);
+    for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+    return fmt::format("{} {}{}", digits, noun, number == 1 ? "" : "s");
+}
+
+}  // namespace
+
 std::string certificate_text(const CertificateReport& report) {
     if (report.folders.empty())
         return fmt::format("no certificate: {}", diagnostics::escape_for_display(report.reason));
     std::string folders;
     for (const std::string& folder : report.folders)
         folders += (folders.empty() ? "" : ", ") + diagnostics::escape_for_display(folder);
-    return fmt::format("certificate {} (product level, unreduced; robochart-certify accepts or refuses it)", folders);
+    switch (report.certification) {
+        case Certification::unchecked:
+            return fmt::format("certificate {}, not checked: {}", folders, diagnostics::escape_for_display(report.reason));
+        case Certification::certified:
+            return fmt::format("holds (certified: product level, unreduced, {}, {}); certificate {}",
+                               counted(report.pairs, "pair"), counted(report.components, "component"), folders);
+        case Certification::refused:
+            return fmt::format("certificate {}, REFUSED by robochart-certify: {}", folders,
+                               diagnostics::escape_for_display(report.reason));
+    }
+    assert(false);
+    return "";
 }
 
 }  // namespace robochart::driver

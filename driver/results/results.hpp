@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,11 +57,21 @@ struct ProbabilityReport {
     std::vector<probability::Row> rows;
 };
 
+/// What robochart-certify says of certificates.
+enum class Certification {
+    unchecked,  ///< it was not run, or did not decide
+    certified,
+    refused,
+};
+
 /// The certificates of a claim that holds (docs/certificates.md). A claim may consist of several assertions.
 struct CertificateReport {
     std::vector<std::string> folders;
-    std::string reason;   ///< why there is no certificate
-    bool failed = false;  ///< a certificate could not be written
+    std::string reason;   ///< why there is no certificate, or why the certificates are not certified
+    bool failed = false;  ///< a certificate could not be written, or is refused
+    Certification certification = Certification::unchecked;
+    std::uint64_t pairs = 0;       ///< the pairs that robochart-certify has checked
+    std::uint64_t components = 0;  ///< the components of the implementations
 };
 
 /// One assertion with its answer.

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/diagnostics/programs.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace robochart::cpp_emit::shared_library_test {
@@ -25,18 +26,18 @@ protected:
 };
 
 TEST_F(Programs, ReturnTheirExitStatus) {
-    EXPECT_EQ(run_program({"sh", "-c", "exit 3"}, log(), error_), 3);
+    EXPECT_EQ(diagnostics::run_program({"sh", "-c", "exit 3"}, log(), error_), 3);
     diagnostics::Budget budget;
-    EXPECT_EQ(run_program({"sh", "-c", "exit 0"}, log(), error_, &budget), 0);
-    EXPECT_EQ(run_program({"sh", "-c", "kill -9 $$"}, log(), error_), 128 + 9);
+    EXPECT_EQ(diagnostics::run_program({"sh", "-c", "exit 0"}, log(), error_, &budget), 0);
+    EXPECT_EQ(diagnostics::run_program({"sh", "-c", "kill -9 $$"}, log(), error_), 128 + 9);
     EXPECT_EQ(error_, "");
-    EXPECT_EQ(run_program({"no-such-program-here"}, log(), error_), -1);
+    EXPECT_EQ(diagnostics::run_program({"no-such-program-here"}, log(), error_), -1);
     EXPECT_NE(error_.find("cannot run no-such-program-here"), std::string::npos) << error_;
 }
 
 // A killed program leaves its temporary files in the folder that the caller removes.
 TEST_F(Programs, HaveTheirTemporaryFilesBesideTheirLog) {
-    EXPECT_EQ(run_program({"sh", "-c", "printf %s \"$TMPDIR\"; test -n \"$PATH\""}, log(), error_), 0);
+    EXPECT_EQ(diagnostics::run_program({"sh", "-c", "printf %s \"$TMPDIR\"; test -n \"$PATH\""}, log(), error_), 0);
     std::string reported;
     std::ifstream(log()) >> reported;
     EXPECT_EQ(std::filesystem::path(reported), std::filesystem::path(log()).parent_path());
@@ -52,7 +53,7 @@ TEST_F(Programs, EndWithAllTheyStartedWhenInterrupted) {
     diagnostics::Limits limits;
     limits.interrupted = [&] { return reported() > 0; };
     diagnostics::Budget budget(limits);
-    EXPECT_THROW(run_program({"sh", "-c", endless}, log(), error_, &budget), diagnostics::LimitReached);
+    EXPECT_THROW(diagnostics::run_program({"sh", "-c", endless}, log(), error_, &budget), diagnostics::LimitReached);
     // No process waits for the orphan here. If it is gone or a zombie, it does not run.
     const auto runs = [&] {
         std::string skipped;
@@ -79,7 +80,7 @@ TEST_F(Programs, CountWithTheMemoryOfTheRun) {
     diagnostics::Budget budget(limits);
     // A grandchild fills 200 MB and then waits; the program itself stays small.
     const std::string large = "sh -c 'x=$(head -c 200000000 /dev/zero | tr \"\\0\" x); sleep 100'; exit 0";
-    EXPECT_THROW(run_program({"sh", "-c", large}, log(), error_, &budget), diagnostics::LimitReached);
+    EXPECT_THROW(diagnostics::run_program({"sh", "-c", large}, log(), error_, &budget), diagnostics::LimitReached);
 }
 
 TEST_F(Programs, HaveTheSignalsOfAnyProgram) {
@@ -88,7 +89,7 @@ TEST_F(Programs, HaveTheSignalsOfAnyProgram) {
     sigaddset(&interrupt, SIGTERM);
     sigset_t before;
     pthread_sigmask(SIG_BLOCK, &interrupt, &before);
-    EXPECT_EQ(run_program({"sh", "-c", "kill -TERM $$; exit 0"}, log(), error_), 128 + SIGTERM);
+    EXPECT_EQ(diagnostics::run_program({"sh", "-c", "kill -TERM $$; exit 0"}, log(), error_), 128 + SIGTERM);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 

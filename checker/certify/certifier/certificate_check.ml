@@ -5,31 +5,40 @@ open Verified
 type 'a array = 'a Array.t
 
 type figures = { pairs : int; nodes : int; transitions : int; components : int; rules : int }
-type answer = Certified of figures | Refused of string
+type answer = Certified of figures | Refused of string | Undecided of string
 
 (* Everything that the theorem is applied to. *)
 type proof =
-  | Of_refinement of model * layout * system * layout * system * normal_form * int list evidence * int list pairs
-  | Of_property of property * layout * system * int list pairs
+  | Of_refinement of model * shape * system * shape * system * normal_form * int list evidence * int list pairs
+  | Of_property of property * shape * system * int list pairs
 
-(* The groups of components whose states fit into one word. *)
-let layout_of (process : Formats.process) event_count =
-  let limit = 1 lsl 61 in
-  let add (groups, group, volume) size =
-    if size > 0 && volume > limit / size then (List.rev group :: groups, [ size ], size)
-    else (groups, size :: group, volume * max 1 size)
+(* The numbers of bits of components, by word. *)
+let layout_of sizes event_count =
+  let rec bits size = if size <= 1 then 0 else 1 + bits ((size + 1) / 2) in
+  let add (groups, group, used) size =
+    let more = bits size in
+    if used + more > 62 then (List.rev group :: groups, [ more ], more) else (groups, more :: group, used + more)
   in
-  let groups, group, _ = List.fold_left add ([], [], 1) process.sizes in
+  let groups, group, _ = List.fold_left add ([], [], 0) sizes in
   { groups = List.rev (List.rev group :: groups); event_count }
 
-let width layout = List.length layout.groups
+(* Equal states of components are merged: those that no transition distinguishes. *)
+let shape_of (process : Formats.process) event_count =
+  let mergings = Array.map Search.equal_states process.component_edges in
+  let merges =
+    { merged_states = (fun k -> if k < Array.length mergings then Array.length mergings.(k) else 0);
+      representative = (fun k v -> mergings.(k).(v)) }
+  in
+  { merges; packs = layout_of process.sizes event_count }
+
+let width shape = List.length shape.packs.groups
 
 (* The state of each component, in words. *)
-let state_name (process : Formats.process) layout words =
+let state_name (process : Formats.process) shape words =
   let locals =
     List.concat
-      (List.map2 (fun group word -> snd (List.fold_left (fun (word, locals) size -> (word / size, locals @ [ word mod size ])) (word, []) group))
-         layout.groups words)
+      (List.map2 (fun group word -> snd (List.fold_left (fun (word, locals) bits -> (word lsr bits, locals @ [ word land ((1 lsl bits) - 1) ])) (word, []) group))
+         shape.packs.groups words)
   in
   let name k local = Printf.sprintf "%s: %d" process.component_names.(k) local in
   Printf.sprintf "(%s)" (String.concat "; " (List.mapi name locals))
@@ -66,74 +75,85 @@ let property_task property : Search.task =
     forbid_cycles = property <> Deadlock_free;
     event_fault = (fun _ _ -> "") }
 
-(* Finds the evidence. `lenient` overlooks violations: for tests, which must be refused then. *)
-let prove ?(lenient = false) ?(forge = Fun.id) (claim : Formats.claim) ~most =
+(* The specification of a claim, and what is asked of the implementation. *)
+type plan = {
+  shape : shape;
+  name : int -> string;
+  task : Search.task;
+  choose : int -> (int * Search.words) list -> int;
+  nodes : Search.node array;
+  completed : Search.words pairs -> proof;
+}
+
+let plan_of ?(forge = Fun.id) (claim : Formats.claim) ~most =
   let name = claim.event_name in
   let impl = claim.implementation in
-  let layout = layout_of impl claim.event_count in
-  let lts = packed layout impl.system in
-  let find task = Search.pairs_for ~lenient lts (width layout) task ~most ~name ~state_name:(state_name impl layout) in
-  let figures (found : Search.found) nodes =
-    { pairs = found.store.filled; nodes; transitions = found.transitions;
-      components = Array.length impl.component_names; rules = impl.rule_count }
-  in
+  let shape = shape_of impl claim.event_count in
   match (claim.question, claim.specification) with
   | Refinement model, Some spec ->
-      let spec_layout = layout_of spec claim.event_count in
-      let spec_lts = packed spec_layout spec.system in
+      let spec_shape = shape_of spec claim.event_count in
+      let spec_lts = compact spec_shape spec.system in
       let graph = Search.new_graph spec_lts.succ0 in
       let nodes = forge (Search.normalise graph spec_lts.init model ~most) in
       let normal = Search.normal_form_of nodes in
       let choose = Search.chooser nodes claim.event_count in
-      let found = find (refinement_task nodes normal model choose name) in
       let evidence = Search.evidence_of graph spec_lts.init nodes in
-      let pairs = Search.pairs_record found choose in
-      ( Of_refinement (model, spec_layout, spec.system, layout, impl.system, normal, evidence, pairs),
-        figures found (Array.length nodes), nodes, found )
+      { shape; name; task = refinement_task nodes normal model choose name; choose; nodes;
+        completed = (fun pairs -> Of_refinement (model, spec_shape, spec.system, shape, impl.system, normal, evidence, pairs)) }
   | Property property, None ->
-      let found = find (property_task property) in
-      let pairs = Search.pairs_record found (fun _ _ -> 0) in
-      (Of_property (property, layout, impl.system, pairs), figures found 0, [||], found)
+      { shape; name; task = property_task property; choose = (fun _ _ -> 0); nodes = [||];
+        completed = (fun pairs -> Of_property (property, shape, impl.system, pairs)) }
   | _ -> raise (Formats.Unreadable "a specification belongs to a refinement, and to nothing else")
+
+let search_pairs ?(lenient = false) (claim : Formats.claim) plan ~most =
+  let lts = compact plan.shape claim.implementation.system in
+  Search.pairs_for ~lenient lts (width plan.shape) plan.task ~most ~name:plan.name
+    ~state_name:(state_name claim.implementation plan.shape)
+
+(* Finds the evidence before the check. `lenient` overlooks violations: for tests, which must be refused then. *)
+let prove ?(lenient = false) ?forge (claim : Formats.claim) ~most =
+  let plan = plan_of ?forge claim ~most in
+  let found = search_pairs ~lenient claim plan ~most in
+  (plan.completed (Search.pairs_record found plan.choose), plan.nodes, found)
 
 (* The theorem `program_sound` says what `true` means here. Nothing else certifies. *)
 let accepted = function
-  | Of_refinement (model, spec_layout, spec, layout, impl, normal, evidence, pairs) ->
-      certify_refinement model spec_layout spec layout impl normal evidence pairs
-  | Of_property (property, layout, impl, pairs) -> certify_property property layout impl pairs
+  | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, pairs) ->
+      certify_refinement model spec_shape spec shape impl normal evidence pairs
+  | Of_property (property, shape, impl, pairs) -> certify_property property shape impl pairs
 
-(* Which condition of the check breaks. *)
-let first_refused (claim : Formats.claim) proof =
-  let rec first chk count i = if i >= count then None else if chk i then first chk count (i + 1) else Some i in
-  let pair chk layout (pairs : int list pairs) =
-    match first chk pairs.count 0 with
-    | Some i ->
-        Printf.sprintf "the check refuses pair %d: %s with node %d" i
-          (state_name claim.implementation layout (pairs.state_of i))
-          (pairs.node_of i)
-    | None -> "the check refuses the initial pair"
-  in
-  match proof with
-  | Of_refinement (model, spec_layout, spec, layout, impl, normal, evidence, pairs) ->
-      if not (system_ok spec_layout spec) then "the specification is not a well-formed process"
-      else if not (system_ok layout impl) then "the implementation is not a well-formed process"
-      else if not (check_specification (packed spec_layout spec) eq_words normal evidence model) then
+(* Which part of the check refuses. *)
+let first_refused = function
+  | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, _) ->
+      if not (shape_ok spec_shape spec) then "the specification is not a well-formed process"
+      else if not (shape_ok shape impl) then "the implementation is not a well-formed process"
+      else if not (check_specification (compact spec_shape spec) eq_words normal evidence model) then
         "the check refuses the normal form of the specification"
-      else pair (check_pair (packed layout impl) eq_words normal model pairs) layout pairs
-  | Of_property (property, layout, impl, pairs) ->
-      if not (system_ok layout impl) then "the process is not well-formed"
-      else pair (check_state (packed layout impl) eq_words property pairs) layout pairs
+      else "the check refuses the pairs"
+  | Of_property (_, shape, impl, _) ->
+      if not (shape_ok shape impl) then "the process is not well-formed" else "the check refuses the pairs"
 
 let guarded f =
   try f () with
   | Formats.Unreadable why -> Refused why
   | Search.Refuted why -> Refused why
-  | Search.Limit why -> Refused ("not decided: " ^ why)
-  | Stack_overflow -> Refused "not decided: the stack is too small"
-  | Out_of_memory -> Refused "not decided: there is no more memory"
+  | Search.Limit why -> Undecided why
+  | Stack_overflow -> Undecided "the stack is too small"
+  | Out_of_memory -> Undecided "there is no more memory"
   | Invalid_argument _ | Not_found | Failure _ | Division_by_zero -> Refused "the evidence is malformed"
 
-let certify claim ~most =
+(* Finds the pairs while they are checked. If the check refuses, another search tells the run to the violation. *)
+let certify (claim : Formats.claim) ~most =
   guarded (fun () ->
-      let proof, figures, _, _ = prove claim ~most in
-      if accepted proof then Certified figures else Refused (first_refused claim proof))
+      let plan = plan_of claim ~most in
+      let walk = Search.new_walk (width plan.shape) in
+      let ordered = plan.task.forbid_cycles in
+      let proof = plan.completed (Search.pairs_on_the_way walk plan.choose ~ordered ~most) in
+      if try accepted proof with Search.Loop_of_taus -> false then
+        Certified
+          { pairs = walk.pairs.filled; nodes = Array.length plan.nodes; transitions = walk.moves_seen;
+            components = Array.length claim.implementation.component_names; rules = claim.implementation.rule_count }
+      else begin
+        ignore (search_pairs claim plan ~most);
+        Refused (first_refused proof)
+      end)

@@ -29,7 +29,7 @@ let rec region (Region (inside, rules)) =
   in
   Printf.sprintf "Region %s\n    %s" (list participant inside) (list rule rules)
 
-let system out name (process : Formats.process) layout =
+let system out name (process : Formats.process) shape =
   let row edges = list (fun (e, target) -> pair (number e) (number target)) edges in
   let component rows = array ~default:"nil" row rows in
   define out (name ^ "_rows") "array (array (list (ev * int)))"
@@ -38,8 +38,15 @@ let system out name (process : Formats.process) layout =
     (Printf.sprintf
        "{| edges := fun k v => get (get %s_rows (of_Z (Z.of_nat k))) v;\n   start := %s;\n   whole := %s |}" name
        (words process.system.start) (region process.system.whole));
-  define out (name ^ "_layout") "layout"
-    (Printf.sprintf "{| groups := %s; event_count := %d |}" (list words layout.groups) layout.event_count)
+  let representatives k rows = array ~default:"0" number (Array.init (Array.length rows) (shape.merges.representative k)) in
+  define out (name ^ "_merges") "array (array int)"
+    (array ~default:"make 0 0" Fun.id (Array.mapi representatives process.component_edges));
+  define out (name ^ "_shape") "shape"
+    (Printf.sprintf
+       "{| merges := {| merged_states := fun k => length (get %s_merges (of_Z (Z.of_nat k)));\n\
+       \                  representative := fun k v => get (get %s_merges (of_Z (Z.of_nat k))) v |};\n\
+       \   packs := {| groups := %s; event_count := %d |} |}"
+       name name (list words shape.packs.groups) shape.packs.event_count)
 
 let origin o = Printf.sprintf "{| by_event := %b; from := %d; depth := %d |}" o.by_event o.from o.depth
 let no_origin = "{| by_event := true; from := 0; depth := 0 |}"
@@ -96,15 +103,30 @@ let pairs_of out (found : Search.found) ~choose =
   let key j = (Search.node_at store j, Search.words_at store j) in
   Array.stable_sort (fun i j -> compare (key i) (key j)) order;
   let column name kind ~default f = define out name ("array (" ^ kind ^ ")") (array ~default f order) in
-  column "pair_states" "list int" ~default:"nil" (fun j -> words (Search.words_at store j));
+  let flat = Array.concat (List.map (fun j -> Array.of_list (Search.words_at store j)) (Array.to_list order)) in
+  define out "pair_words" "array int" (array ~default:"0" number flat);
+  define out "pair_state" "int -> list int"
+    (if store.width = 1 then "fun j => get pair_words j :: nil"
+     else Printf.sprintf "fun j => words_from pair_words %s (j * %d)" (nat store.width) store.width);
   column "pair_nodes" "int" ~default:"0" (fun j -> number (Search.node_at store j));
-  column "pair_ranks" "int" ~default:"0" (fun j -> number (Search.rank_at store j));
+  let visits = Array.init store.filled Fun.id in
+  Array.stable_sort (fun i j -> compare (Search.rank_of found order.(i)) (Search.rank_of found order.(j))) visits;
+  let places = Array.make store.filled 0 in
+  Array.iteri (fun place i -> places.(i) <- place) visits;
+  let numbered = Array.for_all (fun i -> visits.(i) = i) (Array.init store.filled Fun.id) in
+  if not numbered then begin
+    define out "pair_places" "array int" (array ~default:"0" number places);
+    define out "pair_visits" "array int" (array ~default:"0" number visits)
+  end;
+  define out "place_of_pair" "int -> int" (if numbered then "fun i => i" else "get pair_places");
+  define out "pair_at_place" "int -> int" (if numbered then "fun i => i" else "get pair_visits");
   define out "found" "pairs (list int)"
     (Printf.sprintf
-       "{| count := %d; state_of := get pair_states; node_of := get pair_nodes; rank_of := get pair_ranks;\n\
-       \   locate := fun s n => seek pair_states pair_nodes 64 s n 0 %d;\n\
-       \   choose := %s |}"
-       store.filled store.filled choose)
+       "{| state_of := pair_state; node_of := get pair_nodes; place_of := place_of_pair; pair_at := pair_at_place;\n\
+       \   locate := fun s n => seek pair_state pair_nodes 64 s n 0 %d;\n\
+       \   choose := %s;\n\
+       \   deed := fun t _ => if t <? %d then if t land 1 =? 0 then Open (pair_at_place (t >> 1)) else Visit else Stop |}"
+       store.filled choose (2 * store.filled))
 
 let preamble =
   "(* How the evidence is found; nothing here has to be believed. *)\n\
@@ -114,7 +136,9 @@ let preamble =
   \  first_from chk (Z.to_nat (to_Z (length t))) t 0.\n\
    Fixpoint less (c d : list int) : bool :=\n\
   \  match c, d with v :: c', w :: d' => if v <? w then true else if v =? w then less c' d' else false | _, _ => false end.\n\
-   Fixpoint seek (states : array (list int)) (node_numbers : array int) (fuel : nat) (s : list int) (n lo hi : int) : int :=\n\
+   Fixpoint words_from (t : array int) (n : nat) (i : int) : list int :=\n\
+  \  match n with O => nil | S n' => get t i :: words_from t n' (i + 1) end.\n\
+   Fixpoint seek (states : int -> list int) (node_numbers : array int) (fuel : nat) (s : list int) (n lo hi : int) : int :=\n\
   \  match fuel with\n\
   \  | O => lo\n\
   \  | S f =>\n\
@@ -122,7 +146,7 @@ let preamble =
   \      else\n\
   \        let mid := (lo + hi) >> 1 in\n\
   \        let m := get node_numbers mid in\n\
-  \        if (n <? m) || ((n =? m) && less s (get states mid)) then seek states node_numbers f s n lo mid\n\
+  \        if (n <? m) || ((n =? m) && less s (states mid)) then seek states node_numbers f s n lo mid\n\
   \        else seek states node_numbers f s n mid hi\n\
   \  end.\n\
    Definition fitting (sets : array (list ev)) (moves : list (ev * list int)) : int :=\n\
@@ -149,27 +173,27 @@ let event_list (claim : Formats.claim) =
 
 let theorem (claim : Formats.claim) ~most =
   let out = Buffer.create 1_000_000 in
-  let proof, _, nodes, found = Certificate_check.prove claim ~most in
+  let proof, nodes, found = Certificate_check.prove claim ~most in
   Printf.bprintf out "(* %s\n   %s\n   Claim: %s.\n   Product level, unreduced: the theorem is about the compiled processes below.\n\n   Events: 0: tau, 1: tick\n%s*)\n"
     (comment claim.assertion) (comment claim.source) claim.question_text (event_list claim);
   Buffer.add_string out Proofs.text;
   Buffer.add_string out preamble;
   (match proof with
-  | Certificate_check.Of_refinement (model, spec_layout, _, layout, _, _, evidence, _) ->
-      system out "specification" (Option.get claim.specification) spec_layout;
-      system out "implementation" claim.implementation layout;
+  | Certificate_check.Of_refinement (model, spec_shape, _, shape, _, _, evidence, _) ->
+      system out "specification" (Option.get claim.specification) spec_shape;
+      system out "implementation" claim.implementation shape;
       normal_form out nodes evidence;
       pairs_of out found ~choose:"fun n moves => fitting (get node_acceptances n) moves";
       let m = model_name model in
       prove out
         (Printf.sprintf "refines %s (system_lts specification) (system_lts implementation)" m)
         (Printf.sprintf
-           "refinement_sound %s specification_layout specification implementation_layout implementation normal reasons found" m)
-  | Of_property (property, layout, _, _) ->
-      system out "implementation" claim.implementation layout;
+           "refinement_sound %s specification_shape specification implementation_shape implementation normal reasons found" m)
+  | Of_property (property, shape, _, _) ->
+      system out "implementation" claim.implementation shape;
       pairs_of out found ~choose:"fun _ _ => 0";
       let p = property_name property in
       prove out
         (Printf.sprintf "satisfies %s (system_lts implementation)" p)
-        (Printf.sprintf "property_sound %s implementation_layout implementation found" p));
+        (Printf.sprintf "property_sound %s implementation_shape implementation found" p));
   Buffer.contents out

@@ -8,13 +8,17 @@ let max_length = Sys.max_array_length
 let make n default = ref (Newest (Array.make (if n >= 0 && n <= max_length then n else max_length) default, default))
 
 let rec content t = match !t with Newest (values, default) -> (values, default) | Older (_, _, newer) -> content newer
-let length t = Array.length (fst (content t))
-let default t = snd (content t)
+let[@inline] length t = match !t with Newest (values, _) -> Array.length values | Older _ -> Array.length (fst (content t))
 
-let rec get t i =
+let rec get_older t i =
   match !t with
   | Newest (values, default) -> if i >= 0 && i < Array.length values then Array.unsafe_get values i else default
-  | Older (j, value, newer) -> if i = j then value else get newer i
+  | Older (j, value, newer) -> if i = j then value else get_older newer i
+
+let[@inline] get t i =
+  match !t with
+  | Newest (values, default) -> if i >= 0 && i < Array.length values then Array.unsafe_get values i else default
+  | Older _ -> get_older t i
 
 let copy t =
   let _, default = content t in

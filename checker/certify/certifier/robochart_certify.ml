@@ -2,6 +2,7 @@
 (* robochart-certify: accepts or refuses certificates (docs/certificates.md). *)
 let usage =
   "usage: robochart-certify [--quiet] [--max-pairs N] FOLDER...\n\
+  \       robochart-certify --answer CERTIFICATE\n\
   \       robochart-certify --coq CERTIFICATE > File.v\n\
    Checks the certificates in the folders. Exit code 0: all are certified; 1: some are refused; 2: wrong use.\n"
 
@@ -36,11 +37,18 @@ let grouped n =
 
 let plural n word = Printf.sprintf "%s %s%s" (grouped n) word (if n = 1 then "" else "s")
 
+let decide ~most folder =
+  match Formats.read_claim folder with
+  | exception Formats.Unreadable why -> ("", Certificate_check.Refused why)
+  | claim -> (claim.source, Certificate_check.certify claim ~most)
+
 let show ~most ~quiet folder =
-  let source, answer =
-    match Formats.read_claim folder with
-    | exception Formats.Unreadable why -> ("", Certificate_check.Refused why)
-    | claim -> (claim.source, Certificate_check.certify claim ~most)
+  let source, answer = decide ~most folder in
+  let refuse why =
+    Printf.printf "REFUSED    %s: %s%s\n%!" (printable folder)
+      (if source = "" then "" else printable source ^ ": ")
+      (printable why);
+    false
   in
   match answer with
   | Certificate_check.Certified figures ->
@@ -48,11 +56,19 @@ let show ~most ~quiet folder =
         Printf.printf "CERTIFIED  %s: %s: product level, unreduced, %s, %s\n%!" (printable folder) (printable source)
           (plural figures.pairs "pair") (plural figures.components "component");
       true
-  | Refused why ->
-      Printf.printf "REFUSED    %s: %s%s\n%!" (printable folder)
-        (if source = "" then "" else printable source ^ ": ")
-        (printable why);
-      false
+  | Refused why -> refuse why
+  | Undecided why -> refuse ("not decided: " ^ why)
+
+(* One line for programs: a word, and figures or the reason. *)
+let print_answer folder ~most =
+  let line, code =
+    match snd (decide ~most folder) with
+    | Certificate_check.Certified figures -> (Printf.sprintf "certified %d %d" figures.pairs figures.components, 0)
+    | Refused why -> ("refused " ^ printable why, 1)
+    | Undecided why -> ("undecided " ^ printable why, 1)
+  in
+  print_endline line;
+  exit code
 
 let check_all paths ~most ~quiet =
   let folders = List.concat_map certificates_in paths in
@@ -72,25 +88,31 @@ let print_theorem folder ~most =
       prerr_endline ("robochart-certify: " ^ printable why);
       exit 1
 
+let () = Gc.set { (Gc.get ()) with space_overhead = 200 }
+
+type action = Check | Answer | Coq
+
 let () =
-  let rec read paths coq quiet most = function
-    | [] -> (List.rev paths, coq, quiet, most)
-    | "--coq" :: rest -> read paths true quiet most rest
-    | "--quiet" :: rest -> read paths coq true most rest
+  let rec read paths action quiet most = function
+    | [] -> (List.rev paths, action, quiet, most)
+    | "--coq" :: rest -> read paths Coq quiet most rest
+    | "--answer" :: rest -> read paths Answer quiet most rest
+    | "--quiet" :: rest -> read paths action true most rest
     | "--max-pairs" :: n :: rest -> (
         match int_of_string_opt n with
-        | Some n when n > 0 -> read paths coq quiet n rest
+        | Some n when n > 0 -> read paths action quiet n rest
         | _ -> wrong_use "--max-pairs needs a number")
     | "--help" :: _ ->
         print_string usage;
         exit 0
     | word :: _ when word <> "" && word.[0] = '-' -> wrong_use (word ^ " is not an option")
     | "" :: _ -> wrong_use "a folder has a name"
-    | path :: rest -> read (path :: paths) coq quiet most rest
+    | path :: rest -> read (path :: paths) action quiet most rest
   in
-  let paths, coq, quiet, most = read [] false false 20_000_000 (List.tl (Array.to_list Sys.argv)) in
-  match (paths, coq) with
+  let paths, action, quiet, most = read [] Check false 20_000_000 (List.tl (Array.to_list Sys.argv)) in
+  match (paths, action) with
   | [], _ -> wrong_use "which certificates?"
-  | [ folder ], true -> print_theorem folder ~most
-  | _, true -> wrong_use "--coq takes one certificate"
-  | _, false -> check_all paths ~most ~quiet
+  | [ folder ], Coq -> print_theorem folder ~most
+  | [ folder ], Answer -> print_answer folder ~most
+  | _, (Coq | Answer) -> wrong_use "--coq and --answer take one certificate"
+  | _, Check -> check_all paths ~most ~quiet

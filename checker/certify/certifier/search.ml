@@ -17,89 +17,143 @@ let mix a b =
   let h = (h lxor (h lsr 31)) * 0x1B873593CC9E2D51 in
   h lxor (h lsr 29)
 
-let hash_words words node = List.fold_left mix node words land max_int
+let hash_words words node =
+  match words with [ w ] -> mix node w land max_int | _ -> List.fold_left mix node words land max_int
 
 (* Large arrays of numbers, which the garbage collector does not scan. *)
 type numbers = (int, Bigarray.int_elt, Bigarray.c_layout) Bigarray.Array1.t
+type small_numbers = (int32, Bigarray.int32_elt, Bigarray.c_layout) Bigarray.Array1.t
 
-let new_numbers size filler : numbers =
-  let result = Bigarray.Array1.create Bigarray.int Bigarray.c_layout size in
-  Bigarray.Array1.fill result filler;
-  result
+let new_numbers size : numbers = Bigarray.Array1.create Bigarray.int Bigarray.c_layout size
+let new_small_numbers size : small_numbers = Bigarray.Array1.create Bigarray.int32 Bigarray.c_layout size
+
+(* Large arrays that are not used any more are returned at once. *)
+let drop_old bytes = if bytes > 1 lsl 24 then Gc.full_major ()
 
 let longer (old : numbers) used : numbers =
-  let result = Bigarray.Array1.create Bigarray.int Bigarray.c_layout (2 * Bigarray.Array1.dim old) in
+  let result = new_numbers (2 * Bigarray.Array1.dim old) in
   Bigarray.Array1.blit (Bigarray.Array1.sub old 0 used) (Bigarray.Array1.sub result 0 used);
   result
 
-(* Pairs in arrays, found by a hash table. Of each pair: its words, its node, its rank. *)
+let longer_small (old : small_numbers) used : small_numbers =
+  let result = new_small_numbers (2 * Bigarray.Array1.dim old) in
+  Bigarray.Array1.blit (Bigarray.Array1.sub old 0 used) (Bigarray.Array1.sub result 0 used);
+  result
+
+(* Pairs in arrays, found by a hash table. A row contains a pair's words and its node. *)
 type store = {
   width : int;
   mutable data : numbers;
+  mutable capacity : int;  (** rows *)
   mutable filled : int;
-  mutable slots : numbers;
+  mutable slots : small_numbers;
   mutable mask : int;
 }
 
-let new_store width =
-  { width; data = new_numbers (1024 * (width + 2)) 0; filled = 0; slots = new_numbers 4096 (-1); mask = 4095 }
+let no_pairs size =
+  let slots = new_small_numbers size in
+  Bigarray.Array1.fill slots (-1l);
+  slots
 
-let row store j = j * (store.width + 2)
+let new_store width =
+  { width; data = new_numbers (1024 * (width + 1)); capacity = 1024; filled = 0; slots = no_pairs 4096; mask = 4095 }
+
+let[@inline] row store j = j * (store.width + 1)
 let node_at store j = store.data.{row store j + store.width}
-let rank_at store j = store.data.{row store j + store.width + 1}
-let set_rank store j rank = store.data.{row store j + store.width + 1} <- rank
 
 let words_at store j =
-  let first = row store j in
-  if store.width = 1 then [ store.data.{first} ]
+  if store.width = 1 then [ store.data.{row store j} ]
   else
+    let first = row store j in
     let rec from i rest = if i < first then rest else from (i - 1) (store.data.{i} :: rest) in
     from (first + store.width - 1) []
 
-let is_at store words node j =
-  let rec same i = function [] -> true | w :: rest -> store.data.{i} = w && same (i + 1) rest in
-  node_at store j = node && same (row store j) words
+let rec same_words (data : numbers) i = function [] -> true | w :: rest -> data.{i} = w && same_words data (i + 1) rest
 
-let slot_of store words node =
-  let rec probe i =
-    let j = store.slots.{i} in
-    if j < 0 || is_at store words node j then i else probe ((i + 1) land store.mask)
-  in
-  probe (hash_words words node land store.mask)
+let rec probe store words node i =
+  let j = Int32.to_int store.slots.{i} in
+  if j < 0 then i
+  else
+    let first = row store j in
+    if store.data.{first + store.width} = node && same_words store.data first words then i
+    else probe store words node ((i + 1) land store.mask)
+
+let slot_of store words node = probe store words node (hash_words words node land store.mask)
 
 let grow_slots store =
   store.mask <- (2 * store.mask) + 1;
-  store.slots <- new_numbers (store.mask + 1) (-1);
+  store.slots <- no_pairs (store.mask + 1);
+  drop_old (2 * store.mask);
+  let rec empty i = if store.slots.{i} < 0l then i else empty ((i + 1) land store.mask) in
   for j = 0 to store.filled - 1 do
-    store.slots.{slot_of store (words_at store j) (node_at store j)} <- j
+    store.slots.{empty (hash_words (words_at store j) (node_at store j) land store.mask)} <- Int32.of_int j
   done
 
-(* The number of the pair, and whether it is new. *)
+let add_at store slot words node =
+  let j = store.filled in
+  if j = store.capacity then begin
+    store.data <- longer store.data (row store j);
+    store.capacity <- 2 * j;
+    drop_old (8 * row store j)
+  end;
+  let first = row store j in
+  List.iteri (fun i w -> store.data.{first + i} <- w) words;
+  store.data.{first + store.width} <- node;
+  store.filled <- j + 1;
+  store.slots.{slot} <- Int32.of_int j;
+  if 2 * store.filled > store.mask then grow_slots store;
+  j
+
+(* The number of the pair. It is new if it is the number of pairs before. *)
 let insert store words node =
   let slot = slot_of store words node in
-  let j = store.slots.{slot} in
-  if j >= 0 then (j, false)
-  else begin
-    let j = store.filled in
-    let first = row store j in
-    if first + store.width + 2 > Bigarray.Array1.dim store.data then store.data <- longer store.data first;
-    List.iteri (fun i w -> store.data.{first + i} <- w) words;
-    store.data.{first + store.width} <- node;
-    store.data.{first + store.width + 1} <- 0;
-    store.filled <- j + 1;
-    store.slots.{slot} <- j;
-    if 2 * store.filled > store.mask then grow_slots store;
-    (j, true)
-  end
+  let j = Int32.to_int store.slots.{slot} in
+  if j >= 0 then j else add_at store slot words node
 
 let find store words node =
-  let j = store.slots.{slot_of store words node} in
+  let j = Int32.to_int store.slots.{slot_of store words node} in
   if j < 0 then store.filled else j
+
+module Signatures = Hashtbl.Make (struct
+  type t = int list
+
+  let rec equal (a : t) (b : t) =
+    match (a, b) with x :: a, y :: b -> x = y && equal a b | [], [] -> true | _ -> false
+
+  let hash numbers = List.fold_left mix 0 numbers land max_int
+end)
+
+(* By state of a component: the first state that no transition distinguishes from it. Classes are refined until their
+   states have the same transitions to classes. If that takes too long, every state is alone. *)
+let equal_states (edges : (int * int) list array) =
+  let count = Array.length edges in
+  let transitions = Array.fold_left (fun sum row -> sum + 1 + List.length row) 0 edges in
+  let rec refine classes number rounds =
+    let signatures = Signatures.create (2 * count) in
+    let class_of key =
+      match Signatures.find_opt signatures key with
+      | Some c -> c
+      | None ->
+          let c = Signatures.length signatures in
+          Signatures.add signatures key c;
+          c
+    in
+    let signature v = classes.(v) :: List.sort_uniq Int.compare (List.map (fun (e, u) -> (e * count) + classes.(u)) edges.(v)) in
+    let refined = Array.init count (fun v -> class_of (signature v)) in
+    let refined_number = Signatures.length signatures in
+    if refined_number = number then refined
+    else if rounds * transitions > 20_000_000 then Array.init count Fun.id
+    else refine refined refined_number (rounds + 1)
+  in
+  let classes = refine (Array.make count 0) (min count 1) 1 in
+  let first = Array.make count (-1) in
+  Array.iteri (fun v c -> if first.(c) < 0 then first.(c) <- v) classes;
+  Array.map (fun c -> first.(c)) classes
 
 (* A growing array of numbers. *)
 type row = { mutable values : numbers; mutable used : int }
 
-let new_row () = { values = new_numbers 1024 0; used = 0 }
+let new_row () = { values = new_numbers 1024; used = 0 }
 
 let push row x =
   if row.used = Bigarray.Array1.dim row.values then row.values <- longer row.values row.used;
@@ -371,6 +425,7 @@ type found = {
   store : store;
   tau_first : row;  (** by pair: its first tau in `tau_targets` *)
   tau_targets : row;
+  mutable ranks : int array;  (** by pair, if cycles of taus are forbidden *)
   parents : row option;  (** by pair: the pair before it, and the event *)
   mutable transitions : int;
 }
@@ -390,7 +445,7 @@ let run_to name found j =
 exception Violation_at of int * string
 
 let new_found width with_parents =
-  { store = new_store width; tau_first = new_row (); tau_targets = new_row ();
+  { store = new_store width; tau_first = new_row (); tau_targets = new_row (); ranks = [||];
     parents = (if with_parents then Some (new_row ()) else None); transitions = 0 }
 
 let explore (impl : words lts) task found ~most ~lenient =
@@ -399,8 +454,9 @@ let explore (impl : words lts) task found ~most ~lenient =
   ignore (insert store impl.init 0);
   note_parent 0 0;
   let add i a words node =
-    let j, fresh = insert store words node in
-    if fresh then begin
+    let before = store.filled in
+    let j = insert store words node in
+    if j = before then begin
       note_parent i a;
       if store.filled > most then raise (Limit (Printf.sprintf "there are more than %d pairs" most))
     end;
@@ -432,13 +488,15 @@ let explore (impl : words lts) task found ~most ~lenient =
 let set_ranks found ~lenient =
   let store = found.store in
   let colour = Bytes.make store.filled '0' in
+  let ranks = Array.make store.filled 0 in
+  found.ranks <- ranks;
   let first = found.tau_first.values and targets = found.tau_targets.values in
   let finish j =
     let rank = ref 0 in
     for t = first.{j} to first.{j + 1} - 1 do
-      rank := max !rank (rank_at store targets.{t} + 1)
+      rank := max !rank (ranks.(targets.{t}) + 1)
     done;
-    set_rank store j !rank;
+    ranks.(j) <- !rank;
     Bytes.set colour j 'n'
   in
   for start = 0 to store.filled - 1 do
@@ -481,11 +539,129 @@ let pairs_for ?(lenient = false) impl width task ~most ~name ~state_name =
           let state = state_name (words_at found.store j) in
           raise (Refuted (Printf.sprintf "%s, in the state %s, %s" (run_to name found j) state fault)))
 
+let rank_of found j = if j < Array.length found.ranks then found.ranks.(j) else 0
+
+(* The pairs that were found, in the order of their ranks. *)
 let pairs_record found choose =
   let store = found.store in
-  { count = store.filled;
-    state_of = words_at store;
+  let count = store.filled in
+  let order = Array.init count Fun.id in
+  Array.stable_sort (fun i j -> compare (rank_of found i) (rank_of found j)) order;
+  let places = Array.make count 0 in
+  Array.iteri (fun place j -> places.(j) <- place) order;
+  { state_of = words_at store;
     node_of = node_at store;
-    rank_of = rank_at store;
+    place_of = (fun j -> places.(j));
+    pair_at = (fun place -> order.(place));
     locate = find store;
-    choose }
+    choose;
+    deed = (fun time _ -> if time >= 2 * count then Stop else if time land 1 = 0 then Open order.(time / 2) else Visit) }
+
+(* The pairs, found while the verified check visits them. If taus must end, a pair is visited after all pairs to which its
+   taus lead. *)
+type walk = {
+  pairs : store;
+  mutable places : small_numbers;  (** by pair: -1 before it is opened, -2 while it is open *)
+  mutable order : small_numbers;
+  mutable visits : int;
+  mutable cursor : int;  (** the pairs before it are open or visited *)
+  mutable frames : frame list;  (** the open pairs *)
+  mutable located : (words * int) list;  (** where the taus of the pair that is visited lead *)
+  mutable moves_seen : int;
+}
+
+and frame = { pair : int; mutable pending : (int * words) list; mutable reached : (words * int) list }
+
+exception Loop_of_taus
+
+let new_walk width =
+  { pairs = new_store width; places = new_small_numbers 0; order = new_small_numbers 0; visits = 0; cursor = 0;
+    frames = []; located = []; moves_seen = 0 }
+
+let prepare_places walk =
+  let used = Bigarray.Array1.dim walk.places and size = walk.pairs.capacity in
+  if used < size then begin
+    let larger old =
+      let result = new_small_numbers size in
+      Bigarray.Array1.fill result (-1l);
+      Bigarray.Array1.blit old (Bigarray.Array1.sub result 0 used);
+      result
+    in
+    walk.places <- larger walk.places;
+    walk.order <- larger walk.order;
+    drop_old (4 * used)
+  end
+
+let open_pair walk j =
+  prepare_places walk;
+  walk.places.{j} <- -2l;
+  walk.frames <- { pair = j; pending = []; reached = [] } :: walk.frames;
+  Open j
+
+(* Opens the next pair to which a tau leads and that is new, or has the pair visited. *)
+let rec follow_taus walk frame = function
+  | [] -> (
+      walk.places.{frame.pair} <- Int32.of_int walk.visits;
+      walk.order.{walk.visits} <- Int32.of_int frame.pair;
+      walk.visits <- walk.visits + 1;
+      walk.frames <- List.tl walk.frames;
+      walk.located <- List.rev frame.reached;
+      Visit)
+  | (a, u) :: rest when a = 0 ->
+      let j = insert walk.pairs u (node_at walk.pairs frame.pair) in
+      prepare_places walk;
+      frame.reached <- (u, j) :: frame.reached;
+      let place = walk.places.{j} in
+      if place >= 0l then follow_taus walk frame rest
+      else if place = -2l then raise Loop_of_taus
+      else begin
+        frame.pending <- rest;
+        open_pair walk j
+      end
+  | _ :: rest -> follow_taus walk frame rest
+
+let rec next_unopened walk =
+  if walk.cursor = walk.pairs.filled then None
+  else if walk.cursor < Bigarray.Array1.dim walk.places && walk.places.{walk.cursor} <> -1l then begin
+    walk.cursor <- walk.cursor + 1;
+    next_unopened walk
+  end
+  else Some walk.cursor
+
+let pairs_on_the_way walk choose ~ordered ~most =
+  let store = walk.pairs in
+  let note_moves moves = walk.moves_seen <- walk.moves_seen + List.length moves in
+  let ordered_deed _ opened =
+    match (opened, walk.frames) with
+    | (_, moves) :: _, frame :: _ ->
+        let fresh = frame.pending = [] && frame.reached = [] in
+        if fresh then note_moves moves;
+        follow_taus walk frame (if fresh then moves else frame.pending)
+    | _ -> ( match next_unopened walk with Some j -> open_pair walk j | None -> Stop)
+  in
+  let plain_deed _ = function
+    | (_, moves) :: _ ->
+        note_moves moves;
+        Visit
+    | [] ->
+        let j = walk.cursor in
+        walk.cursor <- j + 1;
+        if j < store.filled then Open j else Stop
+  in
+  let locate words node =
+    match walk.located with
+    | (known, j) :: rest when known == words ->
+        walk.located <- rest;
+        j
+    | _ ->
+        let j = insert store words node in
+        if j >= most then raise (Limit (Printf.sprintf "there are more than %d pairs" most));
+        j
+  in
+  { state_of = words_at store;
+    node_of = node_at store;
+    place_of = (if ordered then fun j -> Int32.to_int walk.places.{j} else Fun.id);
+    pair_at = (if ordered then fun place -> Int32.to_int walk.order.{place} else Fun.id);
+    locate;
+    choose;
+    deed = (if ordered then ordered_deed else plain_deed) }

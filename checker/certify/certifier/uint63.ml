@@ -2,7 +2,7 @@
 (* Coq's primitive 63-bit integers without sign, as OCaml's native integers. Part of what has to be believed. *)
 type t = int
 
-let of_int (x : int) = x
+let[@inline] of_int (x : int) = x
 let[@inline] flip x = x lxor min_int
 let[@inline] lt (x : int) (y : int) = flip x < flip y
 let[@inline] le (x : int) (y : int) = flip x <= flip y
@@ -14,8 +14,8 @@ let[@inline] mul (x : int) (y : int) = x * y
 let[@inline] l_and (x : int) (y : int) = x land y
 let[@inline] l_or (x : int) (y : int) = x lor y
 let[@inline] l_xor (x : int) (y : int) = x lxor y
-let l_sl (x : int) (y : int) = if lt y 63 then x lsl y else 0
-let l_sr (x : int) (y : int) = if lt y 63 then x lsr y else 0
+let[@inline] l_sl (x : int) (y : int) = if lt y 63 then x lsl y else 0
+let[@inline] l_sr (x : int) (y : int) = if lt y 63 then x lsr y else 0
 
 (* The quotient of half the dividend is at most one too small. *)
 let large_div (x : int) (y : int) =

@@ -120,21 +120,6 @@ module Pos =
   | XO p -> XI (pred_double p)
   | XH -> XH
 
-  (** val mul : positive -> positive -> positive **)
-
-  let rec mul x y =
-    match x with
-    | XI p -> add y (XO (mul p y))
-    | XO p -> XO (mul p y)
-    | XH -> y
-
-  (** val iter : ('a1 -> 'a1) -> 'a1 -> positive -> 'a1 **)
-
-  let rec iter f x = function
-  | XI n' -> f (iter f (iter f x n') n')
-  | XO n' -> iter f (iter f x n') n'
-  | XH -> f x
-
   (** val compare_cont : comparison -> positive -> positive -> comparison **)
 
   let rec compare_cont r x y =
@@ -170,14 +155,6 @@ module Pos =
 
   let to_nat x =
     iter_op Coq__1.add x (Stdlib.Int.succ 0)
-
-  (** val of_succ_nat : int -> positive **)
-
-  let rec of_succ_nat n =
-    (fun fO fS n -> if n=0 then fO () else fS (n-1))
-      (fun _ -> XH)
-      (fun x -> succ (of_succ_nat x))
-      n
  end
 
 (** val tl : 'a1 list -> 'a1 list **)
@@ -196,6 +173,18 @@ let rec nth n l default =
     (fun m -> match l with
               | [] -> default
               | _ :: t -> nth m t default)
+    n
+
+(** val nth_error : 'a1 list -> int -> 'a1 option **)
+
+let rec nth_error l n =
+  (fun fO fS n -> if n=0 then fO () else fS (n-1))
+    (fun _ -> match l with
+              | [] -> None
+              | x :: _ -> Some x)
+    (fun n0 -> match l with
+               | [] -> None
+               | _ :: l0 -> nth_error l0 n0)
     n
 
 (** val concat : 'a1 list list -> 'a1 list **)
@@ -275,33 +264,48 @@ module Z =
   | Zpos p -> Zpos (XI p)
   | Zneg p -> Zneg (Pos.pred_double p)
 
-  (** val mul : z -> z -> z **)
+  (** val pred_double : z -> z **)
 
-  let mul x y =
+  let pred_double = function
+  | Z0 -> Zneg XH
+  | Zpos p -> Zpos (Pos.pred_double p)
+  | Zneg p -> Zneg (XI p)
+
+  (** val pos_sub : positive -> positive -> z **)
+
+  let rec pos_sub x y =
     match x with
-    | Z0 -> Z0
+    | XI p ->
+      (match y with
+       | XI q -> double (pos_sub p q)
+       | XO q -> succ_double (pos_sub p q)
+       | XH -> Zpos (XO p))
+    | XO p ->
+      (match y with
+       | XI q -> pred_double (pos_sub p q)
+       | XO q -> double (pos_sub p q)
+       | XH -> Zpos (Pos.pred_double p))
+    | XH ->
+      (match y with
+       | XI q -> Zneg (XO q)
+       | XO q -> Zneg (Pos.pred_double q)
+       | XH -> Z0)
+
+  (** val add : z -> z -> z **)
+
+  let add x y =
+    match x with
+    | Z0 -> y
     | Zpos x' ->
       (match y with
-       | Z0 -> Z0
-       | Zpos y' -> Zpos (Pos.mul x' y')
-       | Zneg y' -> Zneg (Pos.mul x' y'))
+       | Z0 -> x
+       | Zpos y' -> Zpos (Pos.add x' y')
+       | Zneg y' -> pos_sub x' y')
     | Zneg x' ->
       (match y with
-       | Z0 -> Z0
-       | Zpos y' -> Zneg (Pos.mul x' y')
-       | Zneg y' -> Zpos (Pos.mul x' y'))
-
-  (** val pow_pos : z -> positive -> z **)
-
-  let pow_pos z0 =
-    Pos.iter (mul z0) (Zpos XH)
-
-  (** val pow : z -> z -> z **)
-
-  let pow x = function
-  | Z0 -> Zpos XH
-  | Zpos p -> pow_pos x p
-  | Zneg _ -> Z0
+       | Z0 -> x
+       | Zpos y' -> pos_sub y' x'
+       | Zneg y' -> Zneg (Pos.add x' y'))
 
   (** val compare : z -> z -> comparison **)
 
@@ -319,26 +323,18 @@ module Z =
        | Zneg y' -> compOpp (Pos.compare x' y')
        | _ -> Lt)
 
-  (** val ltb : z -> z -> bool **)
+  (** val leb : z -> z -> bool **)
 
-  let ltb x y =
+  let leb x y =
     match compare x y with
-    | Lt -> true
-    | _ -> false
+    | Gt -> false
+    | _ -> true
 
   (** val to_nat : z -> int **)
 
   let to_nat = function
   | Zpos p -> Pos.to_nat p
   | _ -> 0
-
-  (** val of_nat : int -> z **)
-
-  let of_nat n =
-    (fun fO fS n -> if n=0 then fO () else fS (n-1))
-      (fun _ -> Z0)
-      (fun n0 -> Zpos (Pos.of_succ_nat n0))
-      n
  end
 
 (** val lsl0 : Uint63.t -> Uint63.t -> Uint63.t **)
@@ -357,17 +353,9 @@ let land0 = Uint63.l_and
 
 let add0 = Uint63.add
 
-(** val mul0 : Uint63.t -> Uint63.t -> Uint63.t **)
+(** val sub : Uint63.t -> Uint63.t -> Uint63.t **)
 
-let mul0 = Uint63.mul
-
-(** val div : Uint63.t -> Uint63.t -> Uint63.t **)
-
-let div = Uint63.div
-
-(** val mod0 : Uint63.t -> Uint63.t -> Uint63.t **)
-
-let mod0 = Uint63.rem
+let sub = Uint63.sub
 
 (** val eqb : Uint63.t -> Uint63.t -> bool **)
 
@@ -377,9 +365,9 @@ let eqb = Uint63.equal
 
 let ltb0 = Uint63.lt
 
-(** val leb : Uint63.t -> Uint63.t -> bool **)
+(** val leb0 : Uint63.t -> Uint63.t -> bool **)
 
-let leb = Uint63.le
+let leb0 = Uint63.le
 
 (** val size : int **)
 
@@ -428,11 +416,6 @@ let rec to_Z_rec n i =
 let to_Z =
   to_Z_rec size
 
-(** val wB : z **)
-
-let wB =
-  Z.pow (Zpos (XO XH)) (Z.of_nat size)
-
 type 'a array = 'a Parray.t
 
 
@@ -475,50 +458,17 @@ type system = { edges : (int -> Uint63.t -> (ev * Uint63.t) list);
 
 type change = int * Uint63.t
 
-type move = ev * change list
-
-(** val combine : move list list -> (int * ev) list -> change list list **)
-
-let rec combine ms = function
-| [] -> [] :: []
-| p :: rest ->
-  let (i, e) = p in
-  flat_map (fun m ->
-    if eqb (fst m) e then map (app (snd m)) (combine ms rest) else [])
-    (nth i ms [])
-
 (** val nonempty : 'a1 list -> bool **)
 
 let nonempty = function
 | [] -> false
 | _ :: _ -> true
 
-(** val slot_moves : system -> int -> Uint63.t -> move list **)
-
-let slot_moves y k v =
-  map (fun e -> ((fst e), ((k, (snd e)) :: []))) (y.edges k v)
-
-(** val update : Uint63.t list -> int -> Uint63.t -> Uint63.t list **)
-
-let rec update s k x =
-  match s with
-  | [] -> []
-  | v :: s' ->
-    ((fun fO fS n -> if n=0 then fO () else fS (n-1))
-       (fun _ -> x :: s')
-       (fun k' -> v :: (update s' k' x))
-       k)
-
-(** val apply : Uint63.t list -> change list -> Uint63.t list **)
-
-let apply s ch =
-  fold_left (fun s0 c -> update s0 (fst c) (snd c)) ch s
-
 (** val all_from :
     Uint63.t list -> (Uint63.t -> bool) -> Uint63.t -> Uint63.t -> bool **)
 
 let rec all_from widths chk len lo =
-  if leb len lo
+  if leb0 len lo
   then true
   else (match widths with
         | [] -> chk lo
@@ -558,7 +508,7 @@ let rec fill f n i t =
 (** val tabulate : Uint63.t -> (Uint63.t -> 'a1) -> 'a1 array **)
 
 let tabulate n f =
-  if leb n Parray.max_length
+  if leb0 n Parray.max_length
   then fill f (Z.to_nat (to_Z n)) (Uint63.of_int (0))
          (Parray.make n (f (Uint63.of_int (0))))
   else Parray.make (Uint63.of_int (0)) (f (Uint63.of_int (0)))
@@ -720,30 +670,145 @@ let check_specification spec eqs n e m =
   (&&) ((&&) (check_root spec eqs n e) (check_loop spec eqs e))
     (all_below (check_node spec eqs n e m) n.nodes)
 
-type 's pairs = { count : Uint63.t; state_of : (Uint63.t -> 's);
+type action =
+| Open of Uint63.t
+| Visit
+| Stop
+
+type 's pairs = { state_of : (Uint63.t -> 's);
                   node_of : (Uint63.t -> Uint63.t);
-                  rank_of : (Uint63.t -> Uint63.t);
+                  place_of : (Uint63.t -> Uint63.t);
+                  pair_at : (Uint63.t -> Uint63.t);
                   locate : ('s -> Uint63.t -> Uint63.t);
-                  choose : (Uint63.t -> (ev * 's) list -> Uint63.t) }
+                  choose : (Uint63.t -> (ev * 's) list -> Uint63.t);
+                  deed : (Uint63.t -> (Uint63.t * (ev * 's) list) list ->
+                         action) }
 
-(** val within : Uint63.t option -> Uint63.t -> bool **)
+type need =
+| Forbidden
+| Irrelevant
+| Leads of Uint63.t * bool
 
-let within bound r =
-  match bound with
-  | Some b -> ltb0 r b
-  | None -> true
-
-(** val covered :
+(** val cover :
     ('a1 -> 'a1 -> bool) -> 'a1 pairs -> 'a1 -> Uint63.t -> Uint63.t option
-    -> bool **)
+    -> Uint63.t -> Uint63.t option **)
 
-let covered eqi p u k bound =
+let cover eqi p u k bound high0 =
   let j = p.locate u k in
-  if ltb0 j p.count
-  then if eqb (p.node_of j) k
-       then if eqi (p.state_of j) u then within bound (p.rank_of j) else false
-       else false
-  else false
+  if eqb (p.node_of j) k
+  then if eqi (p.state_of j) u
+       then if match bound with
+               | Some b -> ltb0 (p.place_of j) b
+               | None -> true
+            then if ltb0 j high0
+                 then Some high0
+                 else if ltb0 j (add0 j (Uint63.of_int (1)))
+                      then Some (add0 j (Uint63.of_int (1)))
+                      else None
+            else None
+       else None
+  else None
+
+(** val check_moves :
+    ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need) -> Uint63.t
+    -> Uint63.t -> (ev * 'a1) list -> Uint63.t -> Uint63.t option **)
+
+let rec check_moves eqi p needs n p0 moves high0 =
+  match moves with
+  | [] -> Some high0
+  | p1 :: rest ->
+    let (a, u) = p1 in
+    (match needs n a with
+     | Forbidden -> None
+     | Irrelevant -> check_moves eqi p needs n p0 rest high0
+     | Leads (k, earlier) ->
+       (match cover eqi p u k (if earlier then Some p0 else None) high0 with
+        | Some h -> check_moves eqi p needs n p0 rest h
+        | None -> None))
+
+(** val check_pair :
+    ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need) ->
+    (Uint63.t -> (ev * 'a1) list -> bool) -> Uint63.t -> Uint63.t ->
+    (ev * 'a1) list -> Uint63.t -> Uint63.t option **)
+
+let check_pair eqi p needs fine j p0 moves high0 =
+  if eqb (p.place_of j) p0
+  then if eqb (p.pair_at p0) j
+       then if fine (p.node_of j) moves
+            then check_moves eqi p needs (p.node_of j) p0 moves high0
+            else None
+       else None
+  else None
+
+type 's progress = { time : Uint63.t;
+                     opened : (Uint63.t * (ev * 's) list) list;
+                     visited : Uint63.t; high : Uint63.t }
+
+type 's outcome =
+| More of 's progress
+| Over of 's progress option
+
+(** val proceed :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need)
+    -> (Uint63.t -> (ev * 'a1) list -> bool) -> 'a1 progress -> 'a1 outcome **)
+
+let proceed impl eqi p needs fine x =
+  match p.deed x.time x.opened with
+  | Open j ->
+    More { time = (add0 x.time (Uint63.of_int (1))); opened = ((j,
+      (impl.succ0 (p.state_of j))) :: x.opened); visited = x.visited; high =
+      x.high }
+  | Visit ->
+    (match x.opened with
+     | [] -> Over None
+     | p0 :: rest ->
+       let (j, moves) = p0 in
+       (match check_pair eqi p needs fine j x.visited moves x.high with
+        | Some h ->
+          if ltb0 x.visited (add0 x.visited (Uint63.of_int (1)))
+          then More { time = (add0 x.time (Uint63.of_int (1))); opened =
+                 rest; visited = (add0 x.visited (Uint63.of_int (1))); high =
+                 h }
+          else Over None
+        | None -> Over None))
+  | Stop -> Over (Some x)
+
+(** val proceed_often :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need)
+    -> (Uint63.t -> (ev * 'a1) list -> bool) -> Uint63.t list -> 'a1 progress
+    -> 'a1 outcome **)
+
+let rec proceed_often impl eqi p needs fine fuel x =
+  match fuel with
+  | [] -> proceed impl eqi p needs fine x
+  | _ :: rest ->
+    (match proceed_often impl eqi p needs fine rest x with
+     | More y -> proceed_often impl eqi p needs fine rest y
+     | Over r -> Over r)
+
+(** val all_visited : 'a1 pairs -> 'a1 progress -> bool **)
+
+let all_visited p x =
+  all_below (fun j ->
+    if ltb0 (p.place_of j) x.visited
+    then eqb (p.pair_at (p.place_of j)) j
+    else false) x.high
+
+(** val walk :
+    'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need)
+    -> (Uint63.t -> (ev * 'a1) list -> bool) -> Uint63.t -> bool **)
+
+let walk impl eqi p needs fine first_node =
+  match cover eqi p impl.init first_node None (Uint63.of_int (0)) with
+  | Some h ->
+    (match proceed_often impl eqi p needs fine many_widths { time =
+             (Uint63.of_int (0)); opened = []; visited = (Uint63.of_int (0));
+             high = h } with
+     | More _ -> false
+     | Over x0 -> (match x0 with
+                   | Some x -> all_visited p x
+                   | None -> false))
+  | None -> false
 
 (** val stop : normal_form -> model -> Uint63.t -> bool **)
 
@@ -772,33 +837,22 @@ let refusals_ok n p n0 moves =
   then fits0 (fun a -> eqb a tick)
   else if offers moves tau then true else fits0 (offers moves)
 
-(** val check_move :
-    ('a1 -> 'a1 -> bool) -> normal_form -> model -> 'a1 pairs -> Uint63.t ->
-    Uint63.t -> (ev * 'a1) -> bool **)
+(** val refusals :
+    normal_form -> model -> 'a1 pairs -> Uint63.t -> (ev * 'a1) list -> bool **)
 
-let check_move eqi n m p n0 r = function
-| (a, u) ->
+let refusals n m p n0 moves =
+  match m with
+  | T -> true
+  | _ -> refusals_ok n p n0 moves
+
+(** val event_needs : normal_form -> model -> Uint63.t -> ev -> need **)
+
+let event_needs n m n0 a =
   if eqb a tau
-  then covered eqi p u n0 (if ranked m then Some r else None)
+  then Leads (n0, (ranked m))
   else (match after n n0 a with
-        | Some k -> if stop n m k then true else covered eqi p u k None
-        | None -> false)
-
-(** val check_pair :
-    'a1 lts -> ('a1 -> 'a1 -> bool) -> normal_form -> model -> 'a1 pairs ->
-    Uint63.t -> bool **)
-
-let check_pair impl eqi n m p i =
-  let n0 = p.node_of i in
-  if stop n m n0
-  then true
-  else let r = p.rank_of i in
-       let moves = impl.succ0 (p.state_of i) in
-       if forallb (check_move eqi n m p n0 r) moves
-       then (match m with
-             | T -> true
-             | _ -> refusals_ok n p n0 moves)
-       else false
+        | Some k -> if stop n m k then Irrelevant else Leads (k, false)
+        | None -> Forbidden)
 
 (** val check_implementation :
     'a1 lts -> ('a1 -> 'a1 -> bool) -> normal_form -> model -> 'a1 pairs ->
@@ -807,9 +861,7 @@ let check_pair impl eqi n m p i =
 let check_implementation impl eqi n m p =
   if stop n m n.root
   then true
-  else if covered eqi p impl.init n.root None
-       then all_below (check_pair impl eqi n m p) p.count
-       else false
+  else walk impl eqi p (event_needs n m) (refusals n m p) n.root
 
 (** val check :
     'a1 lts -> 'a2 lts -> ('a1 -> 'a1 -> bool) -> ('a2 -> 'a2 -> bool) ->
@@ -831,40 +883,55 @@ let no_divergence = function
 | Deadlock_free -> false
 | _ -> true
 
-(** val check_state :
-    'a1 lts -> ('a1 -> 'a1 -> bool) -> property -> 'a1 pairs -> Uint63.t ->
-    bool **)
+(** val enabled : property -> Uint63.t -> (ev * 'a1) list -> bool **)
 
-let check_state impl eqi p p0 i =
-  let r = p0.rank_of i in
-  let moves = impl.succ0 (p0.state_of i) in
+let enabled p _ moves =
   if no_deadlock p
   then (match moves with
         | [] -> false
-        | _ :: _ ->
-          forallb (fun mv ->
-            covered eqi p0 (snd mv) (Uint63.of_int (0))
-              (if no_divergence p
-               then if eqb (fst mv) tau then Some r else None
-               else None)) moves)
-  else forallb (fun mv ->
-         covered eqi p0 (snd mv) (Uint63.of_int (0))
-           (if no_divergence p
-            then if eqb (fst mv) tau then Some r else None
-            else None)) moves
+        | _ :: _ -> true)
+  else true
+
+(** val any_event : property -> Uint63.t -> ev -> need **)
+
+let any_event p _ a =
+  Leads ((Uint63.of_int (0)), (if no_divergence p then eqb a tau else false))
 
 (** val check_property :
     'a1 lts -> ('a1 -> 'a1 -> bool) -> property -> 'a1 pairs -> bool **)
 
 let check_property impl eqi p p0 =
-  if covered eqi p0 impl.init (Uint63.of_int (0)) None
-  then all_below (fun i ->
-         if eqb (p0.node_of i) (Uint63.of_int (0))
-         then check_state impl eqi p p0 i
-         else true) p0.count
-  else false
+  walk impl eqi p0 (any_event p) (enabled p) (Uint63.of_int (0))
 
-type lead = rule * change list
+(** val set_all : (int -> Uint63.t -> 'a1) -> change list -> 'a1 list **)
+
+let set_all set_local ch =
+  map (fun c -> set_local (fst c) (snd c)) ch
+
+type 'packed_change fmove = ev * 'packed_change list
+
+type ('packed_state, 'packed_change) ask =
+| AskSlot of ('packed_state -> Uint63.t)
+   * (Uint63.t -> 'packed_change list list)
+| AskInner of int * ev
+
+type ('packed_state, 'packed_change) frule = { f_does : ev;
+                                               f_level : Uint63.t option;
+                                               f_asks : ('packed_state,
+                                                        'packed_change) ask
+                                                        list;
+                                               f_puts : 'packed_change list }
+
+type ('packed_state, 'packed_change) lead =
+  ('packed_state, 'packed_change) frule * 'packed_change list
+
+type ('packed_state, 'packed_change) fregion =
+| FRegion of bool * ('packed_state, 'packed_change) fparticipant list
+and ('packed_state, 'packed_change) fparticipant =
+| FSlot of ('packed_state -> Uint63.t)
+   * (Uint63.t -> ('packed_state, 'packed_change) lead list)
+| FInner of int * ('packed_state, 'packed_change) fregion
+   * (ev -> ('packed_state, 'packed_change) frule list)
 
 (** val led_by : int -> rule -> bool **)
 
@@ -880,22 +947,39 @@ let begins e r =
   | [] -> false
   | p :: _ -> let (_, d) = p in eqb e d
 
-(** val rules_of : Uint63.t -> int -> rule list -> ev -> rule list **)
+(** val slot_ways :
+    system -> (int -> Uint63.t -> 'a1) -> int -> ev -> Uint63.t -> 'a1 list
+    list **)
 
-let rules_of events i rules =
-  let mine = filter (led_by i) rules in
-  table events (fun e -> filter (begins e) mine)
+let slot_ways y set_local k e v =
+  flat_map (fun x ->
+    if eqb (fst x) e then ((set_local k (snd x)) :: []) :: [] else [])
+    (y.edges k v)
 
-(** val leads_of : (ev -> rule list) -> move list -> lead list **)
+(** val asked : Uint63.t -> int -> rule list -> bool array **)
 
-let leads_of find ms =
-  flat_map (fun m -> map (fun r -> (r, (snd m))) (find (fst m))) ms
+let asked events i rules =
+  fold_left (fun t r ->
+    fold_left (fun t0 a ->
+      if (=) (fst a) i then Parray.set t0 (snd a) true else t0) (tl r.asks) t)
+    rules (Parray.make events false)
 
-type fregion =
-| FRegion of fparticipant list
-and fparticipant =
-| FSlot of int * (Uint63.t -> move list) * (Uint63.t -> lead list)
-| FInner of fregion * (ev -> rule list)
+(** val asker :
+    system -> Uint63.t -> (int -> Uint63.t) -> (int -> 'a1 -> Uint63.t) ->
+    (int -> Uint63.t -> 'a2) -> rule list -> int -> participant -> ev ->
+    ('a1, 'a2) ask **)
+
+let asker y events local_states local set_local rules i = function
+| Slot k ->
+  let wanted = asked events i rules in
+  let ways =
+    table events (fun e ->
+      if Parray.get wanted e
+      then table (local_states k) (slot_ways y set_local k e)
+      else slot_ways y set_local k e)
+  in
+  let get = local k in (fun e -> AskSlot (get, (ways e)))
+| Inner _ -> (fun x -> AskInner (i, x))
 
 (** val number : (int -> 'a1 -> 'a2) -> int -> 'a1 list -> 'a2 list **)
 
@@ -903,83 +987,202 @@ let rec number g n = function
 | [] -> []
 | x :: l' -> (g n x) :: (number g (Stdlib.Int.succ n) l')
 
+(** val ask_of :
+    (ev -> ('a1, 'a2) ask) list -> (int * ev) -> ('a1, 'a2) ask **)
+
+let ask_of askers a =
+  match nth_error askers (fst a) with
+  | Some f -> f (snd a)
+  | None -> AskInner ((fst a), (snd a))
+
+(** val frule_of :
+    (int -> Uint63.t -> 'a2) -> (ev -> ('a1, 'a2) ask) list -> rule -> ('a1,
+    'a2) frule **)
+
+let frule_of set_local askers r =
+  { f_does = r.does; f_level = r.level; f_asks =
+    (map (ask_of askers) (tl r.asks)); f_puts = (set_all set_local r.puts) }
+
+(** val rules_of :
+    Uint63.t -> int -> (rule * ('a1, 'a2) frule) list -> ev -> ('a1, 'a2)
+    frule list **)
+
+let rules_of events i rules =
+  let mine = filter (fun r -> led_by i (fst r)) rules in
+  table events (fun e -> map snd (filter (fun r -> begins e (fst r)) mine))
+
+(** val slot_leads :
+    system -> (int -> Uint63.t -> 'a2) -> (ev -> ('a1, 'a2) frule list) ->
+    int -> Uint63.t -> ('a1, 'a2) lead list **)
+
+let slot_leads y set_local find k v =
+  flat_map (fun x ->
+    map (fun r -> (r, ((set_local k (snd x)) :: []))) (find (fst x)))
+    (y.edges k v)
+
+(** val has_level : rule -> bool **)
+
+let has_level r =
+  match r.level with
+  | Some _ -> true
+  | None -> false
+
 (** val prepare :
-    system -> Uint63.t -> (int -> Uint63.t) -> region -> fregion **)
+    system -> Uint63.t -> (int -> Uint63.t) -> (int -> 'a1 -> Uint63.t) ->
+    (int -> Uint63.t -> 'a2) -> region -> ('a1, 'a2) fregion **)
 
-let rec prepare y events local_states = function
+let rec prepare y events local_states local set_local = function
 | Region (inside, rules) ->
-  FRegion
-    (number (fun i g -> g i) 0
-      (map (fun p i ->
-        let find = rules_of events i rules in
-        (match p with
-         | Slot k ->
-           FSlot (k, (table (local_states k) (slot_moves y k)),
-             (table (local_states k) (fun v ->
-               leads_of find (slot_moves y k v))))
-         | Inner r' -> FInner ((prepare y events local_states r'), find)))
-        inside))
+  let askers =
+    number (asker y events local_states local set_local rules) 0 inside
+  in
+  let both = map (fun r0 -> (r0, (frule_of set_local askers r0))) rules in
+  FRegion ((existsb has_level rules),
+  (number (fun i g -> g i) 0
+    (map (fun p i ->
+      let find = rules_of events i both in
+      (match p with
+       | Slot k ->
+         FSlot ((local k),
+           (table (local_states k) (slot_leads y set_local find k)))
+       | Inner r' ->
+         FInner (i, (prepare y events local_states local set_local r'), find)))
+      inside)))
 
-type offer = move list * lead list
+type 'packed_change inner_list = (int * 'packed_change fmove list) list
 
-type candidate = lead * change list list
+(** val inner_moves : int -> 'a1 inner_list -> 'a1 fmove list **)
 
-(** val able : move list list -> offer list -> candidate list **)
+let rec inner_moves i = function
+| [] -> []
+| p :: rest ->
+  let (j, moves) = p in if (=) i j then moves else inner_moves i rest
 
-let able ms both =
-  flat_map (fun b ->
-    flat_map (fun q ->
-      match combine ms (tl (fst q).asks) with
-      | [] -> []
-      | l :: l0 -> (q, (l :: l0)) :: []) (snd b)) both
+(** val fulfil : 'a1 -> 'a2 inner_list -> ('a1, 'a2) ask -> 'a2 list list **)
 
-(** val lesser : Uint63.t option -> candidate -> Uint63.t option **)
+let fulfil c l = function
+| AskSlot (get, ways) -> ways (get c)
+| AskInner (i, e) ->
+  flat_map (fun m -> if eqb (fst m) e then (snd m) :: [] else [])
+    (inner_moves i l)
+
+(** val others :
+    'a1 -> 'a2 inner_list -> ('a1, 'a2) ask list -> 'a2 list list **)
+
+let rec others c l = function
+| [] -> [] :: []
+| a :: rest ->
+  (match fulfil c l a with
+   | [] -> []
+   | l0 :: l1 ->
+     let ways = l0 :: l1 in
+     (match rest with
+      | [] -> ways
+      | _ :: _ -> flat_map (fun x -> map (app x) (others c l rest)) ways))
+
+(** val fold_leads :
+    ('a3 -> ('a1, 'a2) lead -> 'a3) -> 'a1 -> 'a2 inner_list -> ('a1, 'a2)
+    fparticipant -> 'a3 -> 'a3 **)
+
+let fold_leads f c l p acc =
+  match p with
+  | FSlot (get, leads) -> fold_left f (leads (get c)) acc
+  | FInner (i, _, find) ->
+    fold_left (fun acc0 m ->
+      let (e, first) = m in
+      fold_left (fun acc1 r -> f acc1 (r, first)) (find e) acc0)
+      (inner_moves i l) acc
+
+(** val extend : 'a1 list -> 'a1 list -> 'a1 list **)
+
+let extend first way = match way with
+| [] -> first
+| _ :: _ -> app first way
+
+(** val add_moves :
+    ('a1, 'a2) lead -> 'a2 list list -> 'a2 fmove list -> 'a2 fmove list **)
+
+let add_moves q ways acc =
+  let (r, first) = q in
+  fold_left (fun acc0 way -> (r.f_does,
+    (match r.f_puts with
+     | [] -> extend first way
+     | p0 :: l -> app first (app way (p0 :: l)))) :: acc0) ways acc
+
+(** val fire_all :
+    'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant list -> 'a2 fmove list **)
+
+let fire_all c l inside =
+  fold_left (fun acc p ->
+    fold_leads (fun acc0 q -> add_moves q (others c l (fst q).f_asks) acc0) c
+      l p acc) inside []
+
+type ('packed_state, 'packed_change) candidate =
+  ('packed_state, 'packed_change) lead * 'packed_change list list
+
+(** val add_candidate :
+    'a1 -> 'a2 inner_list -> ('a1, 'a2) lead -> ('a1, 'a2) candidate list ->
+    ('a1, 'a2) candidate list **)
+
+let add_candidate c l q acc =
+  match others c l (fst q).f_asks with
+  | [] -> acc
+  | l0 :: l1 -> (q, (l0 :: l1)) :: acc
+
+(** val candidates :
+    'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant list -> ('a1, 'a2)
+    candidate list **)
+
+let candidates c l inside =
+  fold_left (fun acc p ->
+    fold_leads (fun acc0 q -> add_candidate c l q acc0) c l p acc) inside []
+
+(** val lesser :
+    Uint63.t option -> ('a1, 'a2) candidate -> Uint63.t option **)
 
 let lesser b c =
-  match (fst (fst c)).level with
+  match (fst (fst c)).f_level with
   | Some l ->
     (match b with
      | Some k -> if ltb0 l k then Some l else b
      | None -> Some l)
   | None -> b
 
-(** val least : candidate list -> Uint63.t option **)
+(** val least : ('a1, 'a2) candidate list -> Uint63.t option **)
 
 let least cs =
   fold_left lesser cs None
 
-(** val ready : Uint63.t option -> rule -> bool **)
+(** val ready : Uint63.t option -> ('a1, 'a2) frule -> bool **)
 
 let ready b r =
-  match r.level with
+  match r.f_level with
   | Some l -> (match b with
                | Some k -> negb (ltb0 k l)
                | None -> true)
   | None -> true
 
-(** val fast_fire : offer list -> move list **)
+(** val fire_ready : ('a1, 'a2) candidate list -> 'a2 fmove list **)
 
-let fast_fire both =
-  let cs = able (map fst both) both in
+let fire_ready cs =
   let b = least cs in
-  flat_map (fun c ->
-    let (q, others) = c in
-    let (r, first) = q in
-    if ready b r
-    then map (fun ch -> (r.does, (app (app first ch) r.puts))) others
-    else []) cs
+  fold_left (fun acc c ->
+    if ready b (fst (fst c)) then add_moves (fst c) (snd c) acc else acc) cs
+    []
 
-(** val fast_moves : Uint63.t list -> fregion -> move list **)
+(** val fast_moves : 'a1 -> ('a1, 'a2) fregion -> 'a2 fmove list **)
 
-let rec fast_moves s = function
-| FRegion inside ->
-  fast_fire
-    (map (fun p ->
+let rec fast_moves c = function
+| FRegion (prioritised, inside) ->
+  let l =
+    flat_map (fun p ->
       match p with
-      | FSlot (k, own, leads) ->
-        let v = nth k s (Uint63.of_int (0)) in ((own v), (leads v))
-      | FInner (r', find) ->
-        let ms = fast_moves s r' in (ms, (leads_of find ms))) inside)
+      | FSlot (_, _) -> []
+      | FInner (i, r', _) -> (i, (fast_moves c r')) :: []) inside
+  in
+  if prioritised
+  then fire_ready (candidates c l inside)
+  else fire_all c l inside
 
 (** val asking : region -> bool **)
 
@@ -998,7 +1201,7 @@ let rec encode bs s =
   | b :: bs' ->
     (match s with
      | [] -> (Uint63.of_int (0))
-     | v :: s' -> add0 v (mul0 b (encode bs' s')))
+     | v :: s' -> add0 v (lsl0 (encode bs' s') b))
 
 (** val fits : Uint63.t list -> Uint63.t list -> bool **)
 
@@ -1010,21 +1213,18 @@ let rec fits bs s =
   | b :: bs' ->
     (match s with
      | [] -> false
-     | v :: s' -> (&&) (ltb0 v b) (fits bs' s'))
+     | v :: s' -> (&&) (ltb0 v (lsl0 (Uint63.of_int (1)) b)) (fits bs' s'))
 
-(** val volume : Uint63.t list -> z **)
+(** val total : Uint63.t list -> z **)
 
-let rec volume = function
-| [] -> Zpos XH
-| b :: bs' -> Z.mul (to_Z b) (volume bs')
+let rec total = function
+| [] -> Z0
+| b :: bs' -> Z.add (to_Z b) (total bs')
 
-(** val decode_before :
-    Uint63.t list -> Uint63.t -> Uint63.t list -> Uint63.t list **)
+(** val narrow : Uint63.t list -> bool **)
 
-let rec decode_before bs c rest =
-  match bs with
-  | [] -> rest
-  | b :: bs' -> (mod0 c b) :: (decode_before bs' (div c b) rest)
+let narrow g =
+  Z.leb (total g) (Zpos (XO (XI (XI (XI (XI XH))))))
 
 (** val pack : Uint63.t list list -> Uint63.t list -> Uint63.t list **)
 
@@ -1036,20 +1236,69 @@ let rec pack gs s =
                      | [] -> []
                      | _ :: _ -> pack gs' (skipn (length g) s))
 
-(** val unpack : Uint63.t list list -> Uint63.t list -> Uint63.t list **)
+type field = { word : int; shift : Uint63.t; mask : Uint63.t }
 
-let rec unpack gs c =
-  match gs with
+(** val fields_of : int -> Uint63.t -> Uint63.t list -> field list **)
+
+let rec fields_of w from0 = function
+| [] -> []
+| b :: bs' ->
+  { word = w; shift = from0; mask =
+    (sub (lsl0 (Uint63.of_int (1)) b) (Uint63.of_int (1))) } :: (fields_of w
+                                                                  (add0 from0
+                                                                    b) bs')
+
+(** val fields : int -> Uint63.t list list -> field list **)
+
+let rec fields w = function
+| [] -> []
+| g :: gs' ->
+  app (fields_of w (Uint63.of_int (0)) g) (fields (Stdlib.Int.succ w) gs')
+
+(** val cut : field -> Uint63.t -> Uint63.t **)
+
+let cut f w =
+  land0 (lsr0 w f.shift) f.mask
+
+(** val changed : field -> Uint63.t -> Uint63.t -> Uint63.t **)
+
+let changed f x w =
+  add0 w (lsl0 (sub x (cut f w)) f.shift)
+
+(** val replace_word :
+    Uint63.t list -> int -> (Uint63.t -> Uint63.t) -> Uint63.t list **)
+
+let rec replace_word c n g =
+  match c with
   | [] -> []
-  | g :: gs' ->
-    (match c with
-     | [] -> []
-     | w :: c' -> decode_before g w (unpack gs' c'))
+  | w :: c' ->
+    ((fun fO fS n -> if n=0 then fO () else fS (n-1))
+       (fun _ -> (g w) :: c')
+       (fun n' -> w :: (replace_word c' n' g))
+       n)
 
-(** val narrow : Uint63.t list -> bool **)
+(** val read_field : field -> Uint63.t list -> Uint63.t **)
 
-let narrow g =
-  (&&) (Z.ltb (volume g) wB) (Z.ltb Z0 (volume g))
+let read_field f c =
+  (fun fO fS n -> if n=0 then fO () else fS (n-1))
+    (fun _ ->
+    match c with
+    | [] -> cut f (Uint63.of_int (0))
+    | w :: _ -> cut f w)
+    (fun n0 -> cut f (nth (Stdlib.Int.succ n0) c (Uint63.of_int (0))))
+    f.word
+
+(** val write_field : Uint63.t list -> (field * Uint63.t) -> Uint63.t list **)
+
+let write_field c = function
+| (f, x) ->
+  ((fun fO fS n -> if n=0 then fO () else fS (n-1))
+     (fun _ ->
+     match c with
+     | [] -> replace_word c 0 (changed f x)
+     | w :: c' -> (changed f x w) :: c')
+     (fun n0 -> replace_word c (Stdlib.Int.succ n0) (changed f x))
+     f.word)
 
 (** val eq_words : Uint63.t list -> Uint63.t list -> bool **)
 
@@ -1065,66 +1314,191 @@ let rec eq_words c d =
 
 type layout = { groups : Uint63.t list list; event_count : Uint63.t }
 
+(** val size_of : layout -> int -> Uint63.t **)
+
+let size_of l =
+  let bits = concat l.groups in
+  (fun k ->
+  match nth_error bits k with
+  | Some b -> lsl0 (Uint63.of_int (1)) b
+  | None -> (Uint63.of_int (0)))
+
 (** val inside_bounds : layout -> change -> bool **)
 
-let inside_bounds l =
-  let bases = concat l.groups in
-  (fun c -> ltb0 (snd c) (nth (fst c) bases (Uint63.of_int (0))))
+let inside_bounds l c =
+  ltb0 (snd c) (size_of l (fst c))
 
 (** val bounded : layout -> region -> bool **)
 
 let bounded l =
-  let bases = concat l.groups in
+  let bits = concat l.groups in
   let rec bounded0 = function
   | Region (inside, rules) ->
     (&&) (forallb (fun r0 -> forallb (inside_bounds l) r0.puts) rules)
       (forallb (fun p ->
         match p with
-        | Slot k -> Nat.ltb k (length bases)
+        | Slot k -> Nat.ltb k (length bits)
         | Inner r' -> bounded0 r') inside)
   in bounded0
 
 (** val edges_bounded : layout -> system -> bool **)
 
 let edges_bounded l y =
-  let bases = concat l.groups in
+  let bits = concat l.groups in
   forallb (fun k ->
-    let b = nth k bases (Uint63.of_int (0)) in
+    let b = size_of l k in
     all_below (fun v -> forallb (fun e -> ltb0 (snd e) b) (y.edges k v)) b)
-    (seq 0 (length bases))
+    (seq 0 (length bits))
 
 (** val system_ok : layout -> system -> bool **)
 
 let system_ok l y =
-  let bases = concat l.groups in
+  let bits = concat l.groups in
   (&&)
     ((&&)
-      ((&&) ((&&) (forallb narrow l.groups) (fits bases y.start))
+      ((&&) ((&&) (forallb narrow l.groups) (fits bits y.start))
         (asking y.whole)) (bounded l y.whole)) (edges_bounded l y)
+
+(** val no_field : field **)
+
+let no_field =
+  { word = 0; shift = (Uint63.of_int (0)); mask = (Uint63.of_int (0)) }
+
+(** val read_local : layout -> int -> Uint63.t list -> Uint63.t **)
+
+let read_local l =
+  let all_fields = fields 0 l.groups in
+  (fun k ->
+  match nth_error all_fields k with
+  | Some f -> read_field f
+  | None -> (fun _ -> (Uint63.of_int (0))))
+
+(** val write_local : layout -> int -> Uint63.t -> field * Uint63.t **)
+
+let write_local l =
+  let all_fields = fields 0 l.groups in
+  (fun k x ->
+  ((match nth_error all_fields k with
+    | Some f -> f
+    | None -> no_field), x))
+
+(** val prepared :
+    layout -> system -> (Uint63.t list, field * Uint63.t) fregion **)
+
+let prepared l y =
+  prepare y l.event_count (size_of l) (read_local l) (write_local l) y.whole
 
 (** val packed : layout -> system -> Uint63.t list lts **)
 
 let packed l y =
-  let bases = concat l.groups in
-  let prepared =
-    prepare y l.event_count (fun k -> nth k bases (Uint63.of_int (0))) y.whole
-  in
-  let gs = l.groups in
-  { init = (pack gs y.start); succ0 = (fun c ->
-  let s = unpack gs c in
-  map (fun m -> ((fst m), (pack gs (apply s (snd m)))))
-    (fast_moves s prepared)) }
+  let region0 = prepared l y in
+  { init = (pack l.groups y.start); succ0 = (fun c ->
+  map (fun m -> ((fst m), (fold_left write_field (snd m) c)))
+    (fast_moves c region0)) }
+
+type merging = { merged_states : (int -> Uint63.t);
+                 representative : (int -> Uint63.t -> Uint63.t) }
+
+(** val merge : merging -> int -> Uint63.t -> Uint63.t **)
+
+let merge m k v =
+  if ltb0 v (m.merged_states k) then m.representative k v else v
+
+(** val merge_edges :
+    merging -> int -> (ev * Uint63.t) list -> (ev * Uint63.t) list **)
+
+let merge_edges m k l =
+  map (fun e -> ((fst e), (merge m k (snd e)))) l
+
+(** val merge_changes : merging -> change list -> change list **)
+
+let merge_changes m l =
+  map (fun c -> ((fst c), (merge m (fst c) (snd c)))) l
+
+(** val merge_state : merging -> int -> Uint63.t list -> Uint63.t list **)
+
+let rec merge_state m k = function
+| [] -> []
+| v :: s' -> (merge m k v) :: (merge_state m (Stdlib.Int.succ k) s')
+
+(** val merge_rule : merging -> rule -> rule **)
+
+let merge_rule m r =
+  { does = r.does; level = r.level; asks = r.asks; puts =
+    (merge_changes m r.puts) }
+
+(** val merge_region : merging -> region -> region **)
+
+let rec merge_region m = function
+| Region (inside, rules) ->
+  Region
+    ((map (fun p ->
+       match p with
+       | Slot k -> Slot k
+       | Inner r' -> Inner (merge_region m r')) inside),
+    (map (merge_rule m) rules))
+
+(** val merged : merging -> system -> system **)
+
+let merged m y =
+  { edges = (fun k v -> merge_edges m k (y.edges k v)); start =
+    (merge_state m 0 y.start); whole = (merge_region m y.whole) }
+
+(** val has_edge : (ev * Uint63.t) list -> (ev * Uint63.t) -> bool **)
+
+let has_edge l e =
+  existsb (fun d ->
+    if eqb (fst d) (fst e) then eqb (snd d) (snd e) else false) l
+
+(** val equal_edges : (ev * Uint63.t) list -> (ev * Uint63.t) list -> bool **)
+
+let equal_edges l k =
+  if forallb (has_edge k) l then forallb (has_edge l) k else false
+
+(** val slots_below : int -> region -> bool **)
+
+let rec slots_below n = function
+| Region (inside, _) ->
+  forallb (fun p ->
+    match p with
+    | Slot k -> Nat.ltb k n
+    | Inner r' -> slots_below n r') inside
+
+(** val merging_ok : merging -> system -> bool **)
+
+let merging_ok m y =
+  (&&) (slots_below (length y.start) y.whole)
+    (forallb (fun k ->
+      all_below (fun v ->
+        let w = merge m k v in
+        if eqb w v
+        then true
+        else equal_edges (merge_edges m k (y.edges k v))
+               (merge_edges m k (y.edges k w))) (m.merged_states k))
+      (seq 0 (length y.start)))
+
+type shape = { merges : merging; packs : layout }
+
+(** val compact : shape -> system -> Uint63.t list lts **)
+
+let compact h y =
+  packed h.packs (merged h.merges y)
+
+(** val shape_ok : shape -> system -> bool **)
+
+let shape_ok h y =
+  (&&) (merging_ok h.merges y) (system_ok h.packs (merged h.merges y))
 
 (** val certify_refinement :
-    model -> layout -> system -> layout -> system -> normal_form -> Uint63.t
+    model -> shape -> system -> shape -> system -> normal_form -> Uint63.t
     list evidence -> Uint63.t list pairs -> bool **)
 
-let certify_refinement m ls spec li impl n e p =
-  (&&) ((&&) (system_ok ls spec) (system_ok li impl))
-    (check (packed ls spec) (packed li impl) eq_words eq_words m n e p)
+let certify_refinement m hs spec hi impl n e p =
+  (&&) ((&&) (shape_ok hs spec) (shape_ok hi impl))
+    (check (compact hs spec) (compact hi impl) eq_words eq_words m n e p)
 
 (** val certify_property :
-    property -> layout -> system -> Uint63.t list pairs -> bool **)
+    property -> shape -> system -> Uint63.t list pairs -> bool **)
 
-let certify_property p li impl p0 =
-  (&&) (system_ok li impl) (check_property (packed li impl) eq_words p p0)
+let certify_property p hi impl p0 =
+  (&&) (shape_ok hi impl) (check_property (compact hi impl) eq_words p p0)

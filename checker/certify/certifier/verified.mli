@@ -45,10 +45,6 @@ module Pos :
 
   val pred_double : positive -> positive
 
-  val mul : positive -> positive -> positive
-
-  val iter : ('a1 -> 'a1) -> 'a1 -> positive -> 'a1
-
   val compare_cont : comparison -> positive -> positive -> comparison
 
   val compare : positive -> positive -> comparison
@@ -56,13 +52,13 @@ module Pos :
   val iter_op : ('a1 -> 'a1 -> 'a1) -> positive -> 'a1 -> 'a1
 
   val to_nat : positive -> int
-
-  val of_succ_nat : int -> positive
  end
 
 val tl : 'a1 list -> 'a1 list
 
 val nth : int -> 'a1 list -> 'a1 -> 'a1
+
+val nth_error : 'a1 list -> int -> 'a1 option
 
 val concat : 'a1 list list -> 'a1 list
 
@@ -88,19 +84,17 @@ module Z :
 
   val succ_double : z -> z
 
-  val mul : z -> z -> z
+  val pred_double : z -> z
 
-  val pow_pos : z -> positive -> z
+  val pos_sub : positive -> positive -> z
 
-  val pow : z -> z -> z
+  val add : z -> z -> z
 
   val compare : z -> z -> comparison
 
-  val ltb : z -> z -> bool
+  val leb : z -> z -> bool
 
   val to_nat : z -> int
-
-  val of_nat : int -> z
  end
 
 val lsl0 : Uint63.t -> Uint63.t -> Uint63.t
@@ -111,17 +105,13 @@ val land0 : Uint63.t -> Uint63.t -> Uint63.t
 
 val add0 : Uint63.t -> Uint63.t -> Uint63.t
 
-val mul0 : Uint63.t -> Uint63.t -> Uint63.t
-
-val div : Uint63.t -> Uint63.t -> Uint63.t
-
-val mod0 : Uint63.t -> Uint63.t -> Uint63.t
+val sub : Uint63.t -> Uint63.t -> Uint63.t
 
 val eqb : Uint63.t -> Uint63.t -> bool
 
 val ltb0 : Uint63.t -> Uint63.t -> bool
 
-val leb : Uint63.t -> Uint63.t -> bool
+val leb0 : Uint63.t -> Uint63.t -> bool
 
 val size : int
 
@@ -132,8 +122,6 @@ val is_even : Uint63.t -> bool
 val to_Z_rec : int -> Uint63.t -> z
 
 val to_Z : Uint63.t -> z
-
-val wB : z
 
 type 'a array = 'a Parray.t
 
@@ -171,17 +159,7 @@ type system = { edges : (int -> Uint63.t -> (ev * Uint63.t) list);
 
 type change = int * Uint63.t
 
-type move = ev * change list
-
-val combine : move list list -> (int * ev) list -> change list list
-
 val nonempty : 'a1 list -> bool
-
-val slot_moves : system -> int -> Uint63.t -> move list
-
-val update : Uint63.t list -> int -> Uint63.t -> Uint63.t list
-
-val apply : Uint63.t list -> change list -> Uint63.t list
 
 val all_from :
   Uint63.t list -> (Uint63.t -> bool) -> Uint63.t -> Uint63.t -> bool
@@ -258,17 +236,60 @@ val check_specification :
   'a1 lts -> ('a1 -> 'a1 -> bool) -> normal_form -> 'a1 evidence -> model ->
   bool
 
-type 's pairs = { count : Uint63.t; state_of : (Uint63.t -> 's);
+type action =
+| Open of Uint63.t
+| Visit
+| Stop
+
+type 's pairs = { state_of : (Uint63.t -> 's);
                   node_of : (Uint63.t -> Uint63.t);
-                  rank_of : (Uint63.t -> Uint63.t);
+                  place_of : (Uint63.t -> Uint63.t);
+                  pair_at : (Uint63.t -> Uint63.t);
                   locate : ('s -> Uint63.t -> Uint63.t);
-                  choose : (Uint63.t -> (ev * 's) list -> Uint63.t) }
+                  choose : (Uint63.t -> (ev * 's) list -> Uint63.t);
+                  deed : (Uint63.t -> (Uint63.t * (ev * 's) list) list ->
+                         action) }
 
-val within : Uint63.t option -> Uint63.t -> bool
+type need =
+| Forbidden
+| Irrelevant
+| Leads of Uint63.t * bool
 
-val covered :
+val cover :
   ('a1 -> 'a1 -> bool) -> 'a1 pairs -> 'a1 -> Uint63.t -> Uint63.t option ->
-  bool
+  Uint63.t -> Uint63.t option
+
+val check_moves :
+  ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need) -> Uint63.t
+  -> Uint63.t -> (ev * 'a1) list -> Uint63.t -> Uint63.t option
+
+val check_pair :
+  ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need) -> (Uint63.t
+  -> (ev * 'a1) list -> bool) -> Uint63.t -> Uint63.t -> (ev * 'a1) list ->
+  Uint63.t -> Uint63.t option
+
+type 's progress = { time : Uint63.t;
+                     opened : (Uint63.t * (ev * 's) list) list;
+                     visited : Uint63.t; high : Uint63.t }
+
+type 's outcome =
+| More of 's progress
+| Over of 's progress option
+
+val proceed :
+  'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need) ->
+  (Uint63.t -> (ev * 'a1) list -> bool) -> 'a1 progress -> 'a1 outcome
+
+val proceed_often :
+  'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need) ->
+  (Uint63.t -> (ev * 'a1) list -> bool) -> Uint63.t list -> 'a1 progress ->
+  'a1 outcome
+
+val all_visited : 'a1 pairs -> 'a1 progress -> bool
+
+val walk :
+  'a1 lts -> ('a1 -> 'a1 -> bool) -> 'a1 pairs -> (Uint63.t -> ev -> need) ->
+  (Uint63.t -> (ev * 'a1) list -> bool) -> Uint63.t -> bool
 
 val stop : normal_form -> model -> Uint63.t -> bool
 
@@ -277,13 +298,10 @@ val ranked : model -> bool
 val refusals_ok :
   normal_form -> 'a1 pairs -> Uint63.t -> (ev * 'a1) list -> bool
 
-val check_move :
-  ('a1 -> 'a1 -> bool) -> normal_form -> model -> 'a1 pairs -> Uint63.t ->
-  Uint63.t -> (ev * 'a1) -> bool
+val refusals :
+  normal_form -> model -> 'a1 pairs -> Uint63.t -> (ev * 'a1) list -> bool
 
-val check_pair :
-  'a1 lts -> ('a1 -> 'a1 -> bool) -> normal_form -> model -> 'a1 pairs ->
-  Uint63.t -> bool
+val event_needs : normal_form -> model -> Uint63.t -> ev -> need
 
 val check_implementation :
   'a1 lts -> ('a1 -> 'a1 -> bool) -> normal_form -> model -> 'a1 pairs -> bool
@@ -296,47 +314,116 @@ val no_deadlock : property -> bool
 
 val no_divergence : property -> bool
 
-val check_state :
-  'a1 lts -> ('a1 -> 'a1 -> bool) -> property -> 'a1 pairs -> Uint63.t -> bool
+val enabled : property -> Uint63.t -> (ev * 'a1) list -> bool
+
+val any_event : property -> Uint63.t -> ev -> need
 
 val check_property :
   'a1 lts -> ('a1 -> 'a1 -> bool) -> property -> 'a1 pairs -> bool
 
-type lead = rule * change list
+val set_all : (int -> Uint63.t -> 'a1) -> change list -> 'a1 list
+
+type 'packed_change fmove = ev * 'packed_change list
+
+type ('packed_state, 'packed_change) ask =
+| AskSlot of ('packed_state -> Uint63.t)
+   * (Uint63.t -> 'packed_change list list)
+| AskInner of int * ev
+
+type ('packed_state, 'packed_change) frule = { f_does : ev;
+                                               f_level : Uint63.t option;
+                                               f_asks : ('packed_state,
+                                                        'packed_change) ask
+                                                        list;
+                                               f_puts : 'packed_change list }
+
+type ('packed_state, 'packed_change) lead =
+  ('packed_state, 'packed_change) frule * 'packed_change list
+
+type ('packed_state, 'packed_change) fregion =
+| FRegion of bool * ('packed_state, 'packed_change) fparticipant list
+and ('packed_state, 'packed_change) fparticipant =
+| FSlot of ('packed_state -> Uint63.t)
+   * (Uint63.t -> ('packed_state, 'packed_change) lead list)
+| FInner of int * ('packed_state, 'packed_change) fregion
+   * (ev -> ('packed_state, 'packed_change) frule list)
 
 val led_by : int -> rule -> bool
 
 val begins : ev -> rule -> bool
 
-val rules_of : Uint63.t -> int -> rule list -> ev -> rule list
+val slot_ways :
+  system -> (int -> Uint63.t -> 'a1) -> int -> ev -> Uint63.t -> 'a1 list list
 
-val leads_of : (ev -> rule list) -> move list -> lead list
+val asked : Uint63.t -> int -> rule list -> bool array
 
-type fregion =
-| FRegion of fparticipant list
-and fparticipant =
-| FSlot of int * (Uint63.t -> move list) * (Uint63.t -> lead list)
-| FInner of fregion * (ev -> rule list)
+val asker :
+  system -> Uint63.t -> (int -> Uint63.t) -> (int -> 'a1 -> Uint63.t) -> (int
+  -> Uint63.t -> 'a2) -> rule list -> int -> participant -> ev -> ('a1, 'a2)
+  ask
 
 val number : (int -> 'a1 -> 'a2) -> int -> 'a1 list -> 'a2 list
 
-val prepare : system -> Uint63.t -> (int -> Uint63.t) -> region -> fregion
+val ask_of : (ev -> ('a1, 'a2) ask) list -> (int * ev) -> ('a1, 'a2) ask
 
-type offer = move list * lead list
+val frule_of :
+  (int -> Uint63.t -> 'a2) -> (ev -> ('a1, 'a2) ask) list -> rule -> ('a1,
+  'a2) frule
 
-type candidate = lead * change list list
+val rules_of :
+  Uint63.t -> int -> (rule * ('a1, 'a2) frule) list -> ev -> ('a1, 'a2) frule
+  list
 
-val able : move list list -> offer list -> candidate list
+val slot_leads :
+  system -> (int -> Uint63.t -> 'a2) -> (ev -> ('a1, 'a2) frule list) -> int
+  -> Uint63.t -> ('a1, 'a2) lead list
 
-val lesser : Uint63.t option -> candidate -> Uint63.t option
+val has_level : rule -> bool
 
-val least : candidate list -> Uint63.t option
+val prepare :
+  system -> Uint63.t -> (int -> Uint63.t) -> (int -> 'a1 -> Uint63.t) -> (int
+  -> Uint63.t -> 'a2) -> region -> ('a1, 'a2) fregion
 
-val ready : Uint63.t option -> rule -> bool
+type 'packed_change inner_list = (int * 'packed_change fmove list) list
 
-val fast_fire : offer list -> move list
+val inner_moves : int -> 'a1 inner_list -> 'a1 fmove list
 
-val fast_moves : Uint63.t list -> fregion -> move list
+val fulfil : 'a1 -> 'a2 inner_list -> ('a1, 'a2) ask -> 'a2 list list
+
+val others : 'a1 -> 'a2 inner_list -> ('a1, 'a2) ask list -> 'a2 list list
+
+val fold_leads :
+  ('a3 -> ('a1, 'a2) lead -> 'a3) -> 'a1 -> 'a2 inner_list -> ('a1, 'a2)
+  fparticipant -> 'a3 -> 'a3
+
+val extend : 'a1 list -> 'a1 list -> 'a1 list
+
+val add_moves :
+  ('a1, 'a2) lead -> 'a2 list list -> 'a2 fmove list -> 'a2 fmove list
+
+val fire_all :
+  'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant list -> 'a2 fmove list
+
+type ('packed_state, 'packed_change) candidate =
+  ('packed_state, 'packed_change) lead * 'packed_change list list
+
+val add_candidate :
+  'a1 -> 'a2 inner_list -> ('a1, 'a2) lead -> ('a1, 'a2) candidate list ->
+  ('a1, 'a2) candidate list
+
+val candidates :
+  'a1 -> 'a2 inner_list -> ('a1, 'a2) fparticipant list -> ('a1, 'a2)
+  candidate list
+
+val lesser : Uint63.t option -> ('a1, 'a2) candidate -> Uint63.t option
+
+val least : ('a1, 'a2) candidate list -> Uint63.t option
+
+val ready : Uint63.t option -> ('a1, 'a2) frule -> bool
+
+val fire_ready : ('a1, 'a2) candidate list -> 'a2 fmove list
+
+val fast_moves : 'a1 -> ('a1, 'a2) fregion -> 'a2 fmove list
 
 val asking : region -> bool
 
@@ -344,20 +431,34 @@ val encode : Uint63.t list -> Uint63.t list -> Uint63.t
 
 val fits : Uint63.t list -> Uint63.t list -> bool
 
-val volume : Uint63.t list -> z
+val total : Uint63.t list -> z
 
-val decode_before :
-  Uint63.t list -> Uint63.t -> Uint63.t list -> Uint63.t list
+val narrow : Uint63.t list -> bool
 
 val pack : Uint63.t list list -> Uint63.t list -> Uint63.t list
 
-val unpack : Uint63.t list list -> Uint63.t list -> Uint63.t list
+type field = { word : int; shift : Uint63.t; mask : Uint63.t }
 
-val narrow : Uint63.t list -> bool
+val fields_of : int -> Uint63.t -> Uint63.t list -> field list
+
+val fields : int -> Uint63.t list list -> field list
+
+val cut : field -> Uint63.t -> Uint63.t
+
+val changed : field -> Uint63.t -> Uint63.t -> Uint63.t
+
+val replace_word :
+  Uint63.t list -> int -> (Uint63.t -> Uint63.t) -> Uint63.t list
+
+val read_field : field -> Uint63.t list -> Uint63.t
+
+val write_field : Uint63.t list -> (field * Uint63.t) -> Uint63.t list
 
 val eq_words : Uint63.t list -> Uint63.t list -> bool
 
 type layout = { groups : Uint63.t list list; event_count : Uint63.t }
+
+val size_of : layout -> int -> Uint63.t
 
 val inside_bounds : layout -> change -> bool
 
@@ -367,11 +468,51 @@ val edges_bounded : layout -> system -> bool
 
 val system_ok : layout -> system -> bool
 
+val no_field : field
+
+val read_local : layout -> int -> Uint63.t list -> Uint63.t
+
+val write_local : layout -> int -> Uint63.t -> field * Uint63.t
+
+val prepared : layout -> system -> (Uint63.t list, field * Uint63.t) fregion
+
 val packed : layout -> system -> Uint63.t list lts
 
+type merging = { merged_states : (int -> Uint63.t);
+                 representative : (int -> Uint63.t -> Uint63.t) }
+
+val merge : merging -> int -> Uint63.t -> Uint63.t
+
+val merge_edges :
+  merging -> int -> (ev * Uint63.t) list -> (ev * Uint63.t) list
+
+val merge_changes : merging -> change list -> change list
+
+val merge_state : merging -> int -> Uint63.t list -> Uint63.t list
+
+val merge_rule : merging -> rule -> rule
+
+val merge_region : merging -> region -> region
+
+val merged : merging -> system -> system
+
+val has_edge : (ev * Uint63.t) list -> (ev * Uint63.t) -> bool
+
+val equal_edges : (ev * Uint63.t) list -> (ev * Uint63.t) list -> bool
+
+val slots_below : int -> region -> bool
+
+val merging_ok : merging -> system -> bool
+
+type shape = { merges : merging; packs : layout }
+
+val compact : shape -> system -> Uint63.t list lts
+
+val shape_ok : shape -> system -> bool
+
 val certify_refinement :
-  model -> layout -> system -> layout -> system -> normal_form -> Uint63.t
-  list evidence -> Uint63.t list pairs -> bool
+  model -> shape -> system -> shape -> system -> normal_form -> Uint63.t list
+  evidence -> Uint63.t list pairs -> bool
 
 val certify_property :
-  property -> layout -> system -> Uint63.t list pairs -> bool
+  property -> shape -> system -> Uint63.t list pairs -> bool

@@ -241,42 +241,233 @@ Section Specification.
   Qed.
 End Specification.
 
-(* The pairs: a state of the implementation, a node, and a rank that taus decrease. `locate` says where a pair may be
-   found, and `choose` which acceptance of a node may be offered. *)
+(* The pairs of a state of the implementation and a node. The check visits them one after the other: `place_of` says
+   when a pair is visited, and `pair_at` which pair is visited then. `locate` says where a pair may be found, and
+   `choose` which acceptance of a node may be offered. `deed` is the next thing to do, by time and open pairs. *)
+Inductive action := Open (j : int) | Visit | Stop.
 Record pairs (S : Type) := {
-  count : int;
   state_of : int -> S;
   node_of : int -> int;
-  rank_of : int -> int;
+  place_of : int -> int;
+  pair_at : int -> int;
   locate : S -> int -> int;
-  choose : int -> list (ev * S) -> int }.
-Arguments count {S}. Arguments state_of {S}. Arguments node_of {S}. Arguments rank_of {S}.
-Arguments locate {S}. Arguments choose {S}.
+  choose : int -> list (ev * S) -> int;
+  deed : int -> list (int * list (ev * S)) -> action }.
+Arguments state_of {S}. Arguments node_of {S}. Arguments place_of {S}. Arguments pair_at {S}.
+Arguments locate {S}. Arguments choose {S}. Arguments deed {S}.
 
-Section Covered.
+(* What an event of the implementation needs: it must not occur, it does not matter where it leads, or it leads to a
+   pair with this node, which is visited earlier if that is required. *)
+Inductive need := Forbidden | Irrelevant | Leads (node : int) (earlier : bool).
+
+(** 2. A walk through the pairs. It computes the moves of each pair once: while the pair is open. *)
+Section Walk.
   Context {S : Type}.
+  Variable impl : lts S.
   Variable eqi : S -> S -> bool.
   Hypothesis eqi_ok : forall x y, eqi x y = true -> x = y.
   Variable P : pairs S.
+  Variable needs : int -> ev -> need.
+  Variable fine : int -> list (ev * S) -> bool.
+  Variable first_node : int.
 
-  Definition within (bound : option int) (r : int) : bool := match bound with Some b => r <? b | None => true end.
-  Definition covered (u : S) (k : int) (bound : option int) : bool :=
+  (* `high` is larger than all pairs that are located. *)
+  Definition cover (u : S) (k : int) (bound : option int) (high : int) : option int :=
     let j := locate P u k in
-    if j <? count P then
-      if node_of P j =? k then if eqi (state_of P j) u then within bound (rank_of P j) else false else false
-    else false.
-  Definition is_pair (u : S) (k r : int) : Prop :=
-    exists j, (j <? count P) = true /\ state_of P j = u /\ node_of P j = k /\ rank_of P j = r.
-  Lemma covered_pair : forall u k b, covered u k b = true -> exists r, is_pair u k r /\ within b r = true.
-  Proof.
-    unfold covered, is_pair. intros u k b H. destruct (locate P u k <? count P) eqn:L; [| discriminate].
-    destruct (node_of P (locate P u k) =? k) eqn:Ek; [| discriminate]. apply eqb_true in Ek.
-    destruct (eqi (state_of P (locate P u k)) u) eqn:Ev; [| discriminate]. apply eqi_ok in Ev.
-    exists (rank_of P (locate P u k)). split; [| exact H ]. exists (locate P u k). auto.
-  Qed.
-End Covered.
+    if node_of P j =? k then
+      if eqi (state_of P j) u then
+        if (match bound with Some b => place_of P j <? b | None => true end) then
+          if j <? high then Some high else if j <? j + 1 then Some (j + 1) else None
+        else None
+      else None
+    else None.
+  Fixpoint check_moves (n p : int) (moves : list (ev * S)) (high : int) : option int :=
+    match moves with
+    | [] => Some high
+    | (a, u) :: rest =>
+        match needs n a with
+        | Forbidden => None
+        | Irrelevant => check_moves n p rest high
+        | Leads k earlier =>
+            match cover u k (if earlier then Some p else None) high with
+            | Some h => check_moves n p rest h
+            | None => None
+            end
+        end
+    end.
+  Definition check_pair (j p : int) (moves : list (ev * S)) (high : int) : option int :=
+    if place_of P j =? p then
+      if pair_at P p =? j then
+        if fine (node_of P j) moves then check_moves (node_of P j) p moves high else None
+      else None
+    else None.
 
-(** 2. The implementation has no more behaviour than the normal form. *)
+  Record progress := { time : int; opened : list (int * list (ev * S)); visited : int; high : int }.
+  Inductive outcome := More (x : progress) | Over (x : option progress).
+  Definition proceed (x : progress) : outcome :=
+    match deed P (time x) (opened x) with
+    | Open j => More {| time := time x + 1; opened := (j, succ impl (state_of P j)) :: opened x;
+                        visited := visited x; high := high x |}
+    | Visit =>
+        match opened x with
+        | [] => Over None
+        | (j, moves) :: rest =>
+            match check_pair j (visited x) moves (high x) with
+            | Some h =>
+                if visited x <? visited x + 1 then
+                  More {| time := time x + 1; opened := rest; visited := visited x + 1; high := h |}
+                else Over None
+            | None => Over None
+            end
+        end
+    | Stop => Over (Some x)
+    end.
+  (* 2 ^ (length fuel) actions. *)
+  Fixpoint proceed_often (fuel : list int) (x : progress) : outcome :=
+    match fuel with
+    | [] => proceed x
+    | _ :: rest => match proceed_often rest x with More y => proceed_often rest y | Over r => Over r end
+    end.
+  Definition all_visited (x : progress) : bool :=
+    all_below (fun j => if place_of P j <? visited x then pair_at P (place_of P j) =? j else false) (high x).
+  Definition walk : bool :=
+    match cover (init impl) first_node None 0 with
+    | None => false
+    | Some h =>
+        match proceed_often many_widths {| time := 0; opened := []; visited := 0; high := h |} with
+        | Over (Some x) => all_visited x
+        | _ => false
+        end
+    end.
+
+  Definition below (i h : int) : Prop := (to_Z i < to_Z h)%Z.
+  Definition is_pair (h : int) (u : S) (k r : int) : Prop :=
+    exists j, below j h /\ state_of P j = u /\ node_of P j = k /\ place_of P j = r.
+  Definition met (h n r : int) (mv : ev * S) : Prop :=
+    match needs n (fst mv) with
+    | Forbidden => False
+    | Irrelevant => True
+    | Leads k earlier => exists q, is_pair h (snd mv) k q /\ (earlier = true -> (q <? r) = true)
+    end.
+  Definition good_pair (h s_pair : int) : Prop :=
+    fine (node_of P s_pair) (succ impl (state_of P s_pair)) = true /\
+    forall mv, In mv (succ impl (state_of P s_pair)) -> met h (node_of P s_pair) (place_of P s_pair) mv.
+
+  Lemma is_pair_more : forall h h' u k r, (to_Z h <= to_Z h')%Z -> is_pair h u k r -> is_pair h' u k r.
+  Proof. intros h h' u k r H (j & B & E). exists j. unfold below in *. split; [ lia | exact E ]. Qed.
+  Lemma met_more : forall h h' n r mv, (to_Z h <= to_Z h')%Z -> met h n r mv -> met h' n r mv.
+  Proof.
+    unfold met. intros h h' n r mv H M. destruct (needs n (fst mv)) as [| | k earlier]; auto.
+    destruct M as (q & Q & L). exists q. split; [ exact (is_pair_more h h' _ _ _ H Q) | exact L ].
+  Qed.
+  Lemma good_pair_more : forall h h' j, (to_Z h <= to_Z h')%Z -> good_pair h j -> good_pair h' j.
+  Proof. intros h h' j H [F M]. split; [ exact F |]. intros mv I. exact (met_more h h' _ _ _ H (M mv I)). Qed.
+
+  Lemma cover_sound : forall u k b h h', cover u k b h = Some h' -> (to_Z h <= to_Z h')%Z /\
+    exists r, is_pair h' u k r /\ match b with Some p => (r <? p) = true | None => True end.
+  Proof.
+    unfold cover. intros u k b h h' H. cbn zeta in H. remember (locate P u k) as j eqn:Ej. clear Ej.
+    destruct (node_of P j =? k) eqn:Ek; [| discriminate]. apply eqb_true in Ek.
+    destruct (eqi (state_of P j) u) eqn:Eu; [| discriminate]. apply eqi_ok in Eu.
+    destruct (match b with Some b => _ | None => _ end) eqn:W; [| discriminate].
+    assert (K : (to_Z h <= to_Z h')%Z /\ below j h').
+    { unfold below. destruct (j <? h) eqn:L.
+      - injection H as H. rewrite <- H. apply ltb_spec in L. lia.
+      - destruct (j <? j + 1) eqn:O; [| discriminate]. injection H as H. rewrite <- H. apply ltb_spec in O.
+        apply not_true_iff_false in L. rewrite ltb_spec in L. lia. }
+    destruct K as [K B]. split; [ exact K |]. exists (place_of P j). split.
+    - exists j. auto.
+    - destruct b; [ exact W | exact I ].
+  Qed.
+  Lemma check_moves_sound : forall n p moves h h', check_moves n p moves h = Some h' ->
+    (to_Z h <= to_Z h')%Z /\ forall mv, In mv moves -> met h' n p mv.
+  Proof.
+    induction moves as [| [a u] moves IH]; intros h h' H; cbn in H.
+    - inversion H. subst. split; [ lia | intros mv [] ].
+    - destruct (needs n a) as [| | k earlier] eqn:Ea; [ discriminate | |].
+      + destruct (IH h h' H) as [L M]. split; [ exact L |]. intros mv [E | I']; [| exact (M mv I') ].
+        subst. unfold met. cbn [fst]. rewrite Ea. exact I.
+      + destruct (cover u k _ h) as [h1 |] eqn:C; [| discriminate]. apply cover_sound in C.
+        destruct C as (L1 & r & Q & B). destruct (IH h1 h' H) as [L M]. split; [ lia |].
+        intros mv [E | I']; [| exact (M mv I') ]. subst. unfold met. cbn [fst snd]. rewrite Ea.
+        exists r. split; [ exact (is_pair_more h1 h' _ _ _ L Q) |]. intros E. rewrite E in B. exact B.
+  Qed.
+
+  Definition sound_progress (x : progress) : Prop :=
+    (forall j moves, In (j, moves) (opened x) -> moves = succ impl (state_of P j)) /\
+    forall q, below q (visited x) -> place_of P (pair_at P q) = q /\ good_pair (high x) (pair_at P q).
+  Lemma proceed_sound : forall x, sound_progress x ->
+    match proceed x with
+    | More y => sound_progress y /\ (to_Z (high x) <= to_Z (high y))%Z
+    | Over (Some y) => sound_progress y /\ (to_Z (high x) <= to_Z (high y))%Z
+    | Over None => True
+    end.
+  Proof.
+    intros x [HO HV]. unfold proceed. destruct (deed P (time x) (opened x)) as [j | |].
+    - split; [| cbn; lia ]. split; [| exact HV ]. cbn [opened]. intros i moves [E | I']; [ inversion E; auto | auto ].
+    - destruct (opened x) as [| [j moves] rest] eqn:EO; [ exact I |].
+      destruct (check_pair j (visited x) moves (high x)) as [h |] eqn:C; [| exact I ].
+      destruct (visited x <? visited x + 1) eqn:O; [| exact I ].
+      assert (EM : moves = succ impl (state_of P j)) by (apply HO; left; reflexivity).
+      unfold check_pair in C. destruct (place_of P j =? visited x) eqn:E1; [| discriminate]. apply eqb_true in E1.
+      destruct (pair_at P (visited x) =? j) eqn:E2; [| discriminate]. apply eqb_true in E2.
+      destruct (fine (node_of P j) moves) eqn:E3; [| discriminate].
+      destruct (check_moves_sound _ _ _ _ _ C) as [L M].
+      split; [| exact L ]. split; cbn [opened visited high].
+      + intros i ms I'. apply HO. right. exact I'.
+      + intros q Hq. unfold below in Hq. apply ltb_spec in O.
+        assert (EV : to_Z (visited x + 1) = (to_Z (visited x) + 1)%Z).
+        { rewrite add_spec in *. change (to_Z 1) with 1%Z in *. pose proof (to_Z_bounded (visited x)).
+          destruct (Z_lt_dec (to_Z (visited x) + 1) wB); [ apply Z.mod_small; lia |].
+          exfalso. replace (to_Z (visited x) + 1)%Z with wB in O by lia. rewrite Z_mod_same_full in O. lia. }
+        destruct (Z.eq_dec (to_Z q) (to_Z (visited x))) as [E | NE].
+        * apply to_Z_inj in E. subst q. rewrite E2. split; [ exact E1 |]. split.
+          -- rewrite <- EM. exact E3.
+          -- rewrite <- EM, E1. exact M.
+        * destruct (HV q) as [V1 V2]; [ unfold below; lia |]. split; [ exact V1 |].
+          exact (good_pair_more _ _ _ L V2).
+    - split; [ split; assumption | lia ].
+  Qed.
+  Lemma proceed_often_sound : forall fuel x, sound_progress x ->
+    match proceed_often fuel x with
+    | More y => sound_progress y /\ (to_Z (high x) <= to_Z (high y))%Z
+    | Over (Some y) => sound_progress y /\ (to_Z (high x) <= to_Z (high y))%Z
+    | Over None => True
+    end.
+  Proof.
+    induction fuel as [| w fuel IH]; intros x H; cbn [proceed_often]; [ exact (proceed_sound x H) |].
+    pose proof (IH x H) as H1. destruct (proceed_often fuel x) as [y | [y |]]; auto. destruct H1 as [H1 L1].
+    pose proof (IH y H1) as H2. destruct (proceed_often fuel y) as [z | [z |]]; auto; destruct H2; split; auto; lia.
+  Qed.
+
+  Theorem walk_sound : walk = true -> exists Q : S -> int -> int -> Prop,
+    (exists r, Q (init impl) first_node r) /\
+    forall s n r, Q s n r -> fine n (succ impl s) = true /\
+      forall a u, step impl s a u ->
+        match needs n a with
+        | Forbidden => False
+        | Irrelevant => True
+        | Leads k earlier => exists q, Q u k q /\ (earlier = true -> (q <? r) = true)
+        end.
+  Proof.
+    unfold walk. intros H. destruct (cover (init impl) first_node None 0) as [h |] eqn:C; [| discriminate].
+    apply cover_sound in C. destruct C as (_ & r0 & Q0 & _).
+    set (x0 := {| time := 0; opened := []; visited := 0; high := h |}) in H.
+    assert (S0 : sound_progress x0).
+    { split; cbn; [ intros j moves [] |]. intros q K. unfold below in K. change (to_Z 0) with 0%Z in K.
+      pose proof (to_Z_bounded q). lia. }
+    pose proof (proceed_often_sound many_widths x0 S0) as W.
+    destruct (proceed_often many_widths x0) as [y | [x |]]; try discriminate. destruct W as [[_ HV] L].
+    exists (is_pair (high x)). split; [ exists r0; exact (is_pair_more _ _ _ _ _ L Q0) |].
+    intros s n r (j & B & Es & En & Er). unfold all_visited in H.
+    assert (A := all_below_spec _ _ H j ltac:(apply ltb_spec; exact B)). cbn beta in A.
+    destruct (place_of P j <? visited x) eqn:V; [| discriminate]. apply ltb_spec in V. apply eqb_true in A.
+    destruct (HV (place_of P j) V) as [_ [F M]]. rewrite A in F, M. rewrite Es, En in F. split; [ exact F |].
+    intros a u St. rewrite Es, En, Er in M. exact (M (a, u) St).
+  Qed.
+End Walk.
+
+(** 3. The implementation has no more behaviour than the normal form. *)
 Section Implementation.
   Context {S : Type}.
   Variable impl : lts S.
@@ -297,56 +488,51 @@ Section Implementation.
     if offers moves tick then fits (fun a => a =? tick)
     else if offers moves tau then true
     else fits (offers moves).
-
-  Definition check_move (n r : int) (mv : ev * S) : bool :=
-    let (a, u) := mv in
-    if a =? tau then covered eqi P u n (if ranked then Some r else None)
+  Definition refusals (n : int) (moves : list (ev * S)) : bool :=
+    match m with T => true | _ => refusals_ok n moves end.
+  Definition event_needs (n : int) (a : ev) : need :=
+    if a =? tau then Leads n ranked
     else match after N n a with
-         | None => false
-         | Some k => if stop k then true else covered eqi P u k None
+         | None => Forbidden
+         | Some k => if stop k then Irrelevant else Leads k false
          end.
-
-  Definition check_pair (i : int) : bool :=
-    let n := node_of P i in
-    if stop n then true else
-    let r := rank_of P i in
-    let moves := succ impl (state_of P i) in
-    if forallb (check_move n r) moves
-    then match m with T => true | _ => refusals_ok n moves end
-    else false.
-
   Definition check_implementation : bool :=
-    if stop (root N) then true
-    else if covered eqi P (init impl) (root N) None then all_below check_pair (count P) else false.
+    if stop (root N) then true else walk impl eqi P event_needs refusals (root N).
 
   Hypothesis checked : check_implementation = true.
-
-  Definition inv (s : S) (n : int) : Prop := stop n = false /\ exists r, is_pair P s n r.
-
   Hypothesis live : stop (root N) = false.
 
-  Lemma pair_checked : forall s n r, is_pair P s n r -> stop n = false ->
-    forallb (check_move n r) (succ impl s) = true /\ (m <> T -> refusals_ok n (succ impl s) = true).
+  Definition covering (Q : S -> int -> int -> Prop) : Prop :=
+    (exists r, Q (init impl) (root N) r) /\
+    forall s n r, Q s n r -> refusals n (succ impl s) = true /\
+      forall a u, step impl s a u ->
+        match event_needs n a with
+        | Forbidden => False
+        | Irrelevant => True
+        | Leads k earlier => exists q, Q u k q /\ (earlier = true -> (q <? r) = true)
+        end.
+  Lemma covering_exists : exists Q, covering Q.
   Proof.
-    intros s n r (i & Hi & Es & En & Er) Hs. unfold check_implementation in checked. rewrite live in checked.
-    destruct (covered _ _ _ _ _); [| discriminate]. pose proof (all_below_spec _ _ checked i Hi) as C.
-    unfold check_pair in C. rewrite Es, En, Er, Hs in C. destruct (forallb _ _); [| discriminate].
-    split; [ reflexivity |]. intros Hm. destruct m; [ congruence | exact C | exact C ].
+    unfold check_implementation in checked. rewrite live in checked. apply walk_sound in checked; [| exact eqi_ok ].
+    exact checked.
   Qed.
+
+  Variable Q : S -> int -> int -> Prop.
+  Hypothesis covers : covering Q.
+
+  Definition inv (s : S) (n : int) : Prop := stop n = false /\ exists r, Q s n r.
 
   Lemma inv_step : forall s n a u, inv s n -> step impl s a u ->
     (a = tau /\ inv u n) \/
     (a <> tau /\ exists k, after N n a = Some k /\ (stop k = true \/ inv u k)).
   Proof.
-    intros s n a u (Hs & r & Hp) Hst. destruct (pair_checked s n r Hp Hs) as [C _].
-    rewrite forallb_forall in C. specialize (C (a, u) Hst). cbn in C.
-    destruct (a =? tau) eqn:Ea.
-    - left. split; [ apply eqb_true; exact Ea |]. apply (covered_pair eqi eqi_ok) in C.
-      destruct C as (r' & C & _). split; [ exact Hs | eauto ].
+    intros s n a u (Hs & r & Hp) Hst. destruct covers as [_ C]. destruct (C s n r Hp) as [_ M].
+    specialize (M a u Hst). unfold event_needs in M. destruct (a =? tau) eqn:Ea.
+    - left. split; [ apply eqb_true; exact Ea |]. destruct M as (q & Hq & _). split; [ exact Hs | eauto ].
     - right. split; [ apply eqb_false_neq; exact Ea |].
-      destruct (after N n a) as [k |]; [| discriminate]. exists k. split; [ reflexivity |].
-      destruct (stop k) eqn:Hk; [ left; reflexivity | right ]. apply (covered_pair eqi eqi_ok) in C.
-      destruct C as (r' & C & _). split; [ exact Hk | eauto ].
+      destruct (after N n a) as [k |]; [| destruct M ]. exists k. split; [ reflexivity |].
+      destruct (stop k) eqn:Hk; [ left; reflexivity | right ].
+      destruct M as (q & Hq & _). split; [ exact Hk | eauto ].
   Qed.
 
   Lemma inv_reach : forall s t u, reach impl s t u -> forall n, inv s n ->
@@ -368,8 +554,9 @@ Section Implementation.
   Lemma inv_refuses : forall s n (X : ev -> Prop), m <> T -> inv s n -> refuses impl s X ->
     exists i, (i <? acceptance_count N n) = true /\ forall a, In a (acceptance N n i) -> ~ X a.
   Proof.
-    intros s n X Hm (Hs & r & Hp) HX. destruct (pair_checked s n r Hp Hs) as [_ C].
-    specialize (C Hm). unfold refusals_ok in C. cbn zeta in C.
+    intros s n X Hm (Hs & r & Hp) HX. destruct covers as [_ K0]. destruct (K0 s n r Hp) as [C0 _].
+    assert (C : refusals_ok n (succ impl s) = true) by (unfold refusals in C0; destruct m; [ congruence | exact C0 | exact C0 ]).
+    unfold refusals_ok in C. cbn zeta in C.
     set (i := choose P n (succ impl s)) in C. destruct (offers (succ impl s) tick) eqn:Ot.
     - destruct (i <? acceptance_count N n) eqn:Hi; [| discriminate]. rewrite forallb_forall in C.
       exists i. split; [ exact Hi |]. intros a Ha Xa. specialize (C a Ha). apply eqb_true in C. subst.
@@ -380,13 +567,12 @@ Section Implementation.
       exists i. split; [ exact Hi |]. intros a Ha Xa. specialize (C a Ha). apply offers_can in C. exact (HX a Xa C).
   Qed.
 
-  Lemma ranked_no_divergence : m = FD -> forall z s n r, (Z.to_nat (to_Z r) < z)%nat ->
-    is_pair P s n r -> stop n = false -> ~ diverges impl s.
+  Lemma ranked_no_divergence : m = FD -> forall z s n r, (Z.to_nat (to_Z r) < z)%nat -> Q s n r -> ~ diverges impl s.
   Proof.
-    intros Em. induction z as [| z IH]; intros s n r Hz Hp Hs D; [ lia |].
-    destruct D as [s u Hst D]. destruct (pair_checked s n r Hp Hs) as [C _].
-    rewrite forallb_forall in C. specialize (C (tau, u) Hst). cbn in C. unfold ranked in C. rewrite Em in C.
-    apply (covered_pair eqi eqi_ok) in C. destruct C as (r' & C & Hr). cbn in Hr. apply ltb_spec in Hr.
+    intros Em. induction z as [| z IH]; intros s n r Hz Hp D; [ lia |].
+    destruct D as [s u Hst D]. destruct covers as [_ C]. destruct (C s n r Hp) as [_ M].
+    specialize (M tau u Hst). unfold event_needs, ranked in M. rewrite Em in M. cbn in M.
+    destruct M as (r' & Hq & Hr). specialize (Hr eq_refl). apply ltb_spec in Hr.
     assert (0 <= to_Z r')%Z by (apply to_Z_bounded).
     apply (IH u n r'); auto. lia.
   Qed.
@@ -398,14 +584,10 @@ Section Implementation.
   Qed.
 
   Lemma inv_init : inv (init impl) (root N).
-  Proof.
-    unfold check_implementation in checked. rewrite live in checked.
-    destruct (covered eqi P (init impl) (root N) None) eqn:C; [| discriminate].
-    apply (covered_pair eqi eqi_ok) in C. destruct C as (r & C & _). split; [ exact live | eauto ].
-  Qed.
+  Proof. split; [ exact live | apply covers ]. Qed.
 End Implementation.
 
-(** 3. Both together. *)
+(** 4. Both together. *)
 Section Both.
   Context {A B : Type}.
   Variable spec : lts A.
@@ -425,42 +607,46 @@ Section Both.
     pose proof (run_failure spec eqs eqs_ok N E m HS) as RF.
     pose proof (run_divergence spec eqs eqs_ok N E m HS) as RD.
     assert (Plain : m <> FD -> forall n, stop N m n = false) by (destruct m; cbn; congruence).
-    assert (TR : m <> FD -> forall t u, reach impl (init impl) t u ->
-              exists k, nrun N (root N) t k /\ inv N m P u k).
-    { intros Hm t u R. assert (L := Plain Hm (root N)).
-      destruct (inv_reach impl eqi eqi_ok N m P HI L _ _ _ R _
-                  (inv_init impl eqi eqi_ok N m P HI L)) as [K | (t1 & t2 & k & _ & _ & K)];
-        [ exact K | rewrite Plain in K by exact Hm; discriminate ]. }
+    assert (LIVE : stop N m (root N) = false -> exists Q : B -> int -> int -> Prop,
+              covering impl N m P Q /\
+              forall t u, reach impl (init impl) t u ->
+                (exists k, nrun N (root N) t k /\ inv N m Q u k) \/
+                (exists t1 t2 k, t = t1 ++ t2 /\ nrun N (root N) t1 k /\ stop N m k = true)).
+    { intros L. destruct (covering_exists impl eqi eqi_ok N m P HI L) as (Q & C). exists Q. split; [ exact C |].
+      intros t u R. exact (inv_reach impl N m P Q C _ _ _ R _ (inv_init impl N m P L Q C)). }
+    assert (TR : m <> FD -> exists Q : B -> int -> int -> Prop, covering impl N m P Q /\
+              forall t u, reach impl (init impl) t u -> exists k, nrun N (root N) t k /\ inv N m Q u k).
+    { intros Hm. destruct (LIVE (Plain Hm (root N))) as (Q & C & R). exists Q. split; [ exact C |]. intros t u H.
+      destruct (R t u H) as [K | (t1 & t2 & k & _ & _ & K)]; [ exact K | rewrite Plain in K by exact Hm; discriminate ]. }
     destruct m; cbn.
-    - intros t (u & R). destruct (TR ltac:(congruence) t u R) as (k & K & _). exact (RT t k K).
-    - split.
-      + intros t (u & R). destruct (TR ltac:(congruence) t u R) as (k & K & _). exact (RT t k K).
-      + intros t X (u & R & HX). destruct (TR ltac:(congruence) t u R) as (k & K & Iu).
-        destruct (inv_refuses impl eqi N F P HI (Plain ltac:(congruence) (root N)) u k X
-                    ltac:(congruence) Iu HX) as (i & Hi & HAX).
+    - destruct (TR ltac:(congruence)) as (Q & _ & R0).
+      intros t (u & R). destruct (R0 t u R) as (k & K & _). exact (RT t k K).
+    - destruct (TR ltac:(congruence)) as (Q & C & R0). split.
+      + intros t (u & R). destruct (R0 t u R) as (k & K & _). exact (RT t k K).
+      + intros t X (u & R & HX). destruct (R0 t u R) as (k & K & Iu).
+        destruct (inv_refuses impl N F P Q C u k X ltac:(congruence) Iu HX) as (i & Hi & HAX).
         exact (RF t k i X ltac:(congruence) K Hi HAX).
     - destruct (stop N FD (root N)) eqn:L.
       { assert (D : forall t, divergences spec t)
           by (intros t; exact (RD [] t (root N) eq_refl (nrun_nil N (root N)) L)).
         split; intros; [ apply D | right; apply D ]. }
+      destruct (LIVE eq_refl) as (Q & C & R0).
       assert (RR : forall t u, reach impl (init impl) t u ->
-                (exists k, nrun N (root N) t k /\ inv N FD P u k) \/ divergences spec t).
-      { intros t u R.
-        destruct (inv_reach impl eqi eqi_ok N FD P HI L _ _ _ R _
-                    (inv_init impl eqi eqi_ok N FD P HI L)) as [K | (t1 & t2 & k & Et & K & D)];
+                (exists k, nrun N (root N) t k /\ inv N FD Q u k) \/ divergences spec t).
+      { intros t u R. destruct (R0 t u R) as [K | (t1 & t2 & k & Et & K & D)];
           [ left; exact K | right; subst; exact (RD t1 t2 k eq_refl K D) ]. }
       assert (DV : forall t, divergences impl t -> divergences spec t).
       { intros t (t1 & t2 & u & Et & R & D). destruct (RR t1 u R) as [(k & K & Iu) | (x & y & s & E2 & R2 & D2)].
-        - exfalso. exact (inv_no_divergence impl eqi eqi_ok N FD P HI L eq_refl u k Iu D).
+        - exfalso. exact (inv_no_divergence impl N FD P Q C eq_refl u k Iu D).
         - exists x, (y ++ t2), s. subst. rewrite app_assoc. auto. }
       split; [ exact DV |]. intros t X [(u & R & HX) | D]; [| right; exact (DV t D) ].
       destruct (RR t u R) as [(k & K & Iu) | D]; [| right; exact D ].
-      destruct (inv_refuses impl eqi N FD P HI L u k X ltac:(congruence) Iu HX) as (i & Hi & HAX).
+      destruct (inv_refuses impl N FD P Q C u k X ltac:(congruence) Iu HX) as (i & Hi & HAX).
       left. exact (RF t k i X ltac:(congruence) K Hi HAX).
   Qed.
 End Both.
 
-(** 4. Properties of one process: all nodes are 0. *)
+(** 5. Properties of one process: all nodes are 0. *)
 Section Property.
   Context {S : Type}.
   Variable impl : lts S.
@@ -471,62 +657,44 @@ Section Property.
 
   Definition no_deadlock : bool := match p with Divergence_free => false | _ => true end.
   Definition no_divergence : bool := match p with Deadlock_free => false | _ => true end.
-  Definition check_state (i : int) : bool :=
-    let r := rank_of P i in
-    let moves := succ impl (state_of P i) in
-    if (if no_deadlock then match moves with [] => false | _ => true end else true) then
-      forallb (fun mv : ev * S =>
-        covered eqi P (snd mv) 0 (if no_divergence then if fst mv =? tau then Some r else None else None)) moves
-    else false.
-  Definition check_property : bool :=
-    if covered eqi P (init impl) 0 None then all_below (fun i => if node_of P i =? 0 then check_state i else true) (count P)
-    else false.
+  Definition enabled (_ : int) (moves : list (ev * S)) : bool :=
+    if no_deadlock then match moves with [] => false | _ => true end else true.
+  Definition any_event (_ : int) (a : ev) : need := Leads 0 (if no_divergence then a =? tau else false).
+  Definition check_property : bool := walk impl eqi P any_event enabled 0.
 
   Hypothesis checked : check_property = true.
 
-  Lemma state_checked : forall s r, is_pair P s 0 r ->
-    (no_deadlock = true -> succ impl s <> []) /\
-    forall a u, step impl s a u -> exists r', is_pair P u 0 r' /\
-      (no_divergence = true -> a = tau -> (r' <? r) = true).
-  Proof.
-    intros s r (i & Hi & Es & En & Er). unfold check_property in checked.
-    destruct (covered _ _ _ _ _); [| discriminate]. pose proof (all_below_spec _ _ checked i Hi) as C.
-    cbn beta in C. rewrite En, eqb_refl in C. unfold check_state in C. rewrite Es, Er in C. cbn zeta in C.
-    split.
-    - intros D K. rewrite D, K in C. discriminate.
-    - intros a u Hst. destruct (if no_deadlock then _ else _); [| discriminate].
-      rewrite forallb_forall in C. specialize (C (a, u) Hst). cbn [fst snd] in C.
-      apply (covered_pair eqi eqi_ok) in C. destruct C as (r' & C & W). exists r'. split; [ exact C |].
-      intros D Ea. rewrite D, Ea in W. exact W.
-  Qed.
-  Lemma reached_is_pair : forall s t u, reach impl s t u -> forall r, is_pair P s 0 r -> exists r', is_pair P u 0 r'.
+  Section Covering.
+  Variable Q : S -> int -> int -> Prop.
+  Hypothesis Q_step : forall s n r, Q s n r -> enabled n (succ impl s) = true /\
+    forall a u, step impl s a u -> exists q, Q u 0 q /\ ((if no_divergence then a =? tau else false) = true -> (q <? r) = true).
+
+  Lemma reached_is_pair : forall s t u, reach impl s t u -> forall r, Q s 0 r -> exists r', Q u 0 r'.
   Proof.
     induction 1 as [s | s u t v Hst Hr IH | s a u t v Ha Hst Hr IH]; intros r Hp; [ eauto | |];
-      destruct (state_checked s r Hp) as [_ K]; destruct (K _ u Hst) as (r' & Hu & _); exact (IH r' Hu).
-  Qed.
-  Lemma init_is_pair : exists r, is_pair P (init impl) 0 r.
-  Proof.
-    unfold check_property in checked. destruct (covered eqi P (init impl) 0 None) eqn:C; [| discriminate].
-    apply (covered_pair eqi eqi_ok) in C. destruct C as (r & C & _). eauto.
-  Qed.
-  Lemma property_deadlock : no_deadlock = true -> deadlock_free impl.
-  Proof.
-    intros D t s R. destruct init_is_pair as (r & H0). destruct (reached_is_pair _ _ _ R r H0) as (r' & Hs).
-    destruct (state_checked s r' Hs) as [K _]. specialize (K D). unfold can, step.
-    destruct (succ impl s) as [| [a u] l]; [ congruence |]. exists a, u. left. reflexivity.
+      destruct (Q_step s _ r Hp) as [_ K]; destruct (K _ u Hst) as (r' & Hu & _); exact (IH r' Hu).
   Qed.
   Lemma pair_no_divergence : no_divergence = true -> forall z s r, (Z.to_nat (to_Z r) < z)%nat ->
-    is_pair P s 0 r -> ~ diverges impl s.
+    Q s 0 r -> ~ diverges impl s.
   Proof.
     intros D. induction z as [| z IH]; intros s r Hz Hp V; [ lia |].
-    destruct V as [s u Hst V]. destruct (state_checked s r Hp) as [_ K]. destruct (K tau u Hst) as (r' & Hu & Hr).
-    specialize (Hr D eq_refl). apply ltb_spec in Hr. assert (0 <= to_Z r')%Z by (apply to_Z_bounded).
+    destruct V as [s u Hst V]. destruct (Q_step s _ r Hp) as [_ K]. destruct (K tau u Hst) as (r' & Hu & Hr).
+    rewrite D in Hr. specialize (Hr eq_refl). apply ltb_spec in Hr. assert (0 <= to_Z r')%Z by (apply to_Z_bounded).
     apply (IH u r'); auto. lia.
+  Qed.
+  End Covering.
+  Lemma property_deadlock : no_deadlock = true -> deadlock_free impl.
+  Proof.
+    intros D t s R. destruct (walk_sound impl eqi eqi_ok P any_event enabled 0 checked) as (Q & (r & H0) & K).
+    destruct (reached_is_pair Q K _ _ _ R r H0) as (r' & Hs).
+    destruct (K s _ r' Hs) as [C _]. unfold enabled in C. rewrite D in C. unfold can, step.
+    destruct (succ impl s) as [| [a u] l]; [ discriminate |]. exists a, u. left. reflexivity.
   Qed.
   Lemma property_divergence : no_divergence = true -> divergence_free impl.
   Proof.
-    intros D t s R. destruct init_is_pair as (r & H0). destruct (reached_is_pair _ _ _ R r H0) as (r' & Hs).
-    exact (pair_no_divergence D (Datatypes.S (Z.to_nat (to_Z r'))) s r' ltac:(lia) Hs).
+    intros D t s R. destruct (walk_sound impl eqi eqi_ok P any_event enabled 0 checked) as (Q & (r & H0) & K).
+    destruct (reached_is_pair Q K _ _ _ R r H0) as (r' & Hs).
+    exact (pair_no_divergence Q K D (Datatypes.S (Z.to_nat (to_Z r'))) s r' ltac:(lia) Hs).
   Qed.
   Theorem check_property_sound : satisfies p impl.
   Proof.

@@ -186,7 +186,10 @@ let forge_targets (nodes : Search.node array) =
   Array.map (fun (node : Search.node) -> { node with arcs = Array.map (fun (a, _) -> (a, Random.int (Array.length nodes))) node.arcs }) nodes
 let forge_root (nodes : Search.node array) =
   let at = Random.int (Array.length nodes) in
-  Array.mapi (fun i node -> if i = 0 then nodes.(at) else if i = at then nodes.(0) else node) nodes
+  let other k = if k = 0 then at else if k = at then 0 else k in
+  Array.init (Array.length nodes) (fun i ->
+      let node = nodes.(other i) in
+      { node with arcs = Array.map (fun (a, k) -> (a, other k)) node.arcs })
 
 (* Every node has all states, arcs and acceptances that some node has. *)
 let forge_members (nodes : Search.node array) =
@@ -197,7 +200,12 @@ let forge_members (nodes : Search.node array) =
   let witnesses = Array.map (fun _ -> Random.int (Array.length members)) acceptances in
   Array.map (fun (node : Search.node) -> { node with members; arcs; acceptances; witnesses }) nodes
 
-let forges = [ forge_members; Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
+(* As before, but the root keeps its members. *)
+let forge_later_members nodes =
+  let forged = forge_members nodes in
+  Array.mapi (fun n (node : Search.node) -> if n = 0 then { nodes.(0) with arcs = node.arcs } else node) forged
+
+let forges = [ forge_members; forge_later_members; Fun.id; forge_arcs; forge_acceptances; forge_divergence; forge_empty; forge_targets; forge_root ]
 
 (* Functions that lie in some places, always in the same way. *)
 let lying proof =
@@ -205,15 +213,19 @@ let lying proof =
   let lie kind key honest other =
     if Hashtbl.hash (salt, kind) mod 3 = 0 && Hashtbl.hash (salt, kind, key) mod rate = 0 then other (abs (Hashtbl.hash (salt, key, kind, 1))) else honest in
   let pairs (p : int list pairs) =
-    { count = p.count;
-      state_of = (fun j -> lie 1 j (p.state_of j) (fun r -> if p.count = 0 then [] else p.state_of (r mod p.count)));
+    { state_of = (fun j -> lie 1 j (p.state_of j) (fun r -> p.state_of (r mod (j + 1))));
       node_of = (fun j -> lie 2 j (p.node_of j) (fun r -> r mod 4));
-      rank_of = (fun j -> lie 3 j (p.rank_of j) (fun r -> r mod 5));
-      locate = (fun s n -> lie 4 (s, n) (p.locate s n) (fun r -> r mod (p.count + 1)));
-      choose = (fun n moves -> lie 5 (n, List.map fst moves) (p.choose n moves) (fun r -> r mod 4)) }
+      place_of = (fun j -> lie 3 j (p.place_of j) (fun r -> r mod 5));
+      pair_at = (fun j -> lie 15 j (p.pair_at j) (fun r -> r mod (j + 1)));
+      locate = (fun s n -> lie 4 (s, n) (p.locate s n) (fun r -> r mod (p.locate s n + 2)));
+      choose = (fun n moves -> lie 5 (n, List.map fst moves) (p.choose n moves) (fun r -> r mod 4));
+      deed = (fun t opened ->
+        lie 16 t (p.deed t opened) (fun r -> match r mod 4 with 0 -> Visit | 1 -> Stop | _ -> Open (r mod ((t / 2) + 1)))) }
   in
+  let shape h =
+    { h with merges = { h.merges with representative = (fun k v -> lie 17 (k, v) (h.merges.representative k v) (fun r -> r mod (v + 1))) } } in
   match proof with
-  | Certificate_check.Of_property (q, l, s, p) -> Certificate_check.Of_property (q, l, s, pairs p)
+  | Certificate_check.Of_property (q, h, s, p) -> Certificate_check.Of_property (q, shape h, s, pairs p)
   | Of_refinement (m, ls, s, li, i, n, e, p) ->
       let normal = { n with where_is = (fun k a -> lie 6 (k, a) (n.where_is k a) (fun r -> r mod 4));
                      divergent = (fun k -> lie 7 k (n.divergent k) (fun r -> r mod 2 = 0)) } in
@@ -226,12 +238,12 @@ let lying proof =
           loop_next = (fun j -> lie 12 j (e.loop_next j) (fun r -> r mod 4));
           diverging_member = (fun k -> lie 13 k (e.diverging_member k) (fun r -> r mod 4));
           loop_entry = (fun k -> lie 14 k (e.loop_entry k) (fun r -> r mod 4)) } in
-      Of_refinement (m, ls, s, li, i, normal, evidence, pairs p)
+      Of_refinement (m, shape ls, s, shape li, i, normal, evidence, pairs p)
 
 (* Members are derived from each other in circles, wherever there is a tau between them. *)
 let circular = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let lts = packed ls s in
+      let lts = compact ls s in
       let source k j honest =
         let taus_to f = List.exists (fun (a, u) -> a = 0 && u = e.member k j) (lts.succ0 (e.member k f)) in
         match List.find_opt taus_to (List.init (e.size0 k) Fun.id) with
@@ -246,7 +258,7 @@ let circular = function
 (* Any member with the arc's event is given as the origin, and any member as the witness, whatever they lead to. *)
 let loose = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let lts = packed ls s in
+      let lts = compact ls s in
       let first k chk = Option.value ~default:0 (List.find_opt chk (List.init (e.size0 k) Fun.id)) in
       let from k a = first k (fun f -> List.exists (fun (b, _) -> a = b) (lts.succ0 (e.member k f))) in
       let fitting k set =
@@ -255,19 +267,66 @@ let loose = function
       let evidence =
         { e with origin_after = (fun k a _ -> { by_event = true; from = from k (fst (n.arc k a)); depth = 0 });
           origin_in_root = (fun _ -> { by_event = true; from = 0; depth = 0 });
-          witness = (fun k a -> fitting k (n.acceptance k a)) } in
+          witness = (fun k a -> fitting k (n.acceptance k a));
+          diverging_member = (fun _ -> 0);
+          loop_entry = (fun _ -> 0) } in
+      let included k moves =
+        let set_fits c = List.for_all (fun a -> List.mem_assoc a moves) (n.acceptance k c) in
+        Option.value ~default:0 (List.find_opt set_fits (List.init (n.acceptance_count k) Fun.id)) in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, { p with choose = included })
+  | other -> other
+
+(* One member is reached as it says, and all others by taus from it. *)
+let chained = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let lts = compact ls s in
+      let first k chk = Option.value ~default:0 (List.find_opt chk (List.init (e.size0 k) Fun.id)) in
+      let chain reached from j = if j = reached then { by_event = true; from; depth = 0 } else { by_event = false; from = reached; depth = 1 } in
+      let step k a u f = List.mem (a, e.member u f) (List.concat_map (fun g -> lts.succ0 (e.member k g)) (List.init (e.size0 k) Fun.id)) in
+      let evidence =
+        { e with origin_in_root = (fun j -> chain (first n.root (fun f -> e.member n.root f = lts.init)) 0 j);
+          origin_after =
+            (fun k c j ->
+              let a, u = n.arc k c in
+              let reached = first u (step k a u) in
+              let from = first k (fun g -> List.mem (a, e.member u reached) (lts.succ0 (e.member k g))) in
+              chain reached from j) } in
       Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
   | other -> other
 
-(* The first member is reached as it says, and all others by taus from it. *)
-let chained = function
+(* Every node has a loop of its own: a tau from its first member to the member itself. *)
+let looping = function
   | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
-      let chain j honest = if j = 0 then { honest with depth = 0 } else { by_event = false; from = 0; depth = 1 } in
       let evidence =
-        { e with origin_in_root = (fun j -> chain j (e.origin_in_root j));
-          origin_after = (fun k a j -> chain j (e.origin_after k a j)) } in
+        { e with loop_size = n.nodes; loop = (fun k -> e.member k 0); loop_next = Fun.id;
+          diverging_member = (fun _ -> 0); loop_entry = Fun.id } in
       Certificate_check.Of_refinement (m, ls, s, li, i, n, evidence, p)
   | other -> other
+
+(* One pair for each state, with the node with which it was found first. *)
+let one_node = function
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      let known = Hashtbl.create 50 in
+      let locate u k = match Hashtbl.find_opt known u with
+        | Some j -> j
+        | None -> let j = p.locate u k in Hashtbl.add known u j; j in
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, e, { p with locate })
+  | other -> other
+
+(* In the place of one pair, another pair is visited, which has a large number. *)
+let impostor proof =
+  let far = 1 lsl 30 in
+  let replace (p : int list pairs) victim =
+    let far_of j = if j = victim then far else j in
+    { p with
+      state_of = (fun j -> p.state_of (if j = far then 0 else j));
+      node_of = (fun j -> p.node_of (if j = far then 0 else j));
+      place_of = (fun j -> p.place_of (if j = far then victim else j));
+      deed = (fun t opened -> match p.deed t opened with Open j -> Open (far_of j) | other -> other) } in
+  match proof with
+  | Certificate_check.Of_refinement (m, ls, s, li, i, n, e, p) ->
+      Certificate_check.Of_refinement (m, ls, s, li, i, n, e, replace p (Random.int 6))
+  | Of_property (q, h, s, p) -> Of_property (q, h, s, replace p (Random.int 6))
 
 let attacks = ref 0 and wrong = ref 0 and lost = ref 0 and held = ref 0 and failed = ref 0 and unreadable = ref 0
 let lies_accepted = ref 0 and files_accepted = ref 0
@@ -277,7 +336,7 @@ let accepted_attack attempt =
   match Certificate_check.guarded (fun () -> if attempt () then Certified { pairs = 0; nodes = 0; transitions = 0; components = 0; rules = 0 } else Refused "") with
   | Certificate_check.Certified _ -> true
   | Refused "" -> false
-  | Refused _ -> incr unreadable; false
+  | Refused _ | Undecided _ -> incr unreadable; false
 
 let report_wrong what seed trial =
   incr wrong;
@@ -305,13 +364,23 @@ let attack_question seed trial question spec impl truth =
   let claim = claim_of question spec_text (text impl) in
   (match Certificate_check.certify claim ~most with
   | Certified _ -> if truth then incr held else report_wrong "an honest search" seed trial
-  | Refused why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
+  | Refused why | Undecided why -> if truth then (incr lost; Printf.printf "REFUSED THOUGH IT HOLDS: seed %d, trial %d: %s\n%!" seed trial why) else incr failed);
   let attempt forge tell () =
-    let proof, _, _, _ = Certificate_check.prove ~lenient:true ~forge claim ~most in
+    let proof, _, _ = Certificate_check.prove ~lenient:true ~forge claim ~most in
     Certificate_check.accepted (tell proof) in
+  let on_the_way forge tell () =
+    let plan = Certificate_check.plan_of ~forge claim ~most in
+    let walk = Search.new_walk (Certificate_check.width plan.shape) in
+    let pairs = Search.pairs_on_the_way walk plan.choose ~ordered:plan.task.forbid_cycles ~most in
+    try Certificate_check.accepted (tell (plan.completed pairs)) with Search.Loop_of_taus -> false in
   List.iter (fun forge ->
     if accepted_attack (attempt forge Fun.id) && not truth then report_wrong "a forged normal form" seed trial;
+    if accepted_attack (on_the_way forge Fun.id) && not truth then report_wrong "a walk" seed trial;
+    if accepted_attack (on_the_way forge lying) && not truth then report_wrong "a lie on the way" seed trial;
     if accepted_attack (attempt forge loose) && not truth then report_wrong "loose evidence" seed trial;
+    if accepted_attack (on_the_way forge one_node) && not truth then report_wrong "one node for each state" seed trial;
+    if accepted_attack (attempt forge impostor) && not truth then report_wrong "an impostor" seed trial;
+    if accepted_attack (attempt forge looping) && not truth then report_wrong "a loop" seed trial;
     if accepted_attack (attempt forge chained) && not truth then report_wrong "a chain" seed trial;
     if accepted_attack (attempt forge circular) && not truth then report_wrong "a circle" seed trial;
     for _ = 1 to 3 do
@@ -323,7 +392,7 @@ let attack_question seed trial question spec impl truth =
     match claim_of question spec_text impl_text with
     | exception Formats.Unreadable _ -> incr attacks; incr unreadable
     | claim ->
-        if accepted_attack (fun () -> match Certificate_check.certify claim ~most:2_000 with Certified _ -> true | Refused _ -> false) then begin
+        if accepted_attack (fun () -> match Certificate_check.certify claim ~most:2_000 with Certified _ -> true | Refused _ | Undecided _ -> false) then begin
           incr files_accepted;
           let impl = process_of claim.implementation in
           let holds = match (question, claim.specification) with

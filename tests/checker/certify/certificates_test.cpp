@@ -4,6 +4,9 @@
 // accept the former and refuse the latter.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -18,6 +21,7 @@
 #include "checker/cspm/types/type_check.hpp"
 #include "tests/checker/cspm/support.hpp"
 #include "tests/checker/processes/random_cases.hpp"
+#include "tests/small_disk.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace robochart::certify {
@@ -50,6 +54,19 @@ Ran run(const std::string& command) {
 /// Runs the certifier on a folder.
 Ran certify(const std::string& folder, const std::string& options = "") {
     return run(fmt::format("'{}' {} '{}' 2>&1", certifier, options, folder));
+}
+
+/// The answers of the certifier by folder.
+std::map<std::string, bool> answers_in(const std::string& output) {
+    std::map<std::string, bool> result;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        const bool accepted = line.starts_with("CERTIFIED");
+        if (!accepted && !line.starts_with("REFUSED")) continue;
+        const std::string path = line.substr(11, line.find(": ") - 11);
+        result[std::filesystem::path(path).filename().string()] = accepted;
+    }
+    return result;
 }
 
 /// A script with its session.
@@ -181,17 +198,49 @@ TEST(Certificates, AreNotCompleteWithoutTheirClaim) {
     EXPECT_NE(ran.out.find("0 certified, 1 refused"), std::string::npos) << ran.out;
 }
 
-/// The answers of the certifier by folder.
-std::map<std::string, bool> answers_in(const std::string& output) {
-    std::map<std::string, bool> result;
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);) {
-        const bool accepted = line.starts_with("CERTIFIED");
-        if (!accepted && !line.starts_with("REFUSED")) continue;
-        const std::string path = line.substr(11, line.find(": ") - 11);
-        result[std::filesystem::path(path).filename().string()] = accepted;
+/// On a full disk, the error says so, and what is there is no certificate.
+TEST(Certificates, AreCompleteOrRefusedOnASmallDisk) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(two_cells);
+    const Certificate files = *script.certificate(1).certificate;
+    int failures = 0;
+    for (unsigned kibibytes = 4; kibibytes <= 32; kibibytes += 4) {
+        const tests::TemporaryFolder folder;
+        const int result = tests::on_small_disk(folder.path(), kibibytes, [&] {
+            const std::string error = write_certificate(folder.path(), "1", files, nullptr);
+            const bool accepted = certify(folder.path()).exit == 0;
+            if (accepted != error.empty() || std::filesystem::exists(folder.in("1/claim.txt")) != error.empty()) return 2;
+            return error.find("No space left on device") != std::string::npos ? 1 : 0;
+        });
+        if (result == 100) GTEST_SKIP() << "this system allows no small disk";
+        ASSERT_LE(result, 1) << kibibytes;
+        failures += result;
     }
-    return result;
+    EXPECT_GT(failures, 0);
+    EXPECT_LT(failures, 8);
+}
+
+/// Whenever the program is killed, the certifier accepts exactly the folders that have a claim.
+TEST(Certificates, AreCompleteOrRefusedIfTheProgramIsKilled) {
+    if (certifier.empty()) GTEST_SKIP() << no_certifier;
+    Opened script(two_cells);
+    const Certificate files = *script.certificate(1).certificate;
+    for (int round = 0; round < 5; ++round) {
+        const tests::TemporaryFolder folder;
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0)
+            for (int i = 0;; ++i) (void)write_certificate(folder.path(), fmt::format("{}", i), files, nullptr);
+        while (!std::filesystem::exists(folder.in("1/claim.txt"))) usleep(100);
+        usleep(static_cast<useconds_t>(1'234 * round));
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        const Ran ran = certify(folder.path());
+        const std::map<std::string, bool> answers = answers_in(ran.out);
+        EXPECT_GE(answers.size(), 2U);
+        for (const auto& [name, accepted] : answers)
+            EXPECT_EQ(accepted, std::filesystem::exists(folder.in(name + "/claim.txt"))) << ran.out;
+    }
 }
 
 /// Components with more than 61 bits of states need several words.
