@@ -71,7 +71,7 @@ std::optional<claims::Fraction> value_of(std::string_view text, const ir::Type& 
 /// Follows one claim along one run.
 class FollowedClaim {
 public:
-    FollowedClaim(const CheckedClaim& claim, const ir::System& system, std::optional<std::int64_t> unit)
+    FollowedClaim(const CheckedClaim& claim, const ir::System& system, durations::Unit unit)
         : claim_(claim), system_(system), account_(claim, unit) {}
 
     /// `name`: without mark; `values`: the texts behind the marks.
@@ -183,6 +183,7 @@ private:
 
     /// Only claims about the component of the log are followed.
     void begin(const std::vector<TraceToken>& tokens, std::uint64_t line) {
+        conformance::compare_units(header_, project_.unit);
         name_.clear();
         for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
         begun_ = line;
@@ -191,7 +192,7 @@ private:
         for (const CheckedClaim& claim : of.checked.claims) {
             const std::string& path = claim.component.path;
             if (path != header_.component && !path.ends_with("::" + header_.component)) continue;
-            followed_.emplace_back(claim, project_.system, of.checked.unit);
+            followed_.emplace_back(claim, project_.system, project_.unit);
             if (claim.body.kind == claims::BodyKind::possible)
                 followed_.back().give_up("one run does not show what other runs do");
             for (const std::string& word : header_.unobserved) hide(followed_.back(), word);
@@ -294,10 +295,7 @@ void read_log(const driver::Project& project, const std::string& path, ClaimLogR
     try {
         ClaimLog(project, path, report, options).read(in);
     } catch (const conformance::TraceFault& fault) {
-        const std::string found = fault.arguments.size() > 1 ? fault.arguments[1] : "something else";
-        report.errors.push_back(fmt::format("{}: expected {}, found {}", shown,
-                                            fault.arguments.empty() ? "a log" : fault.arguments[0],
-                                            diagnostics::escape_for_display(found)));
+        report.errors.push_back(fmt::format("{}: {}", shown, conformance::fault_text(fault)));
     }
 }
 

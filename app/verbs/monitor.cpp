@@ -212,7 +212,9 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Proj
         return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), emission);
     }
     std::string error;
-    auto guard = make_rule_guard(options.simulate.guarding_rules, emission, cycle, options, error);
+    const GuardedTimes times{cycle, durations::nanoseconds_of_seconds(simulation.scenario.time_unit),
+                             options.load.inputs.front()};
+    auto guard = make_rule_guard(options.simulate.guarding_rules, emission, times, options, error);
     if (guard == nullptr)
         simulation.project->diagnostics.report(
             driver::rules::bad_option, {},

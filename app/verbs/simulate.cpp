@@ -27,6 +27,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json.hpp"
 #include "base/diagnostics/spelling.hpp"
+#include "driver/model/claim_files.hpp"
 #include "driver/settings/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "simulation/report/report.hpp"
@@ -38,6 +39,29 @@
 namespace robochart::app {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The time unit that is declared beside the scenario or the models that it names.
+std::optional<claims::DeclaredUnit> declared_unit(driver::Project& project, diagnostics::SourceId source,
+                                                  const Options& options) {
+    diagnostics::Diagnostics reported_later;
+    const simulation::Scenario scenario = simulation::read_scenario(project.sources, source, reported_later);
+    std::vector<std::string> paths{options.load.inputs.front()};
+    for (std::size_t i = 0; i < scenario.controller_count(); ++i)
+        paths.push_back(model_of(scenario, options.load.inputs.front(), i));
+    return driver::unit_beside(paths, project.sources, project.diagnostics);
+}
+
+/// The time unit of a scenario must be the declared one.
+void compare_units(const simulation::Scenario& scenario, const std::optional<claims::DeclaredUnit>& declared,
+                   driver::Project& project) {
+    const auto unit = durations::nanoseconds_of_seconds(scenario.time_unit);
+    if (!declared || !unit || !scenario.unit_span.is_known() || *unit == declared->nanoseconds) return;
+    claims::report_difference(*declared, {*unit, scenario.unit_span}, project.sources, project.diagnostics);
+}
+
+}  // namespace
+
 simulation::Scenario read_scenario_of(driver::Project& project, const Options& options) {
     std::string error;
     const auto source = project.sources.load_file(options.load.inputs.front(), error);
@@ -47,7 +71,11 @@ simulation::Scenario read_scenario_of(driver::Project& project, const Options& o
             {options.load.inputs.front(), error + driver::files_inside(options.load.inputs.front(), ".scenario")});
         return {};
     }
-    simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
+    const auto declared = declared_unit(project, *source, options);
+    simulation::Scenario scenario =
+        simulation::read_scenario(project.sources, *source, project.diagnostics,
+                                  declared ? durations::Unit(declared->nanoseconds) : std::nullopt);
+    compare_units(scenario, declared, project);
     if (options.simulate.trials > 0) scenario.set_trials(options.simulate.trials);
     if (options.simulate.seed) scenario.seed = *options.simulate.seed;
     record_text(project.sources, *source, options);

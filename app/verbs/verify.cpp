@@ -313,6 +313,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
     }
     cpp_emit::Options generator;
     generator.cycle_length = options.code.cycle;
+    generator.unit = project.unit;
     generator.sources = &project.sources;
     generator.target = options.code.target;
     generator.strategy = options.code.strategy;

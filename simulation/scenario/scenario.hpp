@@ -320,6 +320,7 @@ struct Scenario : RobotKind {
     WorldOptions world;
     double arena_area = 0;  ///< per robot, in a square arena; 0: the sides are given
     double time_unit = 0;   ///< seconds per time unit of the model
+    diagnostics::Span unit_span;  ///< of the item `unit`; unknown if it is left out
     std::uint32_t units_per_step = 1;
     double duration = 0;
     std::uint32_t trials = 1;
