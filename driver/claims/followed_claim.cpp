@@ -72,7 +72,8 @@ void FollowedClaim::observe_channel(std::size_t channel, const std::vector<std::
     const std::string text = values.empty() ? of.name : fmt::format("{}({})", of.name, fmt::join(values, ", "));
     for (std::size_t i = 0; i < of.types.size(); ++i) {
         const auto value = i < values.size() ? value_of(values[i], system_->type(of.types[i])) : std::nullopt;
-        if (!value && reads_values(channel)) return give_up(fmt::format("{} has a value that no condition reads", text));
+        if (!value && reads_values(channel))
+            return give_up(fmt::format("{} has a value that no condition reads", text));
         occurrence.values.push_back(value.value_or(claims::Fraction()));
     }
     try {

@@ -22,10 +22,7 @@ class ScenarioReader {
 public:
     ScenarioReader(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
                    diagnostics::Diagnostics& diagnostics, durations::Unit declared)
-        : path_(sources.path(source)),
-          in_(sources, source, diagnostics),
-          whole_{source, 0, 0},
-          declared_(declared) {}
+        : path_(sources.path(source)), in_(sources, source, diagnostics), whole_{source, 0, 0}, declared_(declared) {}
 
     Scenario read();
 
@@ -123,6 +120,10 @@ private:
     void parse_measure();
     std::size_t light_named(const Name& name);
     [[nodiscard]] Dimension dimension_of(std::size_t measure) const;
+    /// True at `claim NAME`, which is a condition on the run of every robot.
+    [[nodiscard]] bool at_claim() const;
+    /// Parses `claim NAME`; returns the measure of the share of robots that keep the claim.
+    std::size_t claim_measure();
     std::size_t measure_named();
     void accept();
     /// `first(CONDITION)`, `average(M)`, `M at TIME`, `M`; returns its dimension.
