@@ -645,6 +645,7 @@ void Interpreter::read_raw() {
 
 Run Interpreter::run() {
     run_.timed = obligation_.time == csp_emit::Time::timed;
+    run_.unit = context_.unit;
     read_raw();
     if (!read_apart()) read_whole();
     add_offers();

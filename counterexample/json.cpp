@@ -195,6 +195,7 @@ Json end(const End& end) {
 Json run_json(const Run& run) {
     Json json{{"schema", "robochart-verify/run/1"}, {"timed", run.timed}};
     if (run.timed) json["time"] = run.time;
+    if (run.timed && run.unit) json["unitNanoseconds"] = *run.unit;
     json["initial"] = json_array(run.initial, machine_json);
     json["steps"] = Json::array();
     for (std::size_t i = 0; i < run.steps.size(); ++i) json["steps"].push_back(step_json(run.steps[i], i + 1));

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "base/durations/time_unit.hpp"
+
 namespace robochart::runs {
 
 /// A range in a text: lines and columns from 1, columns in Unicode code points, the end exclusive.
@@ -158,6 +160,7 @@ struct End {
 /// A counterexample as a run of the model; text and JSON are made only from this.
 struct Run {
     bool timed = false;
+    durations::Unit unit;          ///< the length of a time unit
     std::int64_t time = 0;         ///< time at the end of the run; if it is infinite, at the beginning of the loop
     std::vector<Machine> initial;  ///< before the first step
     std::vector<Step> steps;

@@ -28,6 +28,7 @@ struct Context {
     const ir::Instantiation& instantiation;
     const diagnostics::SourceManager& sources;
     cspm::Session& session;
+    durations::Unit unit = {};
 };
 
 /// The step of one sequential component.

@@ -78,8 +78,11 @@ std::vector<std::pair<std::string, std::string>> assignments_of(const Step& step
     return result;
 }
 
-std::string passing_text(std::int64_t units) {
-    return units == 1 ? "1 time unit passes" : fmt::format("{} time units pass", units);
+std::string passing_text(std::int64_t units, durations::Unit unit) {
+    std::int64_t length = 0;
+    const bool known = unit && !__builtin_mul_overflow(units, *unit, &length);
+    return fmt::format("{} time unit{}{}", units, units == 1 ? " passes" : "s pass",
+                       known ? fmt::format(" ({})", durations::duration_text(length)) : "");
 }
 
 Line Writer::line_of_step(const Step& step) const {
@@ -120,13 +123,15 @@ std::vector<Line> Writer::lines_of_steps(std::size_t begin, std::size_t end) con
 void Writer::add(const std::vector<Line>& lines) {
     std::size_t names = 0;
     std::size_t words = 0;
+    std::size_t times = 6;  // "t=1000"
     for (const Line& line : lines) {
+        times = std::max(times, durations::time_text(line.time, run_.unit).size());
         names = std::max(names, line.who.size());
         words = std::max(words, line.what.size());
     }
     for (const Line& line : lines) {
         out_ += indent_;
-        if (run_.timed) out_ += fmt::format("t={:<4} ", line.time);
+        if (run_.timed) out_ += fmt::format("{:<{}} ", durations::time_text(line.time, run_.unit), times);
         if (names > 0) out_ += fmt::format("{:<{}}   ", line.who, names);
         if (line.place.empty())
             out_ += line.what;
@@ -152,7 +157,7 @@ std::vector<Line> Writer::loop_lines() const {
     std::vector<Line> result = lines_of_steps(*run_.loop_start, run_.steps.size());
     std::int64_t units = 0;
     for (std::size_t i = *run_.loop_start; i < run_.steps.size(); ++i) units += run_.steps[i].units;
-    if (units > 0) result.push_back({run_.time, "", passing_text(units), ""});
+    if (units > 0) result.push_back({run_.time, "", passing_text(units, run_.unit), ""});
     if (result.empty()) result.push_back({run_.time, "", "internal steps that change nothing", ""});
     return result;
 }
@@ -161,12 +166,13 @@ std::string Writer::write() {
     const std::size_t end = run_.loop_start.value_or(run_.steps.size());
     std::vector<Line> run = lines_of_steps(0, end);
     const std::int64_t shown = run.empty() ? 0 : run.back().time;
-    if (run_.time > shown) run.push_back({shown, "", passing_text(run_.time - shown), ""});
+    if (run_.time > shown) run.push_back({shown, "", passing_text(run_.time - shown, run_.unit), ""});
     add(run);
     std::vector<std::string> places;
     for (const Machine& machine : at_the_end()) places.push_back(machine_line(machine));
     if (!places.empty()) {
-        out_ += run_.timed ? fmt::format("{}now at t={}: ", indent_, run_.time) : fmt::format("{}now ", indent_);
+        out_ += run_.timed ? fmt::format("{}now at {}: ", indent_, durations::time_text(run_.time, run_.unit))
+                           : fmt::format("{}now ", indent_);
         out_ += fmt::format("{}\n", fmt::join(places, "; "));
     }
     if (run_.loop_start) {

@@ -108,8 +108,13 @@ private:
             keys_["MESSAGE_TARGETS"] += fmt::format("\n                      ${{{}_TARGETS}}", name);
             keys_["DEPEND_MESSAGES"] += fmt::format("  <depend>{}</depend>\n", name);
         }
-        const std::uint32_t units = generation_.options.cycle_length;
-        keys_["CYCLE_UNITS"] = fmt::format(", which is {} time unit{} of the model", units, units == 1 ? "" : "s");
+        keys_["CYCLE_TEXT"] = ros2::cycle_text(generation_.options);
+        keys_["CYCLE"] = ros2::cycle_seconds(generation_.options);
+        keys_["CYCLE_SCALE"] =
+            generation_.options.unit
+                ? "    # How many times as long as declared the time units of the model last. It must fit to `cycle`.\n"
+                  "    cycle_scale: 1.0\n"
+                : "";
         keys_["CONSTANTS"] = ros2::constant_lines(generation_, core_);
     }
 

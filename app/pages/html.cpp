@@ -149,6 +149,7 @@ private:
     std::string name_;  ///< name of the page's subject
     PartDiagrams diagrams_;
     std::vector<std::pair<std::string, std::string>> machines_;  ///< instances and definitions of the current run
+    durations::Unit unit_;                                       ///< of the current run
     bool timed_ = false;                                         ///< the current run is timed
     std::string out_;
 };
@@ -350,7 +351,7 @@ void ReportPage::write_row(std::size_t number, const runs::Step* step, const std
         xml_text(values_json(before, after)), xml_text(what), number);
     if (timed_)
         out_ += fmt::format("<td class=\"number\">{}</td>",
-                            step != nullptr && step->time ? fmt::format("{}", *step->time) : "");
+                            step != nullptr && step->time ? durations::time_text(*step->time, unit_).substr(2) : "");
     bool any_done = false;
     for (const auto& [component, definition] : machines_) {
         const std::string done = step == nullptr ? "" : component_step_text(*step, component);
@@ -374,16 +375,18 @@ void ReportPage::write_row(std::size_t number, const runs::Step* step, const std
 
 /// The widths of the columns. On screen, each row has its own layout with fixed columns, so that browsers can skip rows
 /// outside the view.
-std::string column_style(const std::string& id, std::size_t lanes, bool timed) {
+std::string column_style(const std::string& id, std::size_t lanes, bool timed, bool seconds) {
+    const int time = seconds ? 9 : 4;
     return fmt::format(
         "<style>@media screen {{ #{0} .steps tr {{ grid-template-columns: {1} repeat({2}, minmax(8em, 4fr)) "
         "minmax(7.5em, 1fr) minmax(11.5em, 1fr) minmax(4em, 1fr); }} "
         "#{0} .steps table {{ min-width: {3}em; }} }}</style>\n",
-        id, timed ? "5em 4em" : "5em", lanes, 8 * lanes + 28 + (timed ? 4 : 0));
+        id, timed ? fmt::format("5em {}em", time) : "5em", lanes,
+        8 * lanes + 28 + static_cast<std::size_t>(timed ? time : 0));
 }
 
 void ReportPage::write_steps(const std::string& id, const runs::Run& run) {
-    out_ += column_style(id, machines_.size(), timed_);
+    out_ += column_style(id, machines_.size(), timed_, unit_.has_value());
     out_ += fmt::format(
         "<div class=\"steps\" tabindex=\"0\" role=\"region\" aria-label=\"steps of {}\">\n<table><thead><tr>"
         "<th scope=\"col\">step</th>{}",
@@ -463,6 +466,7 @@ void ReportPage::write_figure(const std::string& attributes, const std::string& 
 void ReportPage::write_replay(const std::string& id, const runs::Run& run) {
     machines_.clear();
     timed_ = run.timed;
+    unit_ = run.unit;
     const auto add = [&](const std::vector<runs::Machine>& machines) {
         for (const runs::Machine& machine : machines) {
             const auto known =

@@ -40,8 +40,8 @@ Json place_of(const runs::Place& place) {
     return diagnostics::sarif_place(place.file, {place.line, place.column}, {place.end_line, place.end_column});
 }
 
-std::string step_text(const runs::Step& step) {
-    return step.time ? fmt::format("t={}: {}", *step.time, step.event.text) : step.event.text;
+std::string step_text(const runs::Step& step, durations::Unit unit) {
+    return step.time ? fmt::format("{}: {}", durations::time_text(*step.time, unit), step.event.text) : step.event.text;
 }
 
 /// The steps of the run that have places; null if there are none.
@@ -51,7 +51,7 @@ Json code_flow_json(const runs::Run& run) {
         const runs::Step& step = run.steps[i];
         if (!step.event.place) continue;
         const Json location{{"physicalLocation", place_of(*step.event.place)},
-                            {"message", sarif_text(step_text(step))}};
+                            {"message", sarif_text(step_text(step, run.unit))}};
         locations.push_back({{"location", location}, {"executionOrder", i + 1}});
     }
     if (locations.empty()) return nullptr;

@@ -179,6 +179,7 @@ std::string verdicts_text(const RulesReport& report, bool quiet) {
     for (const std::string& error : report.errors) text += fmt::format("error: {}\n", error);
     for (const std::string& component : report.time_stops) text += fmt::format("time can stop in {}\n", component);
     for (const std::string& reason : report.time_open) text += fmt::format("not decided: {}\n", reason);
+    if (!quiet || std::ranges::any_of(report.verdicts, is_wrong)) text += durations::second_text(report.unit) + "\n";
     if (!quiet) text += "an input counts as an event of the rules when the component takes it\n";
     if (!report.limit.empty()) text += fmt::format("not finished: {}\n", report.limit);
     const AnswerCounts counts = count_answers(report);
@@ -290,6 +291,8 @@ std::string rules_json(const RulesReport& report) {
         json["timeStops"] = report.time_stops;
         if (!report.time_open.empty()) json["timeNotDecided"] = report.time_open;
         json["inputsCount"] = "taken";
+        json["unitNanoseconds"] = json_or_null(report.unit);
+        json["second"] = durations::second_text(report.unit);
     } else if (report.as_sleec_tk) {
         json["numericValues"] = report.ranges;
         json["pairs"] = listed(report.pairs, pair_json);

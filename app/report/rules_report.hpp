@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command/options.hpp"
+#include "base/durations/time_unit.hpp"
 #include "driver/results/rule_verdict.hpp"
 
 namespace robochart::app {
@@ -57,6 +58,7 @@ struct RulesReport {
     std::vector<driver::RuleVerdict> verdicts;  ///< about a model
     std::vector<std::string> time_stops;        ///< components in which time can stop
     std::vector<std::string> time_open;         ///< "whether time can stop in C: why it is not decided"
+    durations::Unit unit;                       ///< with a model, if it is declared
     bool as_sleec_tk = false;
     std::string without_limit;
     std::vector<RuleName> rules;

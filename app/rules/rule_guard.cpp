@@ -14,6 +14,7 @@
 #include "app/rules/show_findings.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "cpp_emit/files/trace_names.hpp"
+#include "driver/model/claim_files.hpp"
 
 namespace robochart::app {
 namespace {
@@ -172,8 +173,9 @@ simulation::Guard::Maker RuleGuard::make_observer(Maker other) {
 }
 
 std::string RuleGuard::summary_lines() const {
-    std::string text = fmt::format("  rules of {}: {} followed; robots watched: {}; a time unit is a second\n",
-                                   diagnostics::escape_for_display(loaded_->path), followed_count(), robots_.load());
+    std::string text = fmt::format("  rules of {}: {} followed; robots watched: {}; {}\n",
+                                   diagnostics::escape_for_display(loaded_->path), followed_count(), robots_.load(),
+                                   rules_.unit ? durations::second_text(rules_.unit) : "a time unit is a second");
     for (const std::string& reason : left_out_) text += fmt::format("  not followed: {}\n", reason);
     if (!given_up_.empty()) text += fmt::format("  robots were not followed to the end: {}\n", given_up_);
     for (const auto& [rule, robots] : open_)
@@ -183,22 +185,43 @@ std::string RuleGuard::summary_lines() const {
     return text;
 }
 
+namespace {
+
+/// Why the rules cannot be followed with these times; "" if they can.
+std::string refuse_unit(const std::optional<claims::DeclaredUnit>& declared, const RuleGuard& guard,
+                        const GuardedTimes& times, const diagnostics::SourceManager& sources) {
+    using durations::duration_text;
+    if (!times.unit) return "";
+    if (declared && declared->nanoseconds != *times.unit)
+        return fmt::format("one time unit is {} in the scenario, and {} in {}", duration_text(*times.unit),
+                           duration_text(declared->nanoseconds), sources.path_and_line(declared->span));
+    if (!guard.counts_seconds() || *times.unit == durations::second) return "";
+    return fmt::format(
+        "one time unit is {0} in the scenario, and the rules have limits in seconds: declare `unit {0}` in a .claims "
+        "file beside the rules or the model; without it, a second of the rules would be one time unit",
+        duration_text(*times.unit));
+}
+
+}  // namespace
+
 std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file, const cpp_emit::DriveEmission& emission,
-                                           std::uint32_t units, const Options& options, std::string& error) {
+                                           const GuardedTimes& times, const Options& options, std::string& error) {
     auto loaded = std::make_unique<driver::LoadedRules>();
     loaded->diagnostics.set_budget(&options.run->budget());
     for (const std::string& code : options.load.allowed) loaded->diagnostics.allow_code(code);
-    load_rules(file, *loaded);
+    const auto declared = driver::unit_beside({file, times.scenario}, loaded->sources, loaded->diagnostics);
+    load_rules(file, *loaded, declared ? durations::Unit(declared->nanoseconds) : std::nullopt);
     record_rules(*loaded, options);
     show_rule_findings(*loaded, options);
     if (!loaded->rules) {
         error = "the file has errors";
         return nullptr;
     }
-    auto guard = std::make_unique<RuleGuard>(std::move(loaded), emission, units);
-    if (guard->followed_count() > 0) return guard;
-    error = "the controller has the events of none of its rules";
-    return nullptr;
+    const diagnostics::SourceManager& sources = loaded->sources;
+    auto guard = std::make_unique<RuleGuard>(std::move(loaded), emission, times.units);
+    error = guard->followed_count() > 0 ? refuse_unit(declared, *guard, times, sources)
+                                        : "the controller has the events of none of its rules";
+    return error.empty() ? std::move(guard) : nullptr;
 }
 
 }  // namespace robochart::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Monitors the robots of a simulation with SLEEC rules (`simulate --monitor RULES.sleec`). The inputs and outputs of
-// each robot's controller must obey the rules. A time unit of the model is a second of the rules.
+// each robot's controller must obey the rules.
 #pragma once
 
 #include <atomic>
@@ -28,6 +28,8 @@ public:
     [[nodiscard]] std::string summary_lines() const override;
     /// The number of monitored rules. A rule is monitored if the controller has its events.
     [[nodiscard]] std::size_t followed_count() const { return rules_.rules.size(); }
+    /// True if a limit of the monitored rules is in seconds, and no time unit is declared.
+    [[nodiscard]] bool counts_seconds() const { return driver::counts_seconds(rules_); }
 
 private:
     class Watch;
@@ -51,10 +53,18 @@ private:
     std::atomic<std::uint64_t> robots_ = 0;
 };
 
-/// Null, with the reason in `error`, if the file is wrong or none of its rules is about the controller. Findings about
-/// the file are printed.
+/// The times of a scenario.
+struct GuardedTimes {
+    std::uint32_t units = 1;  ///< time units of the model in one cycle
+    durations::Unit unit;     ///< the length of a time unit in the scenario
+    std::string scenario;     ///< its path
+};
+
+/// Null, with the reason in `error`, if the file is wrong, if none of its rules is about the controller, or if a second
+/// of the rules is not a second of the scenario. Findings about the file are printed.
 [[nodiscard]] std::unique_ptr<RuleGuard> make_rule_guard(const std::string& file,
-                                                         const cpp_emit::DriveEmission& emission, std::uint32_t units,
-                                                         const Options& options, std::string& error);
+                                                         const cpp_emit::DriveEmission& emission,
+                                                         const GuardedTimes& times, const Options& options,
+                                                         std::string& error);
 
 }  // namespace robochart::app

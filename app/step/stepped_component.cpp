@@ -24,7 +24,7 @@ SteppedComponent::SteppedComponent(driver::Project& project, const std::string& 
                                    const Options& options)
     : emission_(emit_csp(project, options.claims, options.swarm, time)),
       session_(emission_.script, &options.run->budget()),
-      context_{emission_.provenance, project.system, project.instantiation, project.sources, session_},
+      context_{emission_.provenance, project.system, project.instantiation, project.sources, session_, project.unit},
       reader_(context_),
       stepper_(reader_, session_.process(process_of(emission_, name))) {}
 

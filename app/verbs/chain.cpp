@@ -11,6 +11,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/rules/claim_guard.hpp"
 #include "app/verbs/simulate.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
@@ -36,6 +37,7 @@ public:
             if (given)
                 project_.diagnostics.report(driver::rules::bad_option, {},
                                             {fmt::format("{} takes a scenario without a chain", option)});
+        refuse_followed_claims(simulation_.scenario, project_);
         if (!project_.diagnostics.ok()) return show_refusal();
         controller_ = build_controller(simulation_, options_);
         if (controller_ == nullptr || !project_.diagnostics.ok()) return show_refusal();

@@ -18,8 +18,8 @@
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
-#include "claims/monitor/account.hpp"
 #include "conformance/traces/trace_text.hpp"
+#include "driver/claims/followed_claim.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/model/project_claims.hpp"
 
@@ -28,6 +28,7 @@ namespace {
 
 using claims::CheckedClaim;
 using conformance::TraceToken;
+using driver::FollowedClaim;
 
 /// A claim that a run breaks, or about which the run says nothing certain.
 struct LoggedClaim {
@@ -44,105 +45,6 @@ struct ClaimLogReport {
     std::vector<std::string> errors;
 };
 constexpr std::size_t most_reported = 100;
-
-/// An exact number, a truth value or a literal; no value for other texts.
-std::optional<claims::Fraction> value_of(std::string_view text, const ir::Type& type) {
-    if (type.kind == ir::TypeKind::boolean) {
-        if (text == "true" || text == "false") return claims::Fraction(text == "true" ? 1 : 0);
-        return std::nullopt;
-    }
-    if (type.kind == ir::TypeKind::enumeration) {
-        const auto found = std::ranges::find(type.labels, text);
-        if (found == type.labels.end()) return std::nullopt;
-        return claims::Fraction(found - type.labels.begin());
-    }
-    const bool negative = text.starts_with("-");
-    if (negative) text.remove_prefix(1);
-    const bool number =
-        !text.empty() && std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
-    if (!number || std::ranges::count(text, '.') > 1) return std::nullopt;
-    try {
-        return claims::Fraction(negative ? -1 : 1) * claims::Fraction::of_decimal(text);
-    } catch (const claims::NotComputable&) {
-        return std::nullopt;
-    }
-}
-
-/// Follows one claim along one run.
-class FollowedClaim {
-public:
-    FollowedClaim(const CheckedClaim& claim, const ir::System& system, std::optional<std::int64_t> unit)
-        : claim_(claim), system_(system), account_(claim, unit) {}
-
-    /// `name`: without mark; `values`: the texts behind the marks.
-    void observe(std::string_view name, bool input, const std::vector<std::string>& values, std::uint64_t line) {
-        const auto& channels = claim_.component.channels;
-        for (std::size_t i = 0; i < channels.size(); ++i) {
-            if (channels[i].name != name || (channels[i].kind == claims::ChannelKind::input) != input) continue;
-            observe_channel(i, values, line);
-        }
-    }
-    void tock(std::uint64_t line) {
-        account_.tock();
-        note(line);
-    }
-    void end(std::uint64_t line) {
-        account_.end();
-        note(line);
-    }
-    void give_up(std::string why) {
-        if (!is_broken() && unknown_.empty()) unknown_ = std::move(why);
-    }
-
-    [[nodiscard]] bool is_broken() const { return !reasons_.empty(); }
-    [[nodiscard]] std::uint64_t line() const { return line_; }
-    [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
-    [[nodiscard]] const std::string& unknown() const { return unknown_; }
-    [[nodiscard]] const CheckedClaim& claim() const { return claim_; }
-
-private:
-    void observe_channel(std::size_t channel, const std::vector<std::string>& values, std::uint64_t line) {
-        const claims::Channel& of = claim_.component.channels[channel];
-        claims::Occurrence occurrence{channel, {}};
-        std::string text = of.name;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            text += (i == 0 ? "(" : ", ") + values[i] + (i + 1 == values.size() ? ")" : "");
-        for (std::size_t i = 0; i < of.types.size(); ++i) {
-            const auto value = i < values.size() ? value_of(values[i], system_.type(of.types[i])) : std::nullopt;
-            if (!value && reads_values(channel))
-                return give_up(fmt::format("{} has a value that no condition reads", text));
-            occurrence.values.push_back(value.value_or(claims::Fraction()));
-        }
-        try {
-            account_.observe(occurrence, text);
-        } catch (const claims::NotComputable& error) {
-            give_up(error.what());
-        }
-        note(line);
-    }
-    [[nodiscard]] bool reads_values(std::size_t channel) const {
-        if (std::ranges::find(claim_.remembered, channel) != claim_.remembered.end()) return true;
-        const auto reads = [&](const claims::Events& events) {
-            return std::ranges::any_of(events.any, [&](const claims::EventMatch& match) {
-                return match.condition && std::ranges::find(match.channels, channel) != match.channels.end();
-            });
-        };
-        return reads(claim_.scope.first) || reads(claim_.scope.last) || reads(claim_.body.events) ||
-               reads(claim_.body.others) || reads(claim_.body.exceptions);
-    }
-    void note(std::uint64_t line) {
-        if (!account_.is_broken() || is_broken() || !unknown_.empty()) return;
-        line_ = line;
-        reasons_ = account_.reasons();
-    }
-
-    const CheckedClaim& claim_;
-    const ir::System& system_;
-    claims::Account account_;
-    std::uint64_t line_ = 0;
-    std::vector<std::string> reasons_;
-    std::string unknown_;
-};
 
 /// One log and the claims of one project.
 class ClaimLog {
@@ -183,6 +85,7 @@ private:
 
     /// Only claims about the component of the log are followed.
     void begin(const std::vector<TraceToken>& tokens, std::uint64_t line) {
+        conformance::compare_units(header_, project_.unit);
         name_.clear();
         for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
         begun_ = line;
@@ -191,9 +94,7 @@ private:
         for (const CheckedClaim& claim : of.checked.claims) {
             const std::string& path = claim.component.path;
             if (path != header_.component && !path.ends_with("::" + header_.component)) continue;
-            followed_.emplace_back(claim, project_.system, of.checked.unit);
-            if (claim.body.kind == claims::BodyKind::possible)
-                followed_.back().give_up("one run does not show what other runs do");
+            followed_.emplace_back(claim, project_.system, project_.unit);
             for (const std::string& word : header_.unobserved) hide(followed_.back(), word);
         }
     }
@@ -294,10 +195,7 @@ void read_log(const driver::Project& project, const std::string& path, ClaimLogR
     try {
         ClaimLog(project, path, report, options).read(in);
     } catch (const conformance::TraceFault& fault) {
-        const std::string found = fault.arguments.size() > 1 ? fault.arguments[1] : "something else";
-        report.errors.push_back(fmt::format("{}: expected {}, found {}", shown,
-                                            fault.arguments.empty() ? "a log" : fault.arguments[0],
-                                            diagnostics::escape_for_display(found)));
+        report.errors.push_back(fmt::format("{}: {}", shown, conformance::fault_text(fault)));
     }
 }
 

@@ -18,6 +18,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/text.hpp"
 #include "checker/cspm/syntax/lexer.hpp"
+#include "csp_emit/base/names.hpp"
 #include "frontend/syntax/lexer.hpp"
 
 namespace robochart::app {
@@ -86,7 +87,11 @@ std::vector<NewFile> files_of(const std::string& name, const Options& options) {
     const auto text = [&](std::string_view path) {
         return diagnostics::fill_template(template_text(path), {{"COMMANDS", commands}, {"NAME", name}});
     };
-    std::vector<NewFile> files{{name + ".rct", text("model.rct")}, {name + ".assertions", text("model.assertions")}};
+    // Scripts rename a package whose name has a meaning in CSPM, and claims about it are not decided.
+    const std::string claims = csp_emit::is_reserved(name) ? "unit 0.1 s\n" : text("model.claims");
+    std::vector<NewFile> files{{name + ".rct", text("model.rct")},
+                               {name + ".assertions", text("model.assertions")},
+                               {name + ".claims", claims}};
     if (options.init.simulation) files.push_back({name + ".scenario", text("model.scenario")});
     if (options.init.ros2) files.push_back({name + ".ros2", text("model.ros2")});
     files.push_back({"README.md", text("README.md"), true});

@@ -17,6 +17,7 @@
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/rules/claim_guard.hpp"
 #include "app/rules/record_rules.hpp"
 #include "app/rules/rule_guard.hpp"
 #include "app/rules/show_findings.hpp"
@@ -212,7 +213,9 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Proj
         return made == nullptr ? nullptr : std::make_unique<Monitors>(std::move(made), emission);
     }
     std::string error;
-    auto guard = make_rule_guard(options.simulate.guarding_rules, emission, cycle, options, error);
+    const GuardedTimes times{cycle, durations::nanoseconds_of_seconds(simulation.scenario.time_unit),
+                             options.load.inputs.front()};
+    auto guard = make_rule_guard(options.simulate.guarding_rules, emission, times, options, error);
     if (guard == nullptr)
         simulation.project->diagnostics.report(
             driver::rules::bad_option, {},
@@ -222,8 +225,46 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Proj
 
 }  // namespace
 
+namespace {
+
+/// Two guards of the same robots.
+class BothGuards final : public simulation::Guard {
+public:
+    BothGuards(std::unique_ptr<Guard> inner, std::unique_ptr<ClaimGuard> claims)
+        : inner_(std::move(inner)), claims_(std::move(claims)) {}
+    [[nodiscard]] Maker make_observer(Maker other) override {
+        return claims_->make_observer(inner_->make_observer(std::move(other)));
+    }
+    [[nodiscard]] std::string summary_lines() const override {
+        return inner_->summary_lines() + claims_->summary_lines();
+    }
+
+private:
+    std::unique_ptr<Guard> inner_;
+    std::unique_ptr<ClaimGuard> claims_;
+};
+
+std::unique_ptr<simulation::Guard> make_monitors(Simulation& simulation, const Options& options);
+
+}  // namespace
+
 std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Options& options) {
-    if (!options.simulate.monitor) return nullptr;
+    auto monitors = make_monitors(simulation, options);
+    if (!simulation.project->diagnostics.ok()) return nullptr;
+    std::vector<FollowedKind> kinds;
+    for (std::size_t kind = 0; kind < simulation.scenario.kind_count(); ++kind)
+        kinds.push_back({&simulation.project_of(kind), &simulation.emission_of(kind)});
+    auto claims = make_claim_guard(simulation.scenario, std::move(kinds), *simulation.project, options);
+    if (claims == nullptr) return monitors;
+    if (monitors == nullptr) return claims;
+    return std::make_unique<BothGuards>(std::move(monitors), std::move(claims));
+}
+
+namespace {
+
+/// The monitors of the model or of rules.
+std::unique_ptr<simulation::Guard> make_monitors(Simulation& simulation, const Options& options) {
+    if (!options.simulate.monitor || options.simulate.guarding_rules.ends_with(".claims")) return nullptr;
     const simulation::Scenario& scenario = simulation.scenario;
     std::vector<std::unique_ptr<simulation::Guard>> guards;
     for (std::size_t kind = 0; kind < scenario.kind_count(); ++kind) {
@@ -235,8 +276,6 @@ std::unique_ptr<simulation::Guard> make_guard(Simulation& simulation, const Opti
     if (!scenario.has_others()) return std::move(guards.front());
     return std::make_unique<KindGuards>(scenario, std::move(guards));
 }
-
-namespace {
 
 /// Writes the monitor of one rule file. Returns false, after printing the error, if there is none.
 bool write_rule_monitor(const std::string& file, driver::Project& output, const Options& options, Report& report) {

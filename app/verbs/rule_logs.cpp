@@ -19,6 +19,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
 #include "conformance/traces/trace_text.hpp"
+#include "driver/model/claim_files.hpp"
 #include "driver/rules/rule_claims.hpp"
 #include "driver/rules/rule_run.hpp"
 #include "sleec/obligations/samples.hpp"
@@ -41,6 +42,8 @@ struct RuleLogReport {
     std::uint64_t logs = 0, runs = 0, seconds = 0, accepted = 0, broken = 0, open = 0;
     std::vector<LoggedRun> reported;  ///< the first runs that are not accepted
     std::vector<std::string> errors;
+    durations::Unit unit;         ///< the length of a `tock`, if it is declared
+    bool counts_seconds = false;  ///< a limit is in seconds, and no unit is declared
 };
 constexpr std::size_t most_reported = 100;
 
@@ -85,6 +88,9 @@ private:
 
     void begin(const std::vector<TraceToken>& tokens, std::uint64_t line, const conformance::TraceHeader& header) {
         end();
+        conformance::compare_units(header, of_.rules.unit);
+        if (of_.rules.unit) report_.unit = of_.rules.unit;
+        if (driver::counts_seconds(of_.rules)) report_.counts_seconds = true;
         hidden_.clear();
         for (const std::string& word : header.unobserved)
             if (!words_.events_of_word(word).empty()) hidden_ = word;
@@ -173,10 +179,8 @@ void read_log(const driver::LoadedRules& of, const std::string& path, RuleLogRep
     try {
         RuleLog(of, path, report, options).read(in);
     } catch (const conformance::TraceFault& fault) {
-        const std::string found = fault.arguments.size() > 1 ? fault.arguments[1] : "something else";
-        report.errors.push_back(fmt::format("{}: expected {}, found {}", diagnostics::escape_for_display(path),
-                                            fault.arguments.empty() ? "a log" : fault.arguments[0],
-                                            diagnostics::escape_for_display(found)));
+        report.errors.push_back(
+            fmt::format("{}: {}", diagnostics::escape_for_display(path), conformance::fault_text(fault)));
     }
 }
 
@@ -195,9 +199,11 @@ void print_logs(const RuleLogReport& report) {
     }
     for (const std::string& error : report.errors) print_error("robochart-verify: {}\n", error);
     print("an input counts as an event of the rules when it is raised, also if the controller misses it\n");
+    if (report.unit || report.counts_seconds) print("{}\n", durations::second_text(report.unit));
+    const std::string time = count_text(report.seconds, report.unit ? "time unit" : "second");
     print("{} in {}, {}: {} obey the rules, {} do not, {} inconclusive\n", count_text(report.runs, "run"),
-          count_text(report.logs, "log"), count_text(report.seconds, "second"), with_commas(report.accepted),
-          with_commas(report.broken), with_commas(report.open));
+          count_text(report.logs, "log"), time, with_commas(report.accepted), with_commas(report.broken),
+          with_commas(report.open));
 }
 
 diagnostics::Json logged_json(const LoggedRun& logged) {
@@ -212,7 +218,8 @@ std::string logs_json(const RuleLogReport& report) {
     const diagnostics::Json json{{"schema", "robochart-verify/rule-traces/1"},
                                  {"logs", report.logs},
                                  {"runs", report.runs},
-                                 {"seconds", report.seconds},
+                                 {report.unit ? "timeUnits" : "seconds", report.seconds},
+                                 {"unitNanoseconds", diagnostics::json_or_null(report.unit)},
                                  {"accepted", report.accepted},
                                  {"broken", report.broken},
                                  {"inconclusive", report.open},
@@ -231,7 +238,8 @@ Exit conform_rules(const Options& options) {
     for (const std::string& file : options.load.inputs) {
         driver::LoadedRules loaded;
         loaded.diagnostics.set_budget(&options.run->budget());
-        load_rules(file, loaded);
+        const auto unit = driver::unit_beside({file}, loaded.sources, loaded.diagnostics);
+        load_rules(file, loaded, unit ? durations::Unit(unit->nanoseconds) : std::nullopt);
         record_rules(loaded, options);
         show_rule_findings(loaded, options);
         if (!loaded.rules) {

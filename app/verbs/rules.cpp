@@ -17,6 +17,7 @@
 #include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "driver/model/claim_files.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/rules/model_rules.hpp"
 #include "driver/rules/rule_claims.hpp"
@@ -44,7 +45,8 @@ public:
 
     Exit operator()() {
         const diagnostics::Budget::Phase phase(options_.run->budget(), "reading " + options_.load.inputs.front());
-        load_rules(options_.load.inputs.front(), loaded_);
+        read_unit();
+        load_rules(options_.load.inputs.front(), loaded_, report_->unit);
         record_rules(loaded_, options_);
         show_rule_findings(loaded_, options_);
         if (!loaded_.rules || (options_.load.deny_warnings && loaded_.diagnostics.warning_count() > 0))
@@ -62,6 +64,14 @@ public:
     }
 
 private:
+    /// Rules alone are compared second by second. With a model, seconds are those of its time unit.
+    void read_unit() {
+        if (options_.load.inputs.size() < 2) return;
+        const auto unit = driver::unit_beside(options_.load.inputs, loaded_.sources, loaded_.diagnostics);
+        const auto edit = options_.run->edit();
+        if (unit) report_->unit = unit->nanoseconds;
+    }
+
     /// Ends the run of a rejected file. The findings have been printed as text; documents for programs contain them
     /// too.
     Exit end_refused(const diagnostics::Diagnostics& findings, const diagnostics::SourceManager& sources, Exit exit) {

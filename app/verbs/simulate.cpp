@@ -21,12 +21,15 @@
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/pages/simulation_html.hpp"
+#include "app/rules/claim_guard.hpp"
 #include "app/verbs/monitor.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json.hpp"
 #include "base/diagnostics/spelling.hpp"
+#include "driver/model/claim_files.hpp"
+#include "driver/model/project_claims.hpp"
 #include "driver/settings/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "simulation/report/report.hpp"
@@ -38,6 +41,29 @@
 namespace robochart::app {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The time unit that is declared beside the scenario or the models that it names.
+std::optional<claims::DeclaredUnit> declared_unit(driver::Project& project, diagnostics::SourceId source,
+                                                  const Options& options) {
+    diagnostics::Diagnostics reported_later;
+    const simulation::Scenario scenario = simulation::read_scenario(project.sources, source, reported_later);
+    std::vector<std::string> paths{options.load.inputs.front()};
+    for (std::size_t i = 0; i < scenario.controller_count(); ++i)
+        paths.push_back(model_of(scenario, options.load.inputs.front(), i));
+    return driver::unit_beside(paths, project.sources, project.diagnostics);
+}
+
+/// The time unit of a scenario must be the declared one.
+void compare_units(const simulation::Scenario& scenario, const std::optional<claims::DeclaredUnit>& declared,
+                   driver::Project& project) {
+    const auto unit = durations::nanoseconds_of_seconds(scenario.time_unit);
+    if (!declared || !unit || !scenario.unit_span.is_known() || *unit == declared->nanoseconds) return;
+    claims::report_difference(*declared, {*unit, scenario.unit_span}, project.sources, project.diagnostics);
+}
+
+}  // namespace
+
 simulation::Scenario read_scenario_of(driver::Project& project, const Options& options) {
     std::string error;
     const auto source = project.sources.load_file(options.load.inputs.front(), error);
@@ -47,7 +73,11 @@ simulation::Scenario read_scenario_of(driver::Project& project, const Options& o
             {options.load.inputs.front(), error + driver::files_inside(options.load.inputs.front(), ".scenario")});
         return {};
     }
-    simulation::Scenario scenario = simulation::read_scenario(project.sources, *source, project.diagnostics);
+    const auto declared = declared_unit(project, *source, options);
+    simulation::Scenario scenario =
+        simulation::read_scenario(project.sources, *source, project.diagnostics,
+                                  declared ? durations::Unit(declared->nanoseconds) : std::nullopt);
+    compare_units(scenario, declared, project);
     if (options.simulate.trials > 0) scenario.set_trials(options.simulate.trials);
     if (options.simulate.seed) scenario.seed = *options.simulate.seed;
     record_text(project.sources, *source, options);
@@ -145,7 +175,8 @@ cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& 
 /// findings are shown.
 bool load_other(Simulation& simulation, std::size_t number, const Options& options) {
     OtherController other;
-    const driver::Settings settings = settings_for(simulation.scenario, options, number);
+    driver::Settings settings = settings_for(simulation.scenario, options, number);
+    if (follows_claims(simulation.scenario, options)) settings.load.claims = driver::ClaimUse::read;
     other.model = settings.load.inputs.front();
     other.project = driver::load_project(settings, options.run->budget());
     record_project(*other.project, settings, options);
@@ -295,6 +326,21 @@ simulation::Guard::Maker log_maker(const Simulation& simulation, const Options& 
 
 }  // namespace
 
+namespace {
+
+/// Trials follow claims only if they are read.
+void add_claims(const driver::Project& project, diagnostics::Hasher& hasher) {
+    if (project.claims->ignored) return;
+    hasher.add(static_cast<std::uint64_t>(project.unit.value_or(0)));
+    for (const claims::CheckedClaim& claim : project.claims->checked.claims) {
+        hasher.add(claim.name);
+        hasher.add(claim.component.path);
+        hasher.add(claim.wording);
+    }
+}
+
+}  // namespace
+
 void add_trials(const Simulation& simulation, diagnostics::Hasher& hasher) {
     hasher.add(simulation.project->sources.source_text(simulation.scenario.name.span.source));
     for (const std::string& drawing : simulation.scenario.drawings) hasher.add(drawing);
@@ -306,6 +352,8 @@ void add_trials(const Simulation& simulation, diagnostics::Hasher& hasher) {
     };
     add(simulation.emission);
     for (const OtherController& other : simulation.others) add(other.emission);
+    add_claims(*simulation.project, hasher);
+    for (const OtherController& other : simulation.others) add_claims(*other.project, hasher);
 }
 
 simulation::Drives drives_of(const Simulation& simulation, const simulation::Controller& first) {
@@ -370,7 +418,12 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
         simulation->project->diagnostics.report(driver::rules::bad_option, {}, {"one scenario at a time"});
     if (simulation->project->diagnostics.ok()) check_addresses(*simulation->project, simulation->scenario, options);
     if (!simulation->project->diagnostics.ok()) return simulation;
-    const driver::Settings model = settings_for(simulation->scenario, options, 0);
+    driver::Settings model = settings_for(simulation->scenario, options, 0);
+    if (follows_claims(simulation->scenario, options)) {
+        model.load.claims = driver::ClaimUse::read;
+        const std::string& file = options.simulate.guarding_rules;
+        if (file.ends_with(".claims")) model.load.inputs.push_back(file);
+    }
     simulation->project = driver::load_project(model, options.run->budget());
     record_project(*simulation->project, model, options);
     if (!is_acceptable(*simulation->project, options.load)) return simulation;
@@ -456,11 +509,13 @@ Exit simulate(const Options& options, const OtherStage& stage) {
 
 /// Moves a rule file from the inputs to the option --monitor, so that it guards the trials.
 Options with_guarding_rules(Options options) {
-    const auto is_rules = [](const std::string& input) { return input.ends_with(".sleec"); };
+    const auto is_rules = [](const std::string& input) {
+        return input.ends_with(".sleec") || input.ends_with(".claims");
+    };
     for (const std::string& input : options.load.inputs) {
         if (!is_rules(input)) continue;
-        if (!options.simulate.monitor) throw UsageError("RULES.sleec needs --monitor");
-        if (!options.simulate.guarding_rules.empty()) throw UsageError("--monitor takes one file of rules");
+        if (!options.simulate.monitor) throw UsageError("RULES.sleec and MODEL.claims need --monitor");
+        if (!options.simulate.guarding_rules.empty()) throw UsageError("--monitor takes one file of rules or claims");
         options.simulate.guarding_rules = input;
     }
     std::erase_if(options.load.inputs, is_rules);

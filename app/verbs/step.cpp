@@ -126,7 +126,8 @@ void Console::settle_hidden() {
 
 void Console::show_state() {
     std::string heading = stepped_.name;
-    if (stepped_.time == csp_emit::Time::timed) heading += fmt::format(", t={}", stepper_.elapsed_time());
+    const durations::Unit unit = stepped_.project == nullptr ? std::nullopt : stepped_.project->unit;
+    if (stepped_.time == csp_emit::Time::timed) heading += ", " + durations::time_text(stepper_.elapsed_time(), unit);
     print("\n{}, step {}\n", heading, stepper_.steps_taken().size());
     const std::vector<runs::Machine> machines = stepper_.current_machines();
     for (const runs::Machine& machine : machines) {

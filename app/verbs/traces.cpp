@@ -174,7 +174,7 @@ private:
         if (entry.model == nullptr) return;
         entry.checker = std::make_unique<conformance::TraceChecker>(
             *entry.model, std::vector<std::string>{ir::qualified_name(component), component.path}, limits_,
-            project.sources);
+            project.sources, project.unit);
     }
 
     const std::vector<driver::Part>& parts_;

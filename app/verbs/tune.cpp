@@ -15,6 +15,7 @@
 #include "app/command/progress.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
+#include "app/rules/claim_guard.hpp"
 #include "app/verbs/simulate.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
@@ -312,6 +313,7 @@ private:
         }
         auto simulation = load_simulation(first);
         scenario_ = simulation->scenario;
+        refuse_followed_claims(scenario_, *simulation->project);
         project_ = std::move(simulation->project);
         others_ = std::move(simulation->others);
         if (!is_acceptable(*project_, options_.load)) return false;
@@ -553,6 +555,7 @@ private:
         if (!given_options_.instantiation.ranges.empty())
             report_option("the ranges are those of the certificate: no --range beside it");
         scenario_ = read_scenario_of(*project_, options_);
+        refuse_followed_claims(scenario_, *project_);
         if (!project_->diagnostics.ok()) return show_refusal();
         options_.run->recorder().set_seed(scenario_.seed);
         for (const auto& [name, value] : certified->constants)

@@ -53,5 +53,8 @@ Exit conform_rules(const Options&);
 Exit conform_claims(const Options&);
 /// emit monitor RULES.sleec: writes monitor/RULES/… below the output folder; returns false if a file is wrong.
 [[nodiscard]] bool write_rule_monitors(const Options&, Report&);
+/// emit monitor MODEL.claims: writes monitor/CLAIM/… below the output folder; returns false if a file is wrong, or a
+/// claim has no monitor.
+[[nodiscard]] bool write_claim_monitors(const Options&, Report&);
 
 }  // namespace robochart::app

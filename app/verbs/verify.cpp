@@ -313,6 +313,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
     }
     cpp_emit::Options generator;
     generator.cycle_length = options.code.cycle;
+    generator.unit = project.unit;
     generator.sources = &project.sources;
     generator.target = options.code.target;
     generator.strategy = options.code.strategy;
@@ -716,8 +717,8 @@ Exit run_model(const Options& given) {
         keep_last_page(*parts, options, *report);
         return print_report(*report, options);
     });
-    if (options.verb == Verb::emit_monitor && rules) {
-        const bool written = write_rule_monitors(options, *report);
+    if (options.verb == Verb::emit_monitor && (rules || claims)) {
+        const bool written = claims ? write_claim_monitors(options, *report) : write_rule_monitors(options, *report);
         options.run->finish();
         const Exit exit = print_report(*report, options);
         return written ? exit : Exit::bad_input;

@@ -12,6 +12,7 @@
 #include "claims/checks/duration.hpp"
 #include "claims/checks/resolve_events.hpp"
 #include "claims/checks/rules.hpp"
+#include "claims/checks/unit.hpp"
 
 namespace robochart::claims {
 namespace {
@@ -34,7 +35,7 @@ public:
         : model_(model), sources_(sources), diagnostics_(diagnostics), components_(components_of(model.system)) {}
 
     CheckedClaims check(const std::vector<std::shared_ptr<const ClaimFile>>& files) {
-        for (const auto& file : files) check_unit(*file);
+        if (const auto unit = find_unit(files, sources_, diagnostics_)) result_.unit = unit->nanoseconds;
         std::set<std::string> names(model_.names.begin(), model_.names.end());
         for (const auto& file : files) {
             check_imports(*file);
@@ -52,30 +53,6 @@ public:
     }
 
 private:
-    void check_unit(const ClaimFile& file) {
-        if (!file.unit) return;
-        const Duration& unit = *file.unit;
-        const bool time = unit.unit != TimeUnit::none && unit.unit != TimeUnit::units;
-        const auto length = time && !unit.negative ? nanoseconds_of(unit) : std::nullopt;
-        if (!length || *length == 0) {
-            diagnostics_.report(rules::wrong_duration, unit.span,
-                                {"the length of a time unit is a time above 0, such as `unit 0.1 s`"});
-            return;
-        }
-        if (result_.unit && *result_.unit != *length) {
-            const auto report = [&](Span here, std::int64_t length_here, Span there, std::int64_t length_there) {
-                diagnostics_.report(
-                    rules::units_differ, here,
-                    {duration_text(length_here), duration_text(length_there), sources_.path_and_line(there)});
-            };
-            report(unit.span, *length, unit_span_, *result_.unit);
-            report(unit_span_, *result_.unit, unit.span, *length);
-            return;
-        }
-        result_.unit = length;
-        unit_span_ = unit.span;
-    }
-
     void check_imports(const ClaimFile& file) {
         for (const Import& import : file.imports) {
             const auto known = std::ranges::find(model_.packages, import.name.text);
@@ -181,7 +158,7 @@ private:
     }
 
     std::int64_t count_units(const Duration& duration) {
-        const UnitCount count = units_of(duration, result_.unit);
+        const durations::UnitCount count = units_of(duration, result_.unit);
         if (count.error.empty()) return count.units;
         diagnostics_.report(rules::wrong_duration, duration.span, {count.error});
         throw ClaimError{};
@@ -245,7 +222,6 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     std::vector<Component> components_;
     CheckedClaims result_;
-    Span unit_span_;
 };
 
 }  // namespace

@@ -4,16 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
+#include <utility>
 
 #include "claims/checks/fraction.hpp"
 
 namespace robochart::claims {
 namespace {
-
-constexpr std::int64_t millisecond = 1'000'000;
-constexpr std::int64_t second = 1000 * millisecond;
-constexpr std::int64_t longest = 100LL * 366 * 24 * 3600 * second;
 
 std::int64_t nanoseconds_of(TimeUnit unit) {
     switch (unit) {
@@ -21,28 +17,15 @@ std::int64_t nanoseconds_of(TimeUnit unit) {
         case TimeUnit::units:
             return 0;
         case TimeUnit::milliseconds:
-            return millisecond;
+            return durations::millisecond;
         case TimeUnit::seconds:
-            return second;
+            return durations::second;
         case TimeUnit::minutes:
-            return 60 * second;
+            return 60 * durations::second;
         case TimeUnit::hours:
-            return 3600 * second;
+            return 3600 * durations::second;
     }
     return 0;
-}
-
-std::string decimal_text(std::int64_t number, std::int64_t of_one) {
-    std::string result = fmt::format("{}", number / of_one);
-    std::int64_t rest = number % of_one;
-    if (rest == 0) return result;
-    result += '.';
-    while (rest != 0) {
-        rest *= 10;
-        result += static_cast<char>('0' + rest / of_one);
-        rest %= of_one;
-    }
-    return result;
 }
 
 }  // namespace
@@ -50,27 +33,15 @@ std::string decimal_text(std::int64_t number, std::int64_t of_one) {
 std::optional<std::int64_t> nanoseconds_of(const Duration& duration) {
     try {
         const Fraction result = Fraction::of_decimal(duration.number) * Fraction(nanoseconds_of(duration.unit));
-        if (!result.is_whole() || result.numerator() > longest) return std::nullopt;
+        if (!result.is_whole() || result.numerator() > durations::longest) return std::nullopt;
         return result.numerator();
     } catch (const NotComputable&) {
         return std::nullopt;
     }
 }
 
-std::string duration_text(std::int64_t nanoseconds) {
-    if (nanoseconds >= second || nanoseconds == 0) return decimal_text(nanoseconds, second) + " s";
-    return decimal_text(nanoseconds, millisecond) + " ms";
-}
-
-std::string units_text(std::int64_t units, std::optional<std::int64_t> unit) {
-    const std::string text = fmt::format("{} unit{}", units, units == 1 ? "" : "s");
-    std::int64_t nanoseconds = 0;
-    if (!unit || __builtin_mul_overflow(units, *unit, &nanoseconds)) return text;
-    return fmt::format("{} ({})", text, duration_text(nanoseconds));
-}
-
-UnitCount units_of(const Duration& duration, std::optional<std::int64_t> unit) {
-    const auto error = [](std::string text) { return UnitCount{0, std::move(text)}; };
+durations::UnitCount units_of(const Duration& duration, durations::Unit unit) {
+    const auto error = [](std::string text) { return durations::UnitCount{0, std::move(text)}; };
     if (duration.negative) return error("a duration is not negative");
     if (duration.unit == TimeUnit::none)
         return error(fmt::format("a duration has a unit: write `{} units`, or a time such as `{} s`", duration.number,
@@ -79,20 +50,14 @@ UnitCount units_of(const Duration& duration, std::optional<std::int64_t> unit) {
     if (duration.unit == TimeUnit::units) {
         const Fraction count = Fraction::of_decimal(duration.number);
         if (!count.is_whole()) return error("the number of time units is whole");
-        return count.numerator() > most_units ? error(most) : UnitCount{count.numerator(), ""};
+        return count.numerator() > most_units ? error(most) : durations::UnitCount{count.numerator(), ""};
     }
     if (!unit)
         return error(
             "how long is a time unit? Declare it before the claims, such as `unit 0.1 s`, or write `units` here");
     const std::optional<std::int64_t> length = nanoseconds_of(duration);
     if (!length) return error("the duration is finer than a nanosecond or longer than a century");
-    const std::int64_t below = *length / *unit;
-    if (below > most_units) return error(most);
-    if (*length % *unit == 0) return {below, ""};
-    return error(
-        fmt::format("{} is not a multiple of the time unit {}: the neighbours are {} and {}; `unit {}` would do",
-                    duration_text(*length), duration_text(*unit), duration_text(below * *unit),
-                    duration_text((below + 1) * *unit), duration_text(std::gcd(*length, *unit))));
+    return *length / *unit > most_units ? error(most) : durations::count_units(*length, *unit);
 }
 
 }  // namespace robochart::claims

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "claims/checks/duration.hpp"
+#include "base/durations/time_unit.hpp"
 
 namespace robochart::claims {
 
-Account::Account(const CheckedClaim& claim, std::optional<std::int64_t> unit)
+Account::Account(const CheckedClaim& claim, durations::Unit unit)
     : claim_(claim), monitor_(claim), unit_(unit), state_(monitor_.begin()), current_{0, "the start"} {
     if (state_.phase == Phase::inside && claim.scope.kind != ScopeKind::whole && claim.scope.kind != ScopeKind::before)
         scope_ = current_;
@@ -66,13 +66,11 @@ void Account::end() {
 }
 
 std::string Account::time_text(std::int64_t time) const {
-    std::int64_t length = 0;
-    if (!unit_ || __builtin_mul_overflow(time, *unit_, &length)) return fmt::format("t={}", time);
-    return fmt::format("t={} ({})", time, duration_text(length));
+    return durations::time_text(time, unit_);
 }
 
 std::string Account::units(std::int64_t count) const {
-    return units_text(count, unit_);
+    return durations::units_text(count, unit_);
 }
 
 std::string Account::moment_text(const Moment& moment) const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/durations/time_unit.hpp"
 #include "claims/monitor/monitor.hpp"
 
 namespace robochart::claims {
@@ -15,8 +16,7 @@ namespace robochart::claims {
 /// Follows a run of a component along with the monitor. Stores a reference to the claim.
 class Account {
 public:
-    /// `unit`: the nanoseconds of a time unit, if declared.
-    Account(const CheckedClaim& claim, std::optional<std::int64_t> unit);
+    Account(const CheckedClaim& claim, durations::Unit unit);
 
     /// `text`: the event for people, "goTo(3)".
     void observe(const Occurrence& event, const std::string& text);
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::vector<std::string> reasons_of_standstill() const;
     /// The sentences if time passes for ever from here on while something is owed.
     [[nodiscard]] std::vector<std::string> reasons_of_waiting() const;
-    /// "t=30 (3 s)".
+    /// "t=30 (3.0 s)".
     [[nodiscard]] std::string time_text(std::int64_t time) const;
 
 private:
@@ -51,7 +51,7 @@ private:
 
     const CheckedClaim& claim_;
     Monitor monitor_;
-    std::optional<std::int64_t> unit_;
+    durations::Unit unit_;
     MonitorState state_;
     std::int64_t now_ = 0;
     Moment current_;                 ///< the event that is being observed

@@ -29,10 +29,11 @@ struct TraceChecker::Form {
 };
 
 TraceChecker::TraceChecker(CyclicModel& model, std::vector<std::string> component, const refine::Limits& limits,
-                           const diagnostics::SourceManager& sources)
+                           const diagnostics::SourceManager& sources, durations::Unit unit)
     : model_(&model),
       component_(std::move(component)),
       limits_(limits),
+      unit_(unit),
       sources_(&sources),
       budget_(limits),
       alphabet_(model) {}
@@ -139,6 +140,7 @@ private:
             throw TraceFault{&rules::log_of_other,
                              {fmt::format("cycles of {} time units", header.cycle),
                               fmt::format("cycles of {}", model_.cycle_length())}};
+        compare_units(header, checker_.unit_);
         if (header.constants != constants_)
             throw TraceFault{&rules::log_of_other, {with_constants(header.constants), with_constants(constants_)}};
     }

@@ -63,9 +63,10 @@ struct LogReport {
 
 class TraceChecker {
 public:
-    /// `component` contains the names that logs may use for the component.
+    /// `component` contains the names that logs may use for the component; `unit` is the declared length of a time
+    /// unit.
     TraceChecker(CyclicModel&, std::vector<std::string> component, const refine::Limits&,
-                 const diagnostics::SourceManager&);
+                 const diagnostics::SourceManager&, durations::Unit unit = {});
     ~TraceChecker();
 
     /// Reads one log to its end, or to the first line that cannot be parsed. `constants` contains the constants of the
@@ -82,6 +83,7 @@ private:
     CyclicModel* model_;
     std::vector<std::string> component_;
     const refine::Limits& limits_;
+    durations::Unit unit_;
     const diagnostics::SourceManager* sources_;
     refine::Budget budget_;
     TraceAlphabet alphabet_;

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <istream>
 #include <utility>
 
+#include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/utf8.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/files/trace_names.hpp"
@@ -60,7 +62,29 @@ std::string constant_of(const std::vector<TraceToken>& tokens) {
     throw TraceFault{&rules::log_syntax, {"`const NAME=VALUE`", fmt::format("`const {}`", text)}, tokens[0].column, 5};
 }
 
+/// The length in `unit 0.1 s`; no value for other texts.
+durations::Unit unit_of(const std::vector<TraceToken>& tokens) {
+    if (tokens.size() != 3 || tokens[2].text != "s") return std::nullopt;
+    return durations::nanoseconds_of_seconds(tokens[1].text);
+}
+
 }  // namespace
+
+std::string fault_text(const TraceFault& fault) {
+    diagnostics::Diagnostic finding{fault.rule == nullptr ? &rules::log_syntax : fault.rule, {}, {}, {}, {}};
+    for (const std::string& argument : fault.arguments)
+        finding.arguments.push_back(diagnostics::escape_for_display(argument));
+    finding.arguments.resize(std::max<std::size_t>(finding.arguments.size(), 2), "something else");
+    return finding.message();
+}
+
+void compare_units(const TraceHeader& header, durations::Unit declared) {
+    if (!header.unit || !declared || *header.unit == *declared) return;
+    throw TraceFault{
+        &rules::log_of_other,
+        {fmt::format("time units of {}", durations::duration_text(*header.unit)),
+         fmt::format("time units of {}, as the claims file declares", durations::duration_text(*declared))}};
+}
 
 void split_line(std::string_view line, std::vector<TraceToken>& tokens) {
     tokens.clear();
@@ -93,8 +117,10 @@ bool read_header_line(const std::vector<TraceToken>& tokens, TraceHeader& header
             header.unobserved.emplace_back(tokens[i].text);
             header.unobserved_line.push_back(static_cast<std::uint32_t>(line));
         }
+    } else if (key == "unit") {
+        header.unit = unit_of(tokens);
     } else {
-        return key == "unit" || key == "seed" || key == "scenario";  // information for readers
+        return key == "seed" || key == "scenario";  // information for readers
     }
     return true;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "base/durations/time_unit.hpp"
 
 namespace robochart::conformance {
 
@@ -27,6 +28,9 @@ struct TraceFault {
     std::uint32_t length = 1;
 };
 
+/// "expected `run`, found `tock`": the message of a fault.
+[[nodiscard]] std::string fault_text(const TraceFault& fault);
+
 /// Splits `line` into words and drops its comment. Blanks inside brackets and quotes do not separate words.
 void split_line(std::string_view line, std::vector<TraceToken>& tokens);
 
@@ -36,12 +40,16 @@ struct TraceHeader {
     std::string robot;
     std::vector<std::string> constants;          ///< "pace=3": constants of the model in the recorded runs
     std::uint32_t cycle = 1;                     ///< number of time units in a control cycle
+    durations::Unit unit;                        ///< `unit 0.1 s`; other texts after `unit` are for readers
     std::vector<std::string> unobserved;         ///< "seeRobot?", "Move!"
     std::vector<std::uint32_t> unobserved_line;  ///< line of each, for errors
 };
 
 /// Reads one line of the header. Returns false if the line does not belong to the header. Throws TraceFault.
 [[nodiscard]] bool read_header_line(const std::vector<TraceToken>&, TraceHeader&, std::uint64_t line);
+
+/// Throws TraceFault if the log has time units of another length than the declared one.
+void compare_units(const TraceHeader& header, durations::Unit declared);
 
 /// Reads the lines of a stream without its byte order mark. A line has at most `longest` bytes.
 class LineReader {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "base/durations/time_unit.hpp"
 #include "cpp_emit/plan/fault.hpp"
 
 namespace robochart::cpp_emit {
@@ -76,6 +77,7 @@ struct Options {
     const ros2::Mapping* mapping = nullptr;
     PackageFacts package = {};
     bool mapping_draft = false;  ///< Target::ros2: the only file is a mapping to start from
+    durations::Unit unit = {};   ///< Target::ros2: the length of a time unit, if it is declared
     bool model_names = false;    ///< Target::ros2: nodes, topics and files have the names of the model, not snake_case
     /// For comments with file and line. If null, comments contain only the names of the model's elements.
     const diagnostics::SourceManager* sources = nullptr;

@@ -166,6 +166,7 @@ private:
         out_.line("#endif");
         out_.line(fmt::format("std::unique_ptr<{}Messages> robot_;", api_.cpp_name));
         out_.line("double seconds_ = 0;");
+        if (generation_.options.unit) out_.line("double scale_ = 1;");
         out_.line("::robochart::ros2::Pace pace_;");
         out_.line("std::string log_file_;");
         if (!constants_.empty())
@@ -218,8 +219,15 @@ private:
                               plan_.node));
         out_.line("seconds_ = ::robochart::ros2::declare_number(");
         out_.line(fmt::format(
-            "    *this, \"cycle\", 0.1, ::robochart::ros2::at_start(\"seconds of a control cycle{}\", 0.001, 3600.0));",
-            cycle_units()));
+            "    *this, \"cycle\", {}, ::robochart::ros2::at_start(\"seconds of a control cycle, which is {}\", "
+            "0.001, 3600.0));",
+            cycle_seconds(generation_.options), cycle_text(generation_.options)));
+        if (generation_.options.unit) {
+            out_.line("scale_ = ::robochart::ros2::declare_number(");
+            out_.line(
+                "    *this, \"cycle_scale\", 1.0, ::robochart::ros2::at_start(\"how many times as long as declared the "
+                "time units of the model last\", 0.001, 1000.0));");
+        }
         out_.line("log_file_ = declare_parameter(");
         out_.line(
             "    \"log\", std::string(), ::robochart::ros2::at_start(\"file for a log of what the controller "
@@ -258,11 +266,6 @@ private:
         out_.close();
     }
 
-    [[nodiscard]] std::string cycle_units() const {
-        const std::uint32_t units = generation_.options.cycle_length;
-        return fmt::format(", which is {} time unit{} of the model", units, units == 1 ? "" : "s");
-    }
-
     [[nodiscard]] std::string parameter_value(const NodeConstant& constant) const {
         const ir::Type& type = generation_.system.type(constant.type);
         const std::string text = deployed_value(generation_, core_, constant.type, constant.value);
@@ -296,11 +299,42 @@ private:
             "seconds_);");
         out_.line("return CallbackReturn::FAILURE;");
         out_.close();
+        write_unit_check();
         out_.line("robot_->reset();");
         out_.line("if (!open_log()) return CallbackReturn::FAILURE;");
         for (const Topic& topic : plan_.topics) write_connection(topic);
         out_.line("return CallbackReturn::SUCCESS;");
         out_.close();
+    }
+
+    /// Clocks and timeouts count time units, so the parameter `cycle` changes them. It must not do so silently.
+    void write_unit_check() {
+        const std::string usual = cycle_seconds(generation_.options);
+        const std::string text = cycle_text(generation_.options);
+        if (!generation_.options.unit) {
+            out_.line(
+                fmt::format("const double unit = seconds_ / {};", std::max(1U, generation_.options.cycle_length)));
+            out_.open(fmt::format("if (seconds_ >= {0} && seconds_ <= {0}) {{", usual));
+            out_.line("RCLCPP_INFO(get_logger(), \"a time unit of the model lasts %g s\", unit);");
+            out_.reopen_block("} else {");
+            out_.line(
+                fmt::format("RCLCPP_WARN(get_logger(), \"parameter cycle: a time unit of the model lasts %g s, so "
+                            "its clocks and timeouts are %g times as long as with {} s\", unit, seconds_ / {});",
+                            usual, usual));
+            return out_.close();
+        }
+        out_.line(fmt::format("const double declared = {} * scale_;", usual));
+        out_.open("if (!(seconds_ >= declared * (1 - 1e-9) && seconds_ <= declared * (1 + 1e-9))) {");
+        out_.line(
+            fmt::format("RCLCPP_ERROR(get_logger(), \"parameter cycle: a cycle is {}, and not %g s: the clocks and "
+                        "timeouts of the model would be %g times as long. The parameter cycle_scale allows it\", "
+                        "seconds_, seconds_ / {});",
+                        text, usual));
+        out_.line("return CallbackReturn::FAILURE;");
+        out_.close();
+        out_.line(
+            "if (!(scale_ >= 1 && scale_ <= 1)) RCLCPP_WARN(get_logger(), \"parameter cycle_scale: the clocks and "
+            "timeouts of the model are %g times as long as declared\", scale_);");
     }
 
     void write_connection(const Topic& topic) {

@@ -20,6 +20,10 @@ struct NodeConstant : OpenConstant {
 [[nodiscard]] std::string messages_header(const Generation&, const Core&, const ClassApi&, const NodePlan&);
 [[nodiscard]] std::string node_header(const Generation&, const Core&, const ClassApi&, const NodePlan&);
 [[nodiscard]] std::string node_source(const Generation&, const Core&, const ClassApi&, const NodePlan&);
+/// The usual length of a control cycle in seconds: "0.1".
+[[nodiscard]] std::string cycle_seconds(const Options&);
+/// "2 time units of the model (200 ms)".
+[[nodiscard]] std::string cycle_text(const Options&);
 /// The lines of the parameter file that list these constants.
 [[nodiscard]] std::string constant_lines(const Generation&, const Core&);
 

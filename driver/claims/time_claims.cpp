@@ -32,8 +32,8 @@ using csp_emit::Time;
 
 /// The context for converting counterexamples and steps to runs of the model.
 runs::Context reading_context(const ClaimContext& context) {
-    return {context.emission.provenance, context.project.system, context.project.instantiation, context.project.sources,
-            context.session};
+    return {context.emission.provenance, context.project.system, context.project.instantiation,
+            context.project.sources,     context.session,        context.project.unit};
 }
 
 void add(refine::Statistics& sum, const refine::Statistics& one) {

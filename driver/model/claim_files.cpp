@@ -94,14 +94,14 @@ void add_file(Project& project, const std::string& path, bool named) {
     std::string error;
     const auto source = project.sources.load_file(path, error);
     if (!source) {
-        project.diagnostics.report(frontend::syntax::unreadable, {}, {path, error});
+        if (!project.claims->ignored) project.diagnostics.report(frontend::syntax::unreadable, {}, {path, error});
         return;
     }
     diagnostics::Diagnostics findings;
     findings.set_budget(project.diagnostics.budget());
     auto file = std::make_shared<const ClaimFile>(claims::read(project.sources, *source, findings));
     if (!named && !is_about(*file, *project.model)) return;
-    project.diagnostics.add(findings);
+    if (!project.claims->ignored) project.diagnostics.add(findings);
     project.claims->files.push_back(std::move(file));
 }
 
@@ -123,11 +123,14 @@ std::vector<std::string> model_inputs(const std::vector<std::string>& inputs) {
 }
 
 void read_claim_files(Project& project, const LoadSettings& settings) {
+    project.claims->ignored = settings.claims == ClaimUse::ignore;
     for (const TextInput& input : settings.texts) {
         if (!is_claims(input.path)) continue;
         const diagnostics::SourceId source = project.sources.add(input.path, input.text);
+        diagnostics::Diagnostics findings;
         project.claims->files.push_back(
-            std::make_shared<const ClaimFile>(claims::read(project.sources, source, project.diagnostics)));
+            std::make_shared<const ClaimFile>(claims::read(project.sources, source, findings)));
+        if (!project.claims->ignored) project.diagnostics.add(findings);
     }
     if (!settings.texts.empty()) return;
     std::set<std::string> seen;
@@ -147,19 +150,50 @@ void read_claim_files(Project& project, const LoadSettings& settings) {
     }
 }
 
+std::optional<claims::DeclaredUnit> unit_beside(const std::vector<std::string>& paths,
+                                                diagnostics::SourceManager& sources,
+                                                diagnostics::Diagnostics& diagnostics) {
+    std::set<std::string> found;
+    for (const std::string& path : paths) {
+        std::error_code code;
+        const bool folder = fs::is_directory(path, code);
+        if (path == "-") continue;
+        for (std::string& file : claims_in(folder ? path : folder_of(path), folder)) found.insert(std::move(file));
+    }
+    std::vector<std::shared_ptr<const ClaimFile>> files;
+    for (const std::string& path : found) {
+        std::string error;
+        diagnostics::Diagnostics unreported;
+        unreported.set_budget(diagnostics.budget());
+        if (const auto source = sources.load_file(path, error))
+            files.push_back(std::make_shared<const ClaimFile>(claims::read(sources, *source, unreported)));
+    }
+    return claims::find_unit(files, sources, diagnostics);
+}
+
 void divide_claim_files(const std::vector<std::shared_ptr<const ClaimFile>>& files, const std::vector<Part>& parts) {
     for (const auto& file : files) {
         std::vector<Project*> about;
         for (const Part& part : parts)
             if (!part.again && is_about(*file, *part.project->model)) about.push_back(part.project.get());
         const bool many = about.size() > 1 && file->imports.empty() && !names_components(*file);
-        if (many && !file->claims.empty())
+        const bool ignored = parts.front().project->claims->ignored;
+        if (many && !ignored && !file->claims.empty())
             about.front()->diagnostics.report(claims::rules::unknown_component, file->claims.front().name.span,
                                               {"which model are these claims about? Write `import PACKAGE::*` before "
                                                "them, or `claim NAME of COMPONENT : ...`"});
         if (about.empty()) about.push_back(parts.front().project.get());
         for (Project* const project : about) project->claims->files.push_back(file);
     }
+}
+
+void find_unit(Project& project) {
+    diagnostics::Diagnostics unreported;
+    diagnostics::Diagnostics& findings = project.claims->ignored ? project.diagnostics : unreported;
+    const auto unit = claims::find_unit(project.claims->files, project.sources, findings);
+    if (!unit) return;
+    project.unit = unit->nanoseconds;
+    project.unit_place = unit->span;
 }
 
 std::vector<ClaimName> all_claims_of(const Project& project) {
@@ -170,7 +204,7 @@ std::vector<ClaimName> all_claims_of(const Project& project) {
 }
 
 void check_claim_files(Project& project, const ir::System& system) {
-    if (project.claims->files.empty()) return;
+    if (project.claims->files.empty() || project.claims->ignored) return;
     const std::set<std::string> packages = packages_of(*project.model);
     claims::ClaimedModel model{system, {packages.begin(), packages.end()}, {}};
     for (const ClaimName& claim : claims_of(*project.model)) model.names.push_back(claim.name);

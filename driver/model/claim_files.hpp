@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "claims/checks/unit.hpp"
 #include "claims/syntax/syntax.hpp"
 #include "driver/model/project.hpp"
 #include "driver/settings/settings.hpp"
@@ -17,8 +19,19 @@ namespace robochart::driver {
 [[nodiscard]] std::vector<std::string> model_inputs(const std::vector<std::string>& inputs);
 
 /// Reads the claims files of the inputs into the project, whose model has been read: those below a folder, those beside
-/// a file that are about its model, and those that are inputs.
+/// a file that are about its model, and those that are inputs. If the settings ignore claims, only their time unit is
+/// used, and their errors are not reported.
 void read_claim_files(Project& project, const LoadSettings& settings);
+
+/// Sets the project's time unit from its claims files. Errors of the declarations are reported here only if claims are
+/// ignored, otherwise with the claims.
+void find_unit(Project& project);
+
+/// The time unit that claims files beside these files, or below these folders, declare. Errors of the declarations are
+/// reported; other errors of the files are not.
+[[nodiscard]] std::optional<claims::DeclaredUnit> unit_beside(const std::vector<std::string>& paths,
+                                                              diagnostics::SourceManager& sources,
+                                                              diagnostics::Diagnostics& diagnostics);
 
 /// Gives each claims file of the whole project to the part that it is about. A file that may be about several parts is
 /// an error.

@@ -203,6 +203,9 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
                                                    : part->sources.add(whole.sources.path(source), other->second));
     }
     part->name = name;
+    part->unit = whole.unit;
+    part->unit_place = whole.unit_place;
+    part->claims->ignored = whole.claims->ignored;
     prepare_project(*part, settings, whole.diagnostics.budget());
     part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
     // If the whole project has errors in these texts, its findings are used, because a name that is unknown here may be
@@ -261,7 +264,7 @@ std::unique_ptr<Project> read(const LoadSettings& settings, diagnostics::Budget&
     project->model = settings.texts.empty()
                          ? frontend::load_project(project->sources, model_inputs(settings.inputs), project->diagnostics)
                          : load_given(*project, settings.texts);
-    if (settings.claims != ClaimUse::ignore) read_claim_files(*project, settings);
+    read_claim_files(*project, settings);
     return settings.claims == ClaimUse::ignore ? without_broken_assertions(std::move(project), settings)
                                                : std::move(project);
 }
@@ -307,6 +310,7 @@ std::vector<Part> split_project(std::unique_ptr<Project> whole, const LoadSettin
         parts.front().project->diagnostics.add(findings.findings_in_texts(claims));
     }
     if (parts.empty()) parts.push_back({std::move(whole), false});
+    for (const Part& part : parts) find_unit(*part.project);
     return parts;
 }
 
@@ -322,6 +326,8 @@ std::unique_ptr<Project> with_data(const Project& project, ir::System system, ir
     result->label = project.label;
     result->folder = project.folder;
     result->shared_names = project.shared_names;
+    result->unit = project.unit;
+    result->unit_place = project.unit_place;
     result->diagnostics.set_budget(project.diagnostics.budget());
     result->system = std::move(system);
     result->instantiation = std::move(instantiation);
@@ -352,6 +358,7 @@ std::unique_ptr<Project> load_project(const Settings& settings, diagnostics::Bud
     const auto start = std::chrono::steady_clock::now();
     std::vector<Part> parts;
     parts.push_back({read(settings.load, budget), false});
+    find_unit(*parts.front().project);
     instantiate_parts(parts, settings);
     check_claims(parts);
     parts.front().project->seconds = seconds_since(start);

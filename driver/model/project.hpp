@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "base/durations/time_unit.hpp"
 #include "csp_emit/emit.hpp"
 #include "frontend/syntax/ast.hpp"
 #include "semantics/data/class_model.hpp"
@@ -36,6 +37,8 @@ struct Project {
     diagnostics::Diagnostics diagnostics;
     std::unique_ptr<frontend::Model> model;
     std::shared_ptr<ProjectClaims> claims = make_project_claims();  ///< of its claims files; never null
+    durations::Unit unit;                                           ///< if its claims files declare it
+    diagnostics::Span unit_place;                                   ///< of the declaration
     ir::System system;
     ir::InstantiationOptions asked;  ///< options for its instantiation
     ir::Instantiation instantiation;

@@ -19,6 +19,7 @@ struct ScriptedClaim {
 };
 
 struct ProjectClaims {
+    bool ignored = false;                                         ///< only their time unit is used
     std::vector<std::shared_ptr<const claims::ClaimFile>> files;  ///< as read
     claims::CheckedClaims checked;                                ///< resolved in the project's system
     std::vector<ScriptedClaim> scripted;                          ///< by the numbers of the resolved claims

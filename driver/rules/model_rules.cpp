@@ -55,8 +55,9 @@ public:
     [[nodiscard]] std::string breaking_event() const { return event_of(breaking_) ? breaking_ : ""; }
     [[nodiscard]] std::string break_text(const std::string& place) const {
         const auto event = event_of(breaking_);
-        return event ? fmt::format("{} comes at second {}{}", of_.rules.event_name(*event), at_, place)
-                     : fmt::format("second {} ends without it", at_);
+        const std::string instant = sleec::instant_text(of_.rules, at_);
+        return event ? fmt::format("{} comes at {}{}", of_.rules.event_name(*event), instant, place)
+                     : fmt::format("{} ends without it", instant);
     }
     [[nodiscard]] std::int64_t current_second() const { return now_; }
     [[nodiscard]] std::optional<std::size_t> event_of(const std::string& name) const {
@@ -147,9 +148,10 @@ private:
         csp_emit::Obligation claim;
         claim.kind = ir::PropertyKind::conforms;
         claim.time = csp_emit::Time::timed;
-        judged.run = runs::interpret_counterexample({of_.emission_.provenance, of_.project_.system,
-                                                     of_.project_.instantiation, of_.project_.sources, *session_},
-                                                    claim, run);
+        judged.run =
+            runs::interpret_counterexample({of_.emission_.provenance, of_.project_.system, of_.project_.instantiation,
+                                            of_.project_.sources, *session_, of_.project_.unit},
+                                           claim, run);
         // Events of the rule's own process are not steps of the model.
         const auto own = [](const runs::Step& step) { return step.event.text.starts_with("sleec_"); };
         if (std::optional<std::size_t>& loop = judged.run->loop_start) {
@@ -201,8 +203,9 @@ private:
         const std::int64_t seconds = reading.current_second() - from;
         std::string loop;
         if (seconds != 1 || !between.empty())
-            loop = fmt::format(": {} second{} again and again{}", seconds, seconds == 1 ? "" : "s", between);
-        verdict.lines.push_back(fmt::format("from second {} on time can pass for ever without it{}", from, loop));
+            loop = fmt::format(": {} again and again{}", sleec::steps_text(of_.of_.rules, seconds), between);
+        verdict.lines.push_back(fmt::format("from {} on time can pass for ever without it{}",
+                                            sleec::instant_text(of_.of_.rules, from), loop));
     }
 
     /// Adds the infinite run to the verdict, if it can be drawn.

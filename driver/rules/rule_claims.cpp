@@ -38,7 +38,26 @@ std::vector<std::string> sleec_files(const std::string& folder) {
 
 }  // namespace
 
-void load_rules(const std::string& path, LoadedRules& loaded) {
+namespace {
+
+/// True if a limit of the response, or of the responses after it, is above 0.
+bool has_limit(const sleec::DutyPtr& duty) {
+    if (duty == nullptr) return false;
+    if (duty->measured || duty->from > 0 || duty->to.value_or(0) > 0 || has_limit(duty->otherwise)) return true;
+    return std::ranges::any_of(duty->defeaters,
+                               [](const sleec::CheckedDefeater& defeater) { return has_limit(defeater.duty); });
+}
+
+}  // namespace
+
+bool counts_seconds(const sleec::CheckedRules& rules) {
+    return !rules.unit && std::ranges::any_of(rules.rules, [](const sleec::CheckedRule& rule) {
+        const bool delay = rule.written->form == sleec::RuleForm::at_least && rule.duty->to.value_or(0) >= 0;
+        return delay || has_limit(rule.duty);
+    });
+}
+
+void load_rules(const std::string& path, LoadedRules& loaded, durations::Unit unit) {
     loaded.path = path;
     std::string error;
     const std::optional<diagnostics::SourceId> source = load_input(loaded.sources, path, error);
@@ -48,7 +67,7 @@ void load_rules(const std::string& path, LoadedRules& loaded) {
         return;
     }
     const sleec::RuleFile file = sleec::read(loaded.sources, *source, loaded.diagnostics);
-    if (loaded.diagnostics.ok()) loaded.rules = sleec::check_rules(file, loaded.diagnostics);
+    if (loaded.diagnostics.ok()) loaded.rules = sleec::check_rules(file, loaded.diagnostics, unit);
 }
 
 RuleClaims::RuleClaims(const Project& project, const csp_emit::Emission& emission, const SearchContext& search)
@@ -65,7 +84,7 @@ const std::vector<std::unique_ptr<LoadedRules>>& RuleClaims::rule_files_for(cons
     for (const std::string& rule_path : sleec_files(folder)) {
         auto loaded = std::make_unique<LoadedRules>();
         loaded->diagnostics.set_budget(&search_.services.budget());
-        load_rules(std::filesystem::path(rule_path).lexically_normal().string(), *loaded);
+        load_rules(std::filesystem::path(rule_path).lexically_normal().string(), *loaded, project_.unit);
         files.push_back(std::move(loaded));
     }
     return folders_.emplace(folder, std::move(files)).first->second;

@@ -107,9 +107,9 @@ void RuleRun::note_violations(std::uint64_t line) {
         for (const sleec::Demand& demand : violation.obligation.any)
             text_.push_back(
                 sleec::side_text({violation.rule, violation.began, violation.values, demand}, of_.rules, of_.sources));
-        text_.push_back(violation.event ? fmt::format("{} comes at second {}", of_.rules.event_name(*violation.event),
-                                                      violation.second)
-                                        : fmt::format("second {} ends without it", violation.second));
+        const std::string instant = sleec::instant_text(of_.rules, violation.second);
+        text_.push_back(violation.event ? fmt::format("{} comes at {}", of_.rules.event_name(*violation.event), instant)
+                                        : fmt::format("{} ends without it", instant));
     }
 }
 

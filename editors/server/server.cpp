@@ -81,6 +81,7 @@ Server::Server(std::function<void(const std::string&)> send)
       session_(&budget_),
       scripts_(session_),
       rules_(session_),
+      claims_(session_),
       plain_(session_),
       models_(session_) {
     session_.rule_names = [this](const std::string& folder) { return rules_.names_in(folder); };

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/diagnostics/budget.hpp"
+#include "editors/server/claims/claim_texts.hpp"
 #include "editors/server/cspm/scripts.hpp"
 #include "editors/server/features/models.hpp"
 #include "editors/server/plain/plain_texts.hpp"
@@ -67,9 +68,11 @@ private:
     Session session_;
     Scripts scripts_;
     RuleTexts rules_;
+    ClaimTexts claims_;
     PlainTexts plain_;
     Models models_;
-    std::array<Language*, 4> languages_ = {&scripts_, &rules_, &plain_, &models_};  ///< models accept all documents
+    std::array<Language*, 5> languages_ = {&scripts_, &rules_, &claims_, &plain_,
+                                           &models_};  ///< models accept all documents
     std::deque<Message> queue_;
     Phase phase_ = Phase::fresh;
     std::optional<int> exit_code_;

@@ -140,7 +140,7 @@ private:
         if (measure.kind == MeasureKind::time) return;
         const bool share = measure.kind == MeasureKind::cluster || measure.kind == MeasureKind::reached ||
                            measure.kind == MeasureKind::inside || measure.kind == MeasureKind::in_state ||
-                           measure.kind == MeasureKind::working;
+                           measure.kind == MeasureKind::working || measure.kind == MeasureKind::kept;
         const double factor = share ? 100 : 1;
         if (measure.kind == MeasureKind::reached)
             chart = {"Robots at " + scenario_.lights.at(measure.light).name.text, "%",
@@ -167,6 +167,12 @@ private:
                 chart.title = "Robots inside";
                 chart.unit = "%";
                 chart.definition = "The share of robots whose centres are in the rectangle.";
+                chart.most = 100.0;
+                break;
+            case MeasureKind::kept:
+                chart.title = "Robots that keep the claim";
+                chart.unit = "%";
+                chart.definition = "The share of robots whose runs have kept this claim of the model so far.";
                 chart.most = 100.0;
                 break;
             case MeasureKind::working:

@@ -7,8 +7,8 @@
 namespace robochart::simulation {
 
 Scenario read_scenario(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
-                       diagnostics::Diagnostics& diagnostics) {
-    return ScenarioReader(sources, source, diagnostics).read();
+                       diagnostics::Diagnostics& diagnostics, durations::Unit declared) {
+    return ScenarioReader(sources, source, diagnostics, declared).read();
 }
 
 }  // namespace robochart::simulation

@@ -6,13 +6,15 @@
 
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/diagnostics/source.hpp"
+#include "base/durations/time_unit.hpp"
 #include "simulation/scenario/scenario.hpp"
 
 namespace robochart::simulation {
 
-/// Parses a scenario and checks everything that does not need the model. Mistakes become diagnostics.
+/// Parses a scenario and checks everything that does not need the model. Mistakes become diagnostics. A scenario
+/// without `unit` has the declared time unit.
 [[nodiscard]] Scenario read_scenario(const diagnostics::SourceManager&, diagnostics::SourceId,
-                                     diagnostics::Diagnostics&);
+                                     diagnostics::Diagnostics&, durations::Unit declared = {});
 
 /// The robots at the start of a trial. Reports robots that do not fit.
 [[nodiscard]] std::optional<World> start(const Scenario&, std::uint32_t trial, diagnostics::Diagnostics&);

@@ -39,6 +39,7 @@ Dimension dimension_of(MeasureKind kind) {
         case MeasureKind::inside:
         case MeasureKind::in_state:
         case MeasureKind::working:
+        case MeasureKind::kept:
             break;
     }
     return Dimension::share;

@@ -132,7 +132,7 @@ struct Placement {
     diagnostics::Span span;
 };
 
-enum class MeasureKind { cluster, spread, second_moment, distance, reached, inside, in_state, working, time };
+enum class MeasureKind { cluster, spread, second_moment, distance, reached, inside, in_state, working, time, kept };
 
 [[nodiscard]] Dimension dimension_of(MeasureKind);
 
@@ -142,7 +142,7 @@ struct Measure {
     MeasureKind kind = MeasureKind::spread;
     double link = 0;        ///< cluster: greatest distance of linked centres; reached: distance from the light
     std::size_t light = 0;  ///< distance: from the swarm's centroid to this light; reached: this light
-    Name state;             ///< in_state: of the first machine
+    Name state;             ///< in_state: of the first machine; kept: the claim of the model
     std::vector<std::uint16_t> states;   ///< its number and those of its inner states; set when the controller is known
     Region region = {};                  ///< inside
     std::optional<std::size_t> of = {};  ///< only robots of this kind (Scenario::kind_at)
@@ -318,8 +318,9 @@ struct Scenario : RobotKind {
     std::vector<RobotKind> others;  ///< their robots are numbered after those of the first kind, in this order
     std::optional<Environment> environment;
     WorldOptions world;
-    double arena_area = 0;  ///< per robot, in a square arena; 0: the sides are given
-    double time_unit = 0;   ///< seconds per time unit of the model
+    double arena_area = 0;        ///< per robot, in a square arena; 0: the sides are given
+    double time_unit = 0;         ///< seconds per time unit of the model
+    diagnostics::Span unit_span;  ///< of the item `unit`; unknown if it is left out
     std::uint32_t units_per_step = 1;
     double duration = 0;
     std::uint32_t trials = 1;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "simulation/scenario/rules.hpp"
@@ -45,6 +46,11 @@ void ScenarioReader::parse_measure() {
         in_.expect_word(")");
     } else if (kind.text == "working") {
         measure.kind = MeasureKind::working;
+    } else if (kind.text == "kept") {
+        measure.kind = MeasureKind::kept;
+        in_.expect_word("(");
+        measure.state = in_.name("a claim of the model");
+        in_.expect_word(")");
     } else if (kind.text == "spread") {
         measure.kind = MeasureKind::spread;
     } else if (kind.text == "second_moment") {
@@ -52,7 +58,8 @@ void ScenarioReader::parse_measure() {
     } else {
         in_.report(rules::unknown_part, kind.span, {"kind of measure", kind.text});
         return in_.fail_expecting(
-            "'cluster', 'distance', 'in_state', 'inside', 'reached', 'second_moment', 'spread', 'time' or 'working'");
+            "'cluster', 'distance', 'in_state', 'inside', 'kept', 'reached', 'second_moment', 'spread', 'time' or "
+            "'working'");
     }
     if (in_.at_word("of") && measure.kind != MeasureKind::time) {
         in_.take_word("of");
@@ -75,6 +82,24 @@ Dimension ScenarioReader::dimension_of(std::size_t measure) const {
                                                : Dimension::number;
 }
 
+bool ScenarioReader::at_claim() const {
+    return in_.at_word("claim") && std::ranges::none_of(scenario_.measures, [](const Measure& measure) {
+               return measure.name.text == "claim";
+           });
+}
+
+std::size_t ScenarioReader::claim_measure() {
+    in_.expect_word("claim");
+    Measure measure;
+    measure.kind = MeasureKind::kept;
+    measure.state = in_.name("a claim of the model");
+    measure.name = {"claim " + measure.state.text, measure.state.span};
+    for (std::size_t i = 0; i < scenario_.measures.size(); ++i)
+        if (scenario_.measures[i].name.text == measure.name.text) return i;
+    scenario_.measures.push_back(measure);
+    return scenario_.measures.size() - 1;
+}
+
 std::size_t ScenarioReader::measure_named() {
     const Name name = in_.name("a measure");
     for (std::size_t i = 0; i < scenario_.measures.size(); ++i)
@@ -92,7 +117,13 @@ void ScenarioReader::accept() {
     band.each = in_.take_word("each");
     if (!band.each && !in_.take_word("mean")) return in_.fail_expecting("'each', 'mean' or 'probability'");
     const diagnostics::Span begin = in_.current_token().span;
-    parse_range(parse_statistic(band.statistic), band.low, band.high);
+    if (band.each && at_claim()) {
+        band.statistic.measure = claim_measure();
+        band.low = 1;
+        band.high = 1;
+    } else {
+        parse_range(parse_statistic(band.statistic), band.low, band.high);
+    }
     band.span = diagnostics::join_spans(begin, in_.last_span());
     band.text = fmt::format("{} {}", band.each ? "each" : "mean", in_.has_failed() ? "" : in_.text_since(begin));
     const bool timed = band.statistic.kind == StatisticKind::first_time;

@@ -14,11 +14,11 @@
 namespace robochart::simulation {
 
 void ScenarioReader::check_scenario() {
-    for (const auto& [word, what] :
-         {std::pair("step", "the control step"), std::pair("physics", "the physics step"),
-          std::pair("unit", "the length of a time unit of the model"), std::pair("duration", "the duration"),
-          std::pair("arena", "the arena"), std::pair("robots", "the number of robots")})
+    for (const auto& [word, what] : {std::pair("step", "the control step"), std::pair("physics", "the physics step"),
+                                     std::pair("duration", "the duration"), std::pair("arena", "the arena"),
+                                     std::pair("robots", "the number of robots")})
         if (!said_.contains(word)) in_.report(rules::missing, whole_, {what});
+    set_unit();
     if (said_.contains("robots") && scenario_.placements.empty())
         in_.report(rules::missing, robots_span_, {"the places of the robots"});
     scenario_.set_robots(scenario_.robots);
@@ -42,6 +42,19 @@ void ScenarioReader::check_scenario() {
         if (said_.contains("duration") && time > scenario_.duration)
             in_.report(rules::out_of_range, span,
                        {fmt::format("{} s is after the end, {} s", time, scenario_.duration)});
+}
+
+/// The time unit is that of the item, or the declared one.
+void ScenarioReader::set_unit() {
+    if (said_.contains("unit")) {
+        scenario_.unit_span = span_of_item("unit");
+    } else if (declared_) {
+        scenario_.time_unit = static_cast<double>(*declared_) / static_cast<double>(durations::second);
+    } else {
+        in_.report(
+            rules::missing, whole_,
+            {"the length of a time unit of the model: `unit 0.1 s` here, or in a .claims file beside the model"});
+    }
 }
 
 /// A scenario must not let more robots fail than exist. If the number of robots varies, each point uses its own number.

@@ -168,6 +168,12 @@ Formula ScenarioReader::parse_simple() {
 
 Formula ScenarioReader::parse_comparison() {
     Formula formula;
+    if (at_claim()) {
+        formula.measure = claim_measure();
+        formula.low = 1;
+        formula.high = 1;
+        return lift_to_trial(Formula::Kind::always, "claim", std::move(formula), INFINITY);
+    }
     formula.measure = measure_named();
     const double time = in_.take_word("at") ? time_limit("the time of a measure") : NAN;
     parse_range(dimension_of(formula.measure), formula.low, formula.high);

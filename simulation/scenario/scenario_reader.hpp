@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/durations/time_unit.hpp"
 #include "simulation/scenario/scenario.hpp"
 #include "simulation/scenario/scenario_words.hpp"
 #include "simulation/scenario/sensor_readings.hpp"
@@ -20,8 +21,8 @@ namespace robochart::simulation {
 class ScenarioReader {
 public:
     ScenarioReader(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
-                   diagnostics::Diagnostics& diagnostics)
-        : path_(sources.path(source)), in_(sources, source, diagnostics), whole_{source, 0, 0} {}
+                   diagnostics::Diagnostics& diagnostics, durations::Unit declared)
+        : path_(sources.path(source)), in_(sources, source, diagnostics), whole_{source, 0, 0}, declared_(declared) {}
 
     Scenario read();
 
@@ -119,6 +120,10 @@ private:
     void parse_measure();
     std::size_t light_named(const Name& name);
     [[nodiscard]] Dimension dimension_of(std::size_t measure) const;
+    /// True at `claim NAME`, which is a condition on the run of every robot.
+    [[nodiscard]] bool at_claim() const;
+    /// Parses `claim NAME`; returns the measure of the share of robots that keep the claim.
+    std::size_t claim_measure();
     std::size_t measure_named();
     void accept();
     /// `first(CONDITION)`, `average(M)`, `M at TIME`, `M`; returns its dimension.
@@ -161,6 +166,7 @@ private:
 
     // scenario_checks.cpp: consistency
     void check_scenario();
+    void set_unit();
     [[nodiscard]] diagnostics::Span span_of_item(std::string_view word) const;
     /// The quotient of `whole` and `part`. Reports a finding if it is not a whole number.
     std::uint64_t divide_evenly(double whole, const char* whole_name, double part, const char* part_name,
@@ -175,6 +181,7 @@ private:
     RobotKind* kind_ = &scenario_;  ///< the kind whose feeds, drives, places, stimuli and failures are being parsed
     diagnostics::Span whole_;
     diagnostics::Span robots_span_;
+    durations::Unit declared_;  ///< the time unit of the project
     double physics_ = 0;
     std::map<std::string, diagnostics::Span, std::less<>> said_;
     std::map<std::string, diagnostics::Span> names_;

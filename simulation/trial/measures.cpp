@@ -119,6 +119,7 @@ Frame of_kind(const Scenario& scenario, std::size_t kind, const Frame& frame) {
     part.time = frame.time;
     part.lights = frame.lights;
     part.obstacles = frame.obstacles;
+    part.kept = frame.kept;
     part.poses.assign(frame.poses.begin() + first, frame.poses.begin() + last);
     if (!frame.working.empty()) part.working.assign(frame.working.begin() + first, frame.working.begin() + last);
     const auto machines = static_cast<std::ptrdiff_t>(frame.states.size() / frame.poses.size());
@@ -133,6 +134,18 @@ double share_in(const Measure& measure, const Frame& frame) {
         if (std::ranges::find(measure.states, frame.robot_state(robot)) != measure.states.end()) ++there;
     return static_cast<double>(there) / static_cast<double>(frame.poses.size());
 }
+
+namespace {
+
+/// NaN if no claims are followed.
+double kept_share(const Scenario& scenario, const Measure& measure, const Frame& frame) {
+    const auto found =
+        std::ranges::find(scenario.measures, measure.name.text, [](const Measure& other) { return other.name.text; });
+    const auto number = static_cast<std::size_t>(found - scenario.measures.begin());
+    return number < frame.kept.size() ? frame.kept[number] : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
 
 double measure_value(const Scenario& scenario, const Measure& measure, const Frame& all) {
     const Frame part = measure.of ? of_kind(scenario, *measure.of, all) : Frame{};
@@ -155,6 +168,8 @@ double measure_value(const Scenario& scenario, const Measure& measure, const Fra
             return frame.time;
         case MeasureKind::in_state:
             return share_in(measure, frame);
+        case MeasureKind::kept:
+            return kept_share(scenario, measure, all);
         case MeasureKind::working:
             return frame.working.empty() ? 1
                                          : static_cast<double>(std::ranges::count(frame.working, true)) /

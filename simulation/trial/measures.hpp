@@ -21,6 +21,7 @@ struct Frame {
         states;                 ///< by robot and machine: index of the state; the number of states between states
     std::vector<bool> working;  ///< true: no part of the robot has failed; empty: no part of any robot
     std::vector<LightNow> lights = {};  ///< empty: as the scenario defines them at that time
+    std::vector<double> kept = {};      ///< by measure, of those of the kind `kept`; empty: no claims are followed
     std::vector<bool> obstacles = {};   ///< for Scenario::obstacles: present or not; empty: as at the start
 
     /// The state of a robot's machine.

@@ -76,6 +76,10 @@ std::uint64_t seed_of(std::uint64_t seed, std::size_t number) {
 
 }  // namespace
 
+double Trace::kept_share(std::size_t /*measure*/) const {
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
 std::string Stop::owner_text() const {
     return environment ? "the environment" : "robot " + std::to_string(robot);
 }
@@ -617,8 +621,16 @@ private:
         frame.working = working_;
         frame.lights = lights_now();
         frame.obstacles = obstacles_;
+        add_kept_claims(frame);
         if (with_states) add_states(frame);
         return frame;
+    }
+
+    void add_kept_claims(Frame& frame) const {
+        const auto is_kept = [](const Measure& measure) { return measure.kind == MeasureKind::kept; };
+        if (options_.trace == nullptr || std::ranges::none_of(scenario_.measures, is_kept)) return;
+        for (std::size_t m = 0; m < scenario_.measures.size(); ++m)
+            frame.kept.push_back(is_kept(scenario_.measures[m]) ? options_.trace->kept_share(m) : 0);
     }
 
     void add_states(Frame& frame) {

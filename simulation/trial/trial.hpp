@@ -34,6 +34,9 @@ public:
     /// Called at the end of the trial. True if everything relevant for objections was observed. If the result is false,
     /// the absence of an objection is not conclusive.
     [[nodiscard]] virtual bool is_conclusive() const { return true; }
+    /// The share of robots that have kept the claim of a measure so far; only the observer that follows claims knows
+    /// it.
+    [[nodiscard]] virtual double kept_share(std::size_t measure) const;
 };
 
 /// Observes all trials of a run.

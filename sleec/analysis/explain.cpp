@@ -16,8 +16,8 @@ std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
     constexpr std::size_t most = 4;
     std::string text;
     for (std::size_t i = 0; i < std::min(most, conflict.besides.size()); ++i)
-        text += fmt::format("{}{} at second {}", i == 0 ? "" : ", ", rules.event_name(conflict.besides[i].second),
-                            conflict.besides[i].first);
+        text += fmt::format("{}{} at {}", i == 0 ? "" : ", ", rules.event_name(conflict.besides[i].second),
+                            instant_text(rules, conflict.besides[i].first));
     return text + (conflict.besides.size() > most ? ", ..." : "");
 }
 
@@ -26,10 +26,10 @@ std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
     for (const Side& side : conflict.due)
         events += (events.empty() ? "" : " or ") + rules.event_name(side.demand.event);
     if (conflict.endless)
-        return fmt::format("second {} never ends: {} has to come, and calls for the next, whatever is done",
-                           conflict.instant, events);
+        return fmt::format("{} never ends: {} has to come, and calls for the next, whatever is done",
+                           instant_text(rules, conflict.instant), events);
     if (conflict.for_ever) return fmt::format("{} has to come some time, and never may", events);
-    return fmt::format("at second {} {} has to come, and {}", conflict.instant, events,
+    return fmt::format("at {} {} has to come, and {}", instant_text(rules, conflict.instant), events,
                        conflict.due.size() > 1 ? "none of them may" : "may not");
 }
 
@@ -37,7 +37,7 @@ std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
 
 std::string side_text(const Side& side, const CheckedRules& rules, const diagnostics::SourceManager& sources) {
     const std::string values = values_text(rules, side.rule, side.values);
-    return fmt::format("{} begins at second {} with {}{}: it {} ({})", rules.name(side.rule), side.began,
+    return fmt::format("{} begins at {} with {}{}: it {} ({})", rules.name(side.rule), instant_text(rules, side.began),
                        rules.event_name(rules.rules[side.rule].trigger), values.empty() ? "" : ", " + values,
                        demand_text(rules, side.demand, side.began), sources.path_and_line(side.demand.written->span));
 }
@@ -51,9 +51,9 @@ std::string values_text(const CheckedRules& rules, std::size_t rule, const Valua
 
 std::string demand_text(const CheckedRules& rules, const Demand& demand, std::int64_t began) {
     std::string text = fmt::format("{} {}", demand.forbids ? "forbids" : "asks for", rules.event_name(demand.event));
-    if (demand.begin > 0) text += fmt::format(" from second {}", began + demand.begin);
+    if (demand.begin > 0) text += fmt::format(" from {}", instant_text(rules, began + demand.begin));
     if (demand.end == forever) return text + (demand.forbids ? " for ever" : ", without limit");
-    return text + fmt::format("{} second {}", demand.begin > 0 ? " to" : " up to", began + demand.end);
+    return text + fmt::format("{} {}", demand.begin > 0 ? " to" : " up to", instant_text(rules, began + demand.end));
 }
 
 std::vector<std::string> history_lines(const std::vector<Happening>& history, const CheckedProperty& property,
@@ -69,7 +69,8 @@ std::vector<std::string> history_lines(const std::vector<Happening>& history, co
             for (const std::size_t measure : measures_of({0, condition, nullptr, false, nullptr}))
                 values +=
                     (values.empty() ? " with " : ", ") + value_text(rules.measure(measure), happening.values[measure]);
-        lines.push_back(fmt::format("{} at second {}{}", rules.event_name(happening.event), happening.second, values));
+        lines.push_back(fmt::format("{} at {}{}", rules.event_name(happening.event),
+                                    instant_text(rules, happening.second), values));
     }
     if (history.size() > most) lines.push_back(fmt::format("and {} more events", history.size() - most));
     return lines;

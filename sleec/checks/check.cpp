@@ -33,9 +33,9 @@ struct Typed {
 
 class Checker {
 public:
-    Checker(const RuleFile& file, diagnostics::Diagnostics& diagnostics)
+    Checker(const RuleFile& file, diagnostics::Diagnostics& diagnostics, durations::Unit unit)
         : diagnostics_(diagnostics),
-          result_{std::make_shared<const RuleFile>(file), {}, {}, {}},
+          result_{std::make_shared<const RuleFile>(file), {}, {}, {}, unit},
           file_(*result_.file) {}
 
     std::optional<CheckedRules> run() {
@@ -157,20 +157,33 @@ private:
     }
 
     void check_limit(const Limit& written, Duty& duty) {
-        duty.to = limit_seconds(written.to, written.unit, duty);
-        if (written.from) duty.from = limit_seconds(written.from, written.from_unit, duty);
+        duty.to = limit_steps(written.to, written.unit, duty);
+        if (written.from) duty.from = limit_steps(written.from, written.from_unit, duty);
         if (!duty.measured && *duty.to < duty.from) diagnostics_.report(rules::empty_interval, written.span);
     }
 
-    /// One end of a limit, in seconds. An expression with measures has no value.
-    std::int64_t limit_seconds(const ExprPtr& expr, Unit unit, Duty& duty) {
-        if (!expr->bracketed) return constant_value(expr) * seconds_of(unit);
+    /// A number of seconds as steps. It is never rounded: a time that is not a multiple of the time unit is an error.
+    std::int64_t steps_of(std::int64_t seconds, Span span) {
+        if (!result_.unit) return seconds;
+        if (std::abs(seconds) > durations::longest / durations::second) {
+            diagnostics_.report(rules::wrong_duration, span, {"the time is longer than a century"});
+            return 0;
+        }
+        const durations::UnitCount count = durations::count_units(std::abs(seconds) * durations::second, *result_.unit);
+        if (!count.error.empty()) diagnostics_.report(rules::wrong_duration, span, {count.error});
+        return seconds < 0 ? -count.units : count.units;
+    }
+
+    /// One end of a limit, in steps. An expression with measures has no value.
+    std::int64_t limit_steps(const ExprPtr& expr, Unit unit, Duty& duty) {
+        if (!expr->bracketed) return steps_of(constant_value(expr) * seconds_of(unit), expr->span);
         const Typed value = check_expression(expr);
         expect_type(value, Type::number, *expr);
         duty.measured = duty.measured || has_measure(value.condition);
         if (duty.measured || value.type != Type::number) return 0;
         constexpr std::int64_t longest = 10'000'000'000;  // the largest number that may be written
-        return std::clamp(evaluate_condition(value.condition, {}), -longest, longest) * seconds_of(unit);
+        const std::int64_t number = std::clamp(evaluate_condition(value.condition, {}), -longest, longest);
+        return steps_of(number * seconds_of(unit), expr->span);
     }
 
     static bool has_measure(const Condition& condition) {
@@ -392,8 +405,9 @@ private:
 
 }  // namespace
 
-std::optional<CheckedRules> check_rules(const RuleFile& file, diagnostics::Diagnostics& diagnostics) {
-    return Checker(file, diagnostics).run();
+std::optional<CheckedRules> check_rules(const RuleFile& file, diagnostics::Diagnostics& diagnostics,
+                                        durations::Unit unit) {
+    return Checker(file, diagnostics, unit).run();
 }
 
 }  // namespace robochart::sleec

@@ -9,7 +9,9 @@
 
 namespace robochart::sleec {
 
-/// Resolves names and checks types. No value, with findings, if there are errors.
-[[nodiscard]] std::optional<CheckedRules> check_rules(const RuleFile& file, diagnostics::Diagnostics& diagnostics);
+/// Resolves names and checks types. Limits become numbers of time units if `unit` is the length of one, and otherwise
+/// numbers of seconds. No value, with findings, if there are errors.
+[[nodiscard]] std::optional<CheckedRules> check_rules(const RuleFile& file, diagnostics::Diagnostics& diagnostics,
+                                                      durations::Unit unit = {});
 
 }  // namespace robochart::sleec

@@ -67,6 +67,15 @@ std::int64_t evaluate_condition(const Condition& condition, const Valuation& val
     return 0;
 }
 
+std::string instant_text(const CheckedRules& rules, std::int64_t step) {
+    return rules.unit ? durations::time_text(step, rules.unit) : fmt::format("second {}", step);
+}
+
+std::string steps_text(const CheckedRules& rules, std::int64_t steps) {
+    if (rules.unit) return durations::units_text(steps, rules.unit);
+    return fmt::format("{} second{}", steps, steps == 1 ? "" : "s");
+}
+
 std::string value_text(const Measure& measure, std::int64_t value) {
     if (measure.type == MeasureType::boolean)
         return value != 0 ? measure.name.text : fmt::format("not {}", measure.name.text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules after name resolution and type checking: events and measures are numbers, constants are values, times are in
-// seconds.
+// Rules after name resolution and type checking: events and measures are numbers, constants are values, times are
+// whole numbers of steps. A step is a second, or a time unit of the model if its length is declared.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/durations/time_unit.hpp"
 #include "sleec/syntax/syntax.hpp"
 
 namespace robochart::sleec {
@@ -41,8 +42,8 @@ struct CheckedDefeater {
 struct Duty {
     bool forbids = false;
     std::size_t event = 0;
-    std::int64_t from = 0;           ///< seconds
-    std::optional<std::int64_t> to;  ///< seconds, inclusive; no value: no limit. Below `from`: the duty is empty
+    std::int64_t from = 0;           ///< steps
+    std::optional<std::int64_t> to;  ///< steps, inclusive; no value: no limit. Below `from`: the duty is empty
     bool measured = false;           ///< a measure determines the limit: `from` and `to` are unknown
     DutyPtr otherwise;               ///< null: none
     std::vector<CheckedDefeater> defeaters;
@@ -72,12 +73,17 @@ struct CheckedRules {
     std::shared_ptr<const RuleFile> file;  ///< owner of the data to which `written` points
     std::vector<CheckedRule> rules;
     std::vector<CheckedProperty> concerns, purposes;
+    durations::Unit unit;  ///< the length of a step; no value: a step is a second
 
     [[nodiscard]] const std::string& event_name(std::size_t index) const { return file->events[index].name.text; }
     [[nodiscard]] const Measure& measure(std::size_t index) const { return file->measures[index]; }
     [[nodiscard]] const std::string& name(std::size_t rule) const { return rules[rule].written->name.text; }
 };
 
+/// "second 3"; with a time unit "t=30 (3.0 s)".
+[[nodiscard]] std::string instant_text(const CheckedRules& rules, std::int64_t step);
+/// "3 seconds"; with a time unit "30 units (3 s)".
+[[nodiscard]] std::string steps_text(const CheckedRules& rules, std::int64_t steps);
 /// "near", "level = 3", "load = high": a measure with its value, for messages.
 [[nodiscard]] std::string value_text(const Measure& measure, std::int64_t value);
 

@@ -16,6 +16,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
 #include "conformance/model/rules.hpp"
+#include "driver/model/claim_files.hpp"
 #include "driver/model/pipeline.hpp"
 #include "frontend/project/project.hpp"
 #include "prism/checks/check.hpp"
@@ -116,7 +117,9 @@ void read_rules(const std::string& path, Judgement& result) {
     diagnostics::Diagnostics diagnostics;
     std::string error;
     const sleec::RuleFile file = sleec::read(sources, sources.load_file(path, error).value(), diagnostics);
-    if (diagnostics.ok()) (void)sleec::check_rules(file, diagnostics);
+    const auto unit = driver::unit_beside({path}, sources, diagnostics);
+    if (diagnostics.ok())
+        (void)sleec::check_rules(file, diagnostics, unit ? durations::Unit(unit->nanoseconds) : std::nullopt);
     take(sources, diagnostics, result);
 }
 
@@ -215,6 +218,7 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
     std::string console;
     std::vector<std::string> scripts;
     std::vector<std::string> prism;
+    std::vector<std::string> rules;
     bool has_model = false, claims = false;
     std::size_t number = 0;
     for (const diagnostics::Block& block : example) {
@@ -231,13 +235,16 @@ Judgement judge(const std::vector<diagnostics::Block>& example) {
             continue;
         }
         if (block.language == "sleec") {
-            read_rules(path.string(), result);
+            rules.push_back(path.string());
             continue;
         }
-        if (block.language == "claims") claims = true;
-        has_model = has_model || block.language != "cspm";
+        if (block.language == "claims")
+            claims = true;
+        else
+            has_model = has_model || block.language != "cspm";
     }
-    if (claims && console.empty()) console = "$ robochart-verify check MODEL";
+    for (const std::string& path : rules) read_rules(path, result);
+    if (claims && has_model && console.empty()) console = "$ robochart-verify check MODEL";
     if (!console.empty()) {
         run_command(console, folder.path(), result);
     } else {

@@ -23,6 +23,7 @@ const documentSelector = [
     ...models,
     { scheme: "file", language: "cspm" },
     { scheme: "file", language: "sleec" },
+    { scheme: "file", language: "robochart-claims" },
 ];
 
 /** The commands of the server's lenses. The server offers only the lenses whose commands are listed at the start. */

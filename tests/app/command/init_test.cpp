@@ -21,8 +21,10 @@ TEST(Init, WritesAProjectThatVerifiesAtOnce) {
         "\"$verify\" init wanderer && \"$verify\" format --check wanderer && \"$verify\" wanderer --no-cache && "
         "\"$verify\" check wanderer --core");
     EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("wanderer/wanderer.rct\nwanderer/wanderer.assertions\nwanderer/README.md\n"
-                                   "wanderer/.gitignore\n\nnext: robochart-verify wanderer\n"));
+    EXPECT_THAT(
+        ran.out,
+        HasSubstr("wanderer/wanderer.rct\nwanderer/wanderer.assertions\nwanderer/wanderer.claims\nwanderer/README.md\n"
+                  "wanderer/.gitignore\n\nnext: robochart-verify wanderer\n"));
     EXPECT_THAT(ran.out, HasSubstr("1 of 1 controllers conform"));
     EXPECT_THAT(ran.out, HasSubstr("next: robochart-verify wanderer\n"));
     EXPECT_THAT(ran.err, Not(HasSubstr("warning")));
@@ -99,7 +101,8 @@ TEST(Init, SuggestsANameThatIsFit) {
 TEST(Init, HereMakesAFitNameOfTheFolders) {
     const Ran ran =
         run_shell("mkdir my-robot && cd my-robot && \"$verify\" init && \"$verify\" . --no-cache -q; echo $?; ls");
-    EXPECT_THAT(ran.out, HasSubstr("controllers conform\n0\nREADME.md\nmy_robot.assertions\nmy_robot.rct\n"))
+    EXPECT_THAT(ran.out,
+                HasSubstr("controllers conform\n0\nREADME.md\nmy_robot.assertions\nmy_robot.claims\nmy_robot.rct\n"))
         << ran.err;
 }
 
@@ -108,7 +111,7 @@ TEST(Init, HereTakesTheNameOfTheFolder) {
         "mkdir robot && cd robot && echo mine > README.md && \"$verify\" init; echo $?; ls -A; "
         "cat README.md");
     EXPECT_THAT(ran.out, HasSubstr("./README.md is left as it is"));
-    EXPECT_THAT(ran.out, HasSubstr("0\n.gitignore\nREADME.md\nrobot.assertions\nrobot.rct\nmine\n"));
+    EXPECT_THAT(ran.out, HasSubstr("0\n.gitignore\nREADME.md\nrobot.assertions\nrobot.claims\nrobot.rct\nmine\n"));
 }
 
 TEST(Init, NeverTouchesAModel) {

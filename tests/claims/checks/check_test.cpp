@@ -82,11 +82,11 @@ TEST(ClaimChecks, ResolvesEvents) {
 }
 
 TEST(Durations, AreWrittenExactly) {
-    EXPECT_EQ(duration_text(100'000'000), "100 ms");
-    EXPECT_EQ(duration_text(2'500'000'000), "2.5 s");
-    EXPECT_EQ(duration_text(1), "0.000001 ms");
-    EXPECT_EQ(units_text(1, std::nullopt), "1 unit");
-    EXPECT_EQ(units_text(30, 100'000'000), "30 units (3 s)");
+    EXPECT_EQ(durations::duration_text(100'000'000), "100 ms");
+    EXPECT_EQ(durations::duration_text(2'500'000'000), "2.5 s");
+    EXPECT_EQ(durations::duration_text(1), "0.000001 ms");
+    EXPECT_EQ(durations::units_text(1, std::nullopt), "1 unit");
+    EXPECT_EQ(durations::units_text(30, 100'000'000), "30 units (3 s)");
 }
 
 TEST(Fractions, AreExact) {

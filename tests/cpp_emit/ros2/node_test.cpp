@@ -664,6 +664,61 @@ int main() {
 })");
 }
 
+/// The parameter `cycle` changes all clocks and timeouts, so another value than that of the time unit is refused.
+TEST_F(Package, KeepsTheDeclaredTimeUnit) {
+    Options options;
+    options.cycle_length = 2;
+    options.unit = 10'000'000;
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants(), options);
+    drive("M_node.hpp", R"(
+int main() {
+    Network& network = Network::get();
+    {
+        p::MNode node;
+        EXPECT(started(node));
+        EXPECT(network.running().size() == 1 && network.running()[0]->period == 0.02);
+        EXPECT(network.declared.at("cycle_scale").read_only);
+    }
+    for (const std::any& other : {std::any(0.1), std::any(0.0201)}) {
+        network.parameters = {{"cycle", other}};
+        p::MNode node;
+        EXPECT(node.configure().label() == "unconfigured");
+        EXPECT(logged("parameter cycle: a cycle is 2 time units of the model (20 ms)"));
+}
+network.parameters = {{"cycle", 0.1}, {"cycle_scale", std::int64_t{5}}};
+{
+    p::MNode node;
+    EXPECT(started(node));
+    EXPECT(network.running().size() == 1 && network.running()[0]->period == 0.1);
+    EXPECT(logged("5 times as long as declared"));
+}
+network.parameters = {{"cycle_scale", std::int64_t{5}}};
+p::MNode node;
+EXPECT(node.configure().label() == "unconfigured");
+return 0;
+}
+)");
+}
+
+TEST_F(Package, SaysHowLongATimeUnitIs) {
+    emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
+    drive("M_node.hpp", R"(
+int main() {
+    Network& network = Network::get();
+    {
+        p::MNode node;
+        EXPECT(started(node));
+        EXPECT(logged("a time unit of the model lasts 0.1 s"));
+    }
+    network.parameters = {{"cycle", 0.02}};
+    p::MNode node;
+    EXPECT(started(node));
+    EXPECT(logged("a time unit of the model lasts 0.02 s, so its clocks and timeouts are 0.2 times as long"));
+    return 0;
+}
+)");
+}
+
 TEST_F(Package, RefusesConstantsThatItWasNotGeneratedFor) {
     emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     drive("M_node.hpp", R"(

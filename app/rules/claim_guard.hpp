@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Follows claims (docs/claims.md) along the runs of simulated robots: `simulate --monitor MODEL.claims`, and the claims
+// that a scenario accepts. An input counts when it is raised.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command/options.hpp"
+#include "cpp_emit/simulator_api.hpp"
+#include "driver/claims/followed_claim.hpp"
+#include "driver/model/pipeline.hpp"
+#include "simulation/trial/trial.hpp"
+
+namespace robochart::app {
+
+/// The model and the controller of a kind of robots.
+struct FollowedKind {
+    const driver::Project* project = nullptr;
+    const cpp_emit::DriveEmission* emission = nullptr;
+};
+
+/// Stores a reference to the scenario.
+class ClaimGuard final : public simulation::Guard {
+public:
+    /// A claim about the controller of a kind of robots.
+    struct Watched {
+        const claims::CheckedClaim* claim = nullptr;
+        std::size_t kind = 0;
+        bool stops = false;                  ///< a robot that breaks it stops its trial
+        std::optional<std::size_t> measure;  ///< the measure of the robots that keep it
+    };
+
+    ClaimGuard(const simulation::Scenario& scenario, std::vector<FollowedKind> kinds, std::vector<Watched> watched);
+
+    [[nodiscard]] Maker make_observer(Maker other) override;
+    [[nodiscard]] std::string summary_lines() const override;
+    /// Adds a line to the summary about claims that are not followed.
+    void add_left_out(std::string reason) { left_out_.push_back(std::move(reason)); }
+
+private:
+    class Watch;
+    /// A violation, by the number of its trial, so that the report does not depend on the order of trials.
+    struct Broken {
+        std::uint32_t trial = 0;
+        std::size_t robot = 0;
+        std::string text;
+    };
+
+    const simulation::Scenario& scenario_;
+    std::vector<FollowedKind> kinds_;
+    std::vector<Watched> watched_;
+    std::vector<std::string> left_out_;
+    std::mutex mutex_;
+    std::map<std::size_t, Broken> broken_;  ///< by the number of the claim: in the first trial
+    std::map<std::size_t, std::string> given_up_;
+    std::atomic<std::uint64_t> robots_ = 0;
+};
+
+/// True if the scenario has claims of its models, or `--monitor` names a file of claims.
+[[nodiscard]] bool follows_claims(const simulation::Scenario& scenario, const Options& options);
+
+/// The guard of these claims; null if there are none. `kinds` are those of the scenario. Errors are reported in
+/// `reports`, whose sources contain the scenario.
+[[nodiscard]] std::unique_ptr<ClaimGuard> make_claim_guard(const simulation::Scenario& scenario,
+                                                           std::vector<FollowedKind> kinds, driver::Project& reports,
+                                                           const Options& options);
+
+/// Reports the claims of a scenario that a study of many kinds of trials does not follow.
+void refuse_followed_claims(const simulation::Scenario& scenario, driver::Project& project);
+
+}  // namespace robochart::app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The claims files that an editor has open. Names are those of the models on disk in the folder of the claims, or in
+// the folder above.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics/diagnostic.hpp"
+#include "claims/checks/components.hpp"
+#include "claims/syntax/syntax.hpp"
+#include "editors/server/documents/open_texts.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::lsp {
+
+/// The models of a folder, as far as claims need them.
+struct ClaimedModels {
+    std::string signature;  ///< the paths, sizes and times of the files
+    SourceManager sources;
+    ir::System system;
+    std::vector<std::string> packages;
+    std::vector<claims::Component> components;
+    bool good = false;  ///< the models have no errors
+};
+
+/// A text after parsing and, if there is a model, resolution.
+struct ClaimReading {
+    std::shared_ptr<const claims::ClaimFile> file;
+    diagnostics::Diagnostics findings;
+    const ClaimedModels* models = nullptr;  ///< null: there are none
+};
+
+struct ClaimText : TextDocument {
+    using TextDocument::TextDocument;
+    std::unique_ptr<ClaimReading> reading;  ///< null after a change
+};
+
+/// Reading polls the budget of the session. If the budget ends the reading, the next request repeats it.
+class ClaimTexts : public OpenTexts<ClaimText> {
+public:
+    using OpenTexts::OpenTexts;
+
+    [[nodiscard]] bool accepts(std::string_view uri, std::string_view language_id) const override;
+    void refresh_file(const std::string& uri) override;
+
+    [[nodiscard]] Json code_actions(const Request&) override;
+    [[nodiscard]] Json completion(const Request&) override;
+    [[nodiscard]] Json definition(const Request&) override;
+    [[nodiscard]] Json document_symbols(const Request&) override;
+    [[nodiscard]] Json formatting(const Request&) override;
+    [[nodiscard]] Json hover(const Request&) override;
+    [[nodiscard]] Json prepare_rename(const Request&) override;
+    [[nodiscard]] Json rename(const Request&) override;
+
+protected:
+    /// Claims of one file depend on the time unit and the names of the others.
+    void drop_results(ClaimText& document) override;
+    [[nodiscard]] Json findings_in(TextDocument& document) override;
+
+private:
+    [[nodiscard]] const ClaimReading& reading_of(TextDocument& document);
+    [[nodiscard]] const ClaimedModels* models_beside(const std::string& path);
+    void resolve(const TextDocument& document, ClaimReading& reading);
+
+    std::map<std::string, std::unique_ptr<ClaimedModels>> models_;  ///< by folder
+};
+
+/// The word at or directly before an offset; the span is empty if there is none.
+struct ClaimWord {
+    std::string text;
+    Span span;
+};
+[[nodiscard]] ClaimWord claim_word_at(const TextDocument& document, std::uint32_t offset);
+
+}  // namespace robochart::lsp
