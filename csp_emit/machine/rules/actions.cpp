@@ -174,6 +174,7 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
         case ItemKind::frozen:
         case ItemKind::waiting:
         case ItemKind::left:
+        case ItemKind::shown:
         case ItemKind::stuck:
             break;
     }
@@ -322,6 +323,7 @@ std::optional<Branch> head_branch(MachineTables& tables, const RunningThread& ru
         case ItemKind::entered:
             return entered_branch(tables, running);
         case ItemKind::left:
+        case ItemKind::shown:
             return left_branch(tables, running);
         case ItemKind::waiting:  // changes only with time
         case ItemKind::deadline_end:
