@@ -20,6 +20,10 @@ namespace robochart::driver {
 /// a file that are about its model, and those that are inputs.
 void read_claim_files(Project& project, const LoadSettings& settings);
 
+/// Reads and resolves the claims files of a project whose settings ignore claims: those about control cycles are
+/// decided with the code.
+void read_ignored_claims(Project& project, const LoadSettings& settings);
+
 /// Gives each claims file of the whole project to the part that it is about. A file that may be about several parts is
 /// an error.
 void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFile>>& files,
