@@ -605,7 +605,9 @@ std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context,
             "inputs or outputs of different values have one name here; --concrete decides it for finite carriers";
     }
     premises_.apply_premise(context, obligation, one);
-    second_look_->add_to(obligation, one);
+    // Where a machine shows its states, no time passes, although the model does not stop it.
+    const bool shows = claim && !context.project.claims->checked.claims[*claim].facts.empty();
+    if (!shows) second_look_->add_to(obligation, one);
     if (is_in_carriers() && (one.answer == Answer::holds || one.answer == Answer::fails))
         add(one.basis,
             {GroundKind::carriers, "this claim compares values, those of the finite instantiation", {}, {}, {}, {}});

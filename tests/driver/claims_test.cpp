@@ -291,7 +291,9 @@ TEST(Claims, SayWhatIsNeverAsked) {
                           "import patrol::*\n"
                           "claim Scope of Ends : after brake until halt, never estop\n"
                           "claim Event of Ends : never brake\n"
+                          "claim State of Loop : always in A\n"
                           "claim Asked of Patrol : after estop until reset, never goTo\n");
+    EXPECT_THAT(answers.basis("State"), Not(Contains(HasSubstr("time can stop"))));
     EXPECT_THAT(answers.basis("Scope"), Contains(HasSubstr("never asked")));
     EXPECT_THAT(answers.basis("Event"), Contains(HasSubstr("no run has brake")));
     EXPECT_THAT(answers.basis("Asked"), Not(Contains(HasSubstr("never asked"))));
