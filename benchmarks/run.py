@@ -47,6 +47,8 @@ BENCHMARKS = {
                                 *if_there("--hvc", SHARED / "bench/hvc")), ["robochart_certifier"]),
     "checker": Benchmark("the checker compared with other tools, on the models of benchmarks/models",
                          script("compare_checkers.py", *if_there("--foreign", SHARED / "bench/models"))),
+    "claims": Benchmark("claims about a robot, all together, and with a fine time unit",
+                        script("decide_claims.py", "--folder", SHARED / "suite/claims")),
     "code": Benchmark("generated code compared with hand-written nested switches",
                       [sys.executable, "benchmarks/bench_code.py", PROGRAM], default=["60", "g++", "auto"]),
     "components": Benchmark("deadlock, divergence and determinism of every component of RoboTool's scripts",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Assembles the untimed or timed script: library, data, instantiations, components by package, CSP blocks, assertions.
 #include "csp_emit/emit.hpp"
+#include "csp_emit/showing.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -293,8 +294,10 @@ void point_out_probabilities(const Project& project) {
 
 }  // namespace
 
-Emission emit(const ir::System& system, const ir::Instantiation& instantiation, Time time, const Options& options,
-              diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+namespace {
+
+Emission emit_with(const ir::System& system, const ir::Instantiation& instantiation, Time time, const Options& options,
+                   const Shown& shown, diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
     const SafeNames safe = safe_names(system, instantiation, diagnostics);
     const Project project{safe.changed ? safe.system : system,
                           safe.changed ? safe.instantiation : instantiation,
@@ -321,6 +324,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
     append_declarations(generated, record_definitions(project, theirs.all));
     std::vector<std::string> left_out;
     Emitted emitted;
+    emitted.shown = shown;
     const std::set<std::string> given = given_names(files, safe.for_blocks);
     check_shared_constants(project, given);
     std::set<std::string> deciding = given;  // if a constant has two names, the name that decides
@@ -379,6 +383,18 @@ Emission emit(const ir::System& system, const ir::Instantiation& instantiation, 
             {path, default_process(project, path, component, "D__"), default_process(project, path, component, "O__")});
     result.provenance = std::move(emitted.provenance);
     return result;
+}
+
+}  // namespace
+
+Emission emit(const ir::System& system, const ir::Instantiation& instantiation, Time time, const Options& options,
+              diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    return emit_with(system, instantiation, time, options, {}, sources, diagnostics);
+}
+
+Emission emit_showing(const ir::System& system, const ir::Instantiation& instantiation, const Shown& shown,
+                      diagnostics::SourceManager& sources, diagnostics::Diagnostics& diagnostics) {
+    return emit_with(system, instantiation, Time::timed, {}, shown, sources, diagnostics);
 }
 
 }  // namespace robochart::csp_emit

@@ -199,6 +199,25 @@ void write_overtaken(std::string& out, const std::vector<conformance::OvertakenE
     }
 }
 
+/// Writes one answer to a claim about cycles: of the model in cycles, or of this code.
+void write_cycle_answer(std::string& out, const conformance::CycleAnswers& claim, std::string_view subject,
+                        const conformance::CycleAnswer& answer) {
+    std::string_view verdict = "not decided";
+    if (answer.outcome == conformance::Outcome::conforms) verdict = "holds";
+    if (answer.outcome == conformance::Outcome::differs) verdict = "FAILS";
+    out += fmt::format("               {:<11}  {} [{}]: {}\n", verdict, claim.claim, subject, claim.wording);
+    if (!answer.reason.empty()) out += fmt::format("                            {}\n", answer.reason);
+    write_cycles(out, answer.cycles);
+}
+
+void write_cycle_claims(std::string& out, const conformance::Result& r) {
+    for (const conformance::CycleAnswers& claim : r.claims) {
+        write_cycle_answer(out, claim, "the model in cycles", claim.model);
+        write_cycle_answer(out, claim, "this code", claim.code);
+        if (!claim.asked) out += "                            never asked: no cycle of the code is in its scope\n";
+    }
+}
+
 /// Writes further properties of the model, which do not affect the verdict.
 void write_asides(std::string& out, const conformance::Result& r) {
     if (r.register_cycles) {
@@ -282,6 +301,7 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     if (r.dispatched > 0)
         out += fmt::format("               events dispatched one at a time: {} compared with a cycle\n",
                            with_commas(r.dispatched));
+    if (!c.order.empty()) out += fmt::format("               order of events in a cycle: {}\n", c.order);
     out += conformance_values(r);
     const bool for_all = r.outcome == conformance::Outcome::conforms;
     for (const conformance::FewValues& represented : r.represented)
@@ -294,6 +314,7 @@ std::string conformance_rest(const ConformanceReport& c, const Options& options)
     write_explanation(out, r.explanation);
     if (!r.expected.empty()) out += fmt::format("                 the model: {}\n", r.expected);
     write_api_difference(out, r);
+    write_cycle_claims(out, r);
     write_asides(out, r);
     if (options.output.show_internal && !r.raw.empty())
         out += fmt::format("                 events <{}>\n", fmt::join(r.raw, ", "));
@@ -440,16 +461,23 @@ Exit Report::exit_code() const {
     const auto code = [&](conformance::Outcome outcome) {
         return std::ranges::any_of(conformance, [&](const auto& c) { return c.result.outcome == outcome; });
     };
+    const auto claim = [&](conformance::Outcome outcome) {
+        return std::ranges::any_of(conformance, [&](const auto& c) {
+            return std::ranges::any_of(c.result.claims, [&](const conformance::CycleAnswers& answers) {
+                return answers.model.outcome == outcome || answers.code.outcome == outcome;
+            });
+        });
+    };
     const bool unwritten = std::ranges::any_of(
         assertions, [](const driver::AssertionReport& a) { return a.certificate && a.certificate->failed; });
     if (nothing_checked || !refused.empty() || unwritten || any(driver::Answer::error) ||
         code(conformance::Outcome::not_generated) || code(conformance::Outcome::error))
         return Exit::bad_input;
     if (any(driver::Answer::fails) || code(conformance::Outcome::differs) || code(conformance::Outcome::rounds) ||
-        code(conformance::Outcome::not_schedulable))
+        code(conformance::Outcome::not_schedulable) || claim(conformance::Outcome::differs))
         return Exit::failed;
     if (!limit.empty() || any(driver::Answer::inconclusive) || any(driver::Answer::unchecked) ||
-        code(conformance::Outcome::inconclusive))
+        code(conformance::Outcome::inconclusive) || claim(conformance::Outcome::inconclusive))
         return Exit::inconclusive;
     return Exit::success;
 }

@@ -28,6 +28,7 @@ struct ConformanceReport {
     std::optional<runs::Place> region;  ///< where it is declared
     conformance::Result result;
     double seconds = 0;
+    std::string order = {};  ///< the declared order of events in a cycle: "estop first"; "" if there is none
 };
 
 /// A file that was written.

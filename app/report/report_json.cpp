@@ -127,12 +127,31 @@ Json represented_json(const conformance::FewValues& represented) {
     return {{"type", represented.type}, {"values", represented.values}};
 }
 
+Json cycle_answer_json(const conformance::CycleAnswer& answer) {
+    const char* verdict = "inconclusive";
+    if (answer.outcome == conformance::Outcome::conforms) verdict = "holds";
+    if (answer.outcome == conformance::Outcome::differs) verdict = "fails";
+    Json json{{"verdict", verdict}};
+    if (!answer.reason.empty()) json["reason"] = answer.reason;
+    if (!answer.cycles.empty()) json["cycles"] = json_array(answer.cycles, cycle_json);
+    return json;
+}
+
+Json cycle_claim_json(const conformance::CycleAnswers& claim) {
+    return {{"name", claim.claim},
+            {"claim", claim.wording},
+            {"asked", claim.asked},
+            {"modelInCycles", cycle_answer_json(claim.model)},
+            {"thisCode", cycle_answer_json(claim.code)}};
+}
+
 Json conformance_json(const ConformanceReport& c) {
     const conformance::Result& r = c.result;
     Json json{{"component", c.component},    {"outcome", name_of(r.outcome)},
               {"codeStates", r.code_states}, {"codeCycles", r.code_cycles},
               {"dispatched", r.dispatched},  {"statistics", statistics_json(r.product)},
               {"seconds", c.seconds}};
+    if (!c.order.empty()) json["order"] = c.order;
     if (!r.all_values.empty()) json["data"] = json_array(r.all_values, data_json);
     if (r.robot) json["robot"] = robot_json(*r.robot);
     if (!r.not_for_all.empty()) json["notForAllValues"] = r.not_for_all;
@@ -151,6 +170,7 @@ Json conformance_json(const ConformanceReport& c) {
                                  {"dispatch", behaviour_json(r.api_difference->dispatched)}};
     if (r.register_cycles) json["registerCycles"] = aside_json(*r.register_cycles);
     if (r.deadlines) json["deadlinesMet"] = aside_json(*r.deadlines);
+    if (!r.claims.empty()) json["claims"] = json_array(r.claims, cycle_claim_json);
     if (!r.missed.empty()) json["missedEvents"] = json_array(r.missed, missed_json);
     if (!r.overtaken.empty()) json["overtakenEvents"] = json_array(r.overtaken, overtaken_json);
     if (r.cycles.empty()) return json;

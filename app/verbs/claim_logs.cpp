@@ -95,6 +95,9 @@ private:
             const std::string& path = claim.component.path;
             if (path != header_.component && !path.ends_with("::" + header_.component)) continue;
             followed_.emplace_back(claim, project_.system, project_.unit);
+            if (!claim.facts.empty()) followed_.back().give_up("a log does not show states and variables");
+            if (claim.body.kind == claims::BodyKind::possible)
+                followed_.back().give_up("one run does not show what other runs do");
             for (const std::string& word : header_.unobserved) hide(followed_.back(), word);
         }
     }

@@ -13,6 +13,7 @@
 #include <mutex>
 #include <set>
 
+#include "app/claims/event_order.hpp"
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
@@ -167,6 +168,7 @@ cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& 
     cpp_emit::Options generator;
     generator.cycle_length = simulation.scenario.units_per_step;
     generator.sources = &project.sources;
+    generator.order = event_order(project, components.front());
     return cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator,
                                 project.diagnostics);
 }
@@ -179,6 +181,7 @@ bool load_other(Simulation& simulation, std::size_t number, const Options& optio
     if (follows_claims(simulation.scenario, options)) settings.load.claims = driver::ClaimUse::read;
     other.model = settings.load.inputs.front();
     other.project = driver::load_project(settings, options.run->budget());
+    driver::read_ignored_claims(*other.project, settings.load);
     record_project(*other.project, settings, options);
     if (is_acceptable(*other.project, settings.load))
         other.emission = emit_component(simulation, *other.project, simulation.scenario.controller_at(number).component,
@@ -425,6 +428,7 @@ std::unique_ptr<Simulation> load_simulation(const Options& options) {
         if (file.ends_with(".claims")) model.load.inputs.push_back(file);
     }
     simulation->project = driver::load_project(model, options.run->budget());
+    driver::read_ignored_claims(*simulation->project, model.load);
     record_project(*simulation->project, model, options);
     if (!is_acceptable(*simulation->project, options.load)) return simulation;
     simulation->scenario = read_scenario_of(*simulation->project, options);

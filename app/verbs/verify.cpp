@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 
+#include "app/claims/event_order.hpp"
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
@@ -26,6 +27,7 @@
 #include "base/diagnostics/render.hpp"
 #include "base/diagnostics/spelling.hpp"
 #include "checker/cspm/syntax/reader.hpp"
+#include "conformance/check/cycle_claims.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/emit.hpp"
 #include "cpp_emit/ros2/read_mapping.hpp"
@@ -34,6 +36,7 @@
 #include "driver/claims/model_claims.hpp"
 #include "driver/model/block_values.hpp"
 #include "driver/model/broken_claims.hpp"
+#include "driver/model/claim_files.hpp"
 #include "driver/model/places.hpp"
 #include "driver/model/preferences.hpp"
 #include "driver/model/project_claims.hpp"
@@ -333,6 +336,7 @@ bool write_cpp(driver::Project& project, const Options& options, Report& report)
     }
     std::vector<cpp_emit::Emission> emissions;
     for (const ir::ComponentRef& component : components) {
+        generator.order = event_order(project, component);
         emissions.push_back(
             cpp_emit::emit(project.system, project.instantiation, component, generator, project.diagnostics));
         if (!project.diagnostics.ok()) return false;
@@ -404,6 +408,17 @@ conformance::Numbers numbers_to_compare(const driver::Project& project, const Op
     return carriers ? conformance::Numbers::carriers : conformance::Numbers::all;
 }
 
+/// The claims about cycles of a component; null if there are none.
+std::shared_ptr<const conformance::CycleClaims> cycle_claims(const driver::Project& project,
+                                                             const ir::ComponentRef& component) {
+    conformance::CycleClaims claims;
+    claims.unit = project.claims->checked.unit;
+    for (const claims::CheckedClaim& claim : project.claims->checked.claims)
+        if (claim.raised && claim.component.path == ir::qualified_name(component)) claims.claims.push_back(claim);
+    if (claims.claims.empty()) return nullptr;
+    return std::make_shared<const conformance::CycleClaims>(std::move(claims));
+}
+
 bool allows_rounding(const Options& options) {
     const auto& allowed = options.load.allowed;
     return std::ranges::find(allowed, conformance::rules::rounded.code) != allowed.end();
@@ -437,11 +452,13 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         conformance_options.cycle_length = options.code.cycle;
         conformance_options.limits = limits(options, "code of " + ir::qualified_name(component));
         conformance_options.generator.choices = options.code.choices;
+        conformance_options.generator.order = event_order(project, component);
         conformance_options.relation = options.conform.relation;
         conformance_options.numbers = numbers_to_compare(project, options);
         conformance_options.rounding_allowed = allows_rounding(options);
         conformance_options.walks.cycles = options.conform.walks;
         conformance_options.cache = options.run->cache();
+        conformance_options.claims = cycle_claims(project, component);
         conformance_options.exported = export_format(options.conform.exported_code);
         ConformanceReport one;
         one.component = project.label + ir::qualified_name(component);
@@ -452,6 +469,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
             unlike_blocks = values_unlike_blocks(project, model->script.definitions);
         }
         one.result = conformance::conform(*model, component, conformance_options, project.diagnostics);
+        one.order = order_text(project.system, conformance_options.generator.order);
         if (!unlike_blocks.empty())
             one.result.warnings.push_back(fmt::format(
                 "the csp block Instantiations is not read here: {}; --const sets constants", unlike_blocks));
@@ -677,6 +695,8 @@ Options with_buffers(Options options) {
 Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
     parts = driver::load_parts(options, options.run->budget());
+    if (options.verb == Verb::conform || options.verb == Verb::emit_cpp)
+        for (const driver::Part& part : parts) driver::read_ignored_claims(*part.project, options.load);
     record_projects(parts, options, options);
     if (options.output.phase != Phase::none) return print_phases(parts, options);
     if (!options.code.mapping.empty() && options.code.target != cpp_emit::Target::ros2)

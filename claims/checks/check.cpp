@@ -11,6 +11,7 @@
 #include "base/diagnostics/spelling.hpp"
 #include "claims/checks/duration.hpp"
 #include "claims/checks/resolve_events.hpp"
+#include "claims/checks/resolve_facts.hpp"
 #include "claims/checks/rules.hpp"
 #include "claims/checks/unit.hpp"
 
@@ -45,6 +46,12 @@ public:
                     diagnostics_.report(rules::named_twice, claim.name.span, {claim.name.text});
                 try {
                     result_.claims.push_back(check_claim(claim, *file));
+                } catch (const ClaimError&) {
+                }
+            }
+            for (const Order& order : file->orders) {
+                try {
+                    add_order(check_order(order, *file), order);
                 } catch (const ClaimError&) {
                 }
             }
@@ -133,6 +140,51 @@ private:
                                                 meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant)));
     }
 
+    // ------------------------------------------------------------ orders
+
+    CheckedOrder check_order(const Order& order, const ClaimFile& file) {
+        CheckedOrder result;
+        result.component = named_component(order.component, file);
+        result.span = order.span;
+        if (!order.first.empty() && result.component.kind != ir::ComponentKind::machine)
+            refuse(order.component.span, "a machine tries events first; `drops` is about a component");
+        for (const Name& event : order.first) {
+            require_input(result.component, event);
+            const ir::Machine& machine = model_.system.machine(result.component.machines.front().machine);
+            const bool taken = std::ranges::any_of(machine.transitions, [&](const ir::Transition& transition) {
+                return transition.trigger && machine.events[transition.trigger->event.index].name == event.text;
+            });
+            if (!taken)
+                refuse(event.span, fmt::format("no transition of {} is triggered by `{}`", machine.name, event.text));
+            if (std::ranges::find(result.first, event.text) != result.first.end())
+                refuse(event.span, fmt::format("`{}` comes first twice", event.text));
+            result.first.push_back(event.text);
+        }
+        for (const Order::Drop& drop : order.drops) {
+            require_input(result.component, drop.event);
+            require_input(result.component, drop.dropped);
+            if (drop.event.text == drop.dropped.text) refuse(drop.dropped.span, "an event does not drop itself");
+            result.drops.push_back({drop.event.text, drop.dropped.text});
+        }
+        return result;
+    }
+    void add_order(CheckedOrder order, const Order& written) {
+        for (const CheckedOrder& other : result_.orders)
+            if (other.component.path == order.component.path && !other.first.empty() && !order.first.empty())
+                refuse(written.component.span, fmt::format("two orders of {}: the other is in {}", order.component.path,
+                                                           sources_.path_and_line(other.span)));
+        result_.orders.push_back(std::move(order));
+    }
+    void require_input(const Component& component, const Name& event) {
+        std::vector<std::string> inputs;
+        for (const Channel& channel : component.channels)
+            if (channel.kind == ChannelKind::input) inputs.push_back(channel.name);
+        if (std::ranges::find(inputs, event.text) != inputs.end()) return;
+        const std::string meant = diagnostics::nearest_spelling(event.text, inputs);
+        refuse(event.span, fmt::format("{} does not receive an event `{}`{}", component.path, event.text,
+                                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant)));
+    }
+
     // ------------------------------------------------------------ claims
 
     CheckedClaim check_claim(const Claim& claim, const ClaimFile& file) {
@@ -141,20 +193,48 @@ private:
         result.wording = claim.wording;
         result.span = claim.span;
         result.component = claim.component ? named_component(*claim.component, file) : only_component(claim, file);
+        result.assumption = claim.assumption;
+        result.raised = claim.scope.kind == ScopeKind::cycle;
+        inputs_.clear();
+        for (const Channel& channel : result.component.channels)
+            if (channel.kind == ChannelKind::input) inputs_.insert(channel.name);
         EventResolver events(model_.system, result, sources_, diagnostics_);
+        FactResolver facts(model_.system, result, sources_, diagnostics_);
         result.scope.kind = claim.scope.kind;
         result.scope.first = events.resolve(claim.scope.first);
         result.scope.last = events.resolve(claim.scope.last);
+        if (claim.scope.condition) result.scope.condition = facts.resolve(*claim.scope.condition);
         if (claim.scope.kind == ScopeKind::for_after) result.scope.units = count_units(claim.scope.duration);
         const Body& body = claim.body;
         result.body.kind = body.kind;
-        result.body.events = events.resolve(body.events);
+        if (const ExprPtr state = state_of_possible(body, result, facts))
+            result.body.condition = facts.resolve(*state);
+        else
+            result.body.events = events.resolve(body.events);
         result.body.others = events.resolve(body.others);
         result.body.exceptions = events.resolve(body.exceptions);
+        if (body.condition) {
+            result.body.condition = facts.resolve(*body.condition);
+            result.body.condition_text = facts.written(body.condition->span);
+        }
         if (body.duration) result.body.units = count_units(*body.duration);
         if (!body.count.empty()) result.body.count = Fraction::of_decimal(body.count).numerator();
+        check_scope_of_cycle(result);
         check_meaning(claim, result);
         return result;
+    }
+
+    /// `possible in S`, where S is a state and no event.
+    static ExprPtr state_of_possible(const Body& body, const CheckedClaim& claim, const FactResolver& facts) {
+        if (body.kind != BodyKind::possible || body.events.patterns.size() != 1) return nullptr;
+        const Pattern& pattern = body.events.patterns.front();
+        const bool plain = pattern.kind == PatternKind::named && pattern.direction == Direction::input &&
+                           !pattern.arguments && !pattern.condition;
+        const auto& channels = claim.component.channels;
+        if (!plain || std::ranges::find(channels, pattern.name.text, &Channel::name) != channels.end() ||
+            !facts.has_state(pattern.name.text))
+            return nullptr;
+        return std::make_shared<const Expr>(Expr{Op::in_state, pattern.name.text, {}, pattern.name.span});
     }
 
     std::int64_t count_units(const Duration& duration) {
@@ -169,8 +249,88 @@ private:
         throw ClaimError{};
     }
 
+    [[noreturn]] void refuse(Span span, std::string text) {
+        diagnostics_.report(rules::wrong_form, span, {std::move(text)});
+        throw ClaimError{};
+    }
+
+    /// `can take E` is about one input of a machine, everywhere or while it is in one state.
+    void check_readiness(const Claim& claim, const CheckedClaim& checked) {
+        if (checked.component.kind != ir::ComponentKind::machine)
+            refuse(claim.name.span, "`can take` is about one machine: write `of MACHINE`");
+        const std::vector<EventMatch>& events = checked.body.events.any;
+        const bool one = events.size() == 1 && !events[0].condition && events[0].channels.size() == 1 &&
+                         checked.component.channels[events[0].channels[0]].kind == ChannelKind::input;
+        if (!one) refuse(claim.body.events.span, "`can take` is about one input, with any value");
+        const std::optional<Condition>& condition = checked.scope.condition;
+        const bool state = condition && condition->operand == Operand::fact && checked.facts[condition->index].state;
+        if (claim.scope.kind != ScopeKind::whole && !state)
+            refuse(claim.scope.span, "the scope of `can take` is `while in STATE`");
+    }
+
+    void check_scope_of_cycle(const CheckedClaim& checked) {
+        if (checked.scope.kind != ScopeKind::cycle) return;
+        for (const EventMatch& match : checked.scope.first.any)
+            for (const std::size_t channel : match.channels)
+                if (checked.component.channels[channel].kind != ChannelKind::input)
+                    refuse(match.span, "a cycle begins with inputs: `in a cycle with estop`");
+    }
+
+    /// In cycles, inputs are raised, and nothing is seen of the events that a machine takes. A claim that is not about
+    /// one cycle only may count time.
+    void check_cycle(const Claim& claim, const CheckedClaim& checked) {
+        const bool alone = checked.scope.kind == ScopeKind::cycle;
+        if (alone && claim.body.duration) refuse(claim.body.duration->span, "a cycle has no time inside");
+        if (checked.body.kind == BodyKind::possible || checked.body.kind == BodyKind::leads)
+            refuse(claim.body.span, "claims about cycles have a finite run that breaks them");
+        const bool facts = checked.scope.kind == ScopeKind::during || (checked.body.condition && !alone);
+        if (facts)
+            refuse(claim.span,
+                   "a claim about cycles reads states at the end of a cycle: `in a cycle with E, always P`");
+        for (const Fact& fact : checked.facts)
+            if (!fact.state) refuse(claim.body.span, "a claim about cycles reads states, not variables");
+        require_raised(claim.scope.first, alone);
+        for (const EventSet* events :
+             {&claim.scope.last, &claim.body.events, &claim.body.others, &claim.body.exceptions})
+            require_raised(*events, false);
+    }
+    /// `whole`: the scope of a cycle, whose event is raised without the word.
+    void require_raised(const EventSet& events, bool whole) {
+        for (const Pattern& pattern : events.patterns) {
+            if (pattern.kind == PatternKind::enter || pattern.kind == PatternKind::leave)
+                refuse(pattern.span, "a claim about cycles reads states at the end of a cycle: `always in S`");
+            if (pattern.kind != PatternKind::named || whole || pattern.direction == Direction::raised) continue;
+            if (inputs_.contains(pattern.name.text) && pattern.direction != Direction::output)
+                refuse(pattern.span, fmt::format("in cycles, inputs are raised: write `raised {}`", pattern.name.text));
+        }
+    }
+
+    /// An assumption restricts only what the environment decides: when inputs come.
+    void check_assumption(const Claim& claim, const CheckedClaim& checked) {
+        const CheckedBody& body = checked.body;
+        if (body.kind == BodyKind::possible || body.kind == BodyKind::leads || !checked.facts.empty())
+            refuse(claim.body.span,
+                   "an assumption restricts when inputs come: `E leads to F within D`, `never E`, `at most N "
+                   "E`");
+        const bool response = body.kind == BodyKind::leads_within;
+        require_inputs(response ? body.others : body.events, response ? claim.body.others.span : claim.body.events.span,
+                       checked);
+        if (body.kind == BodyKind::leads_before) require_inputs(body.exceptions, claim.body.exceptions.span, checked);
+    }
+    void require_inputs(const Events& events, Span span, const CheckedClaim& checked) {
+        const bool inputs = !events.terminate && std::ranges::all_of(events.any, [&](const EventMatch& match) {
+            return std::ranges::all_of(match.channels, [&](std::size_t channel) {
+                return checked.component.channels[channel].kind == ChannelKind::input;
+            });
+        });
+        if (!inputs) refuse(span, "an assumption restricts inputs; outputs and calls are what the component does");
+    }
+
     void check_meaning(const Claim& claim, const CheckedClaim& checked) {
         const CheckedBody& body = checked.body;
+        if (body.kind == BodyKind::can_take) check_readiness(claim, checked);
+        if (checked.assumption) check_assumption(claim, checked);
+        if (checked.raised) check_cycle(claim, checked);
         const bool counts = body.kind == BodyKind::at_most || body.kind == BodyKind::every;
         if (counts && claim.scope.kind == ScopeKind::after && !claim.scope.only_first)
             ask_first_or_each(claim, checked);
@@ -195,6 +355,8 @@ private:
                                 {fmt::format("at most {} events are counted", most)});
             throw ClaimError{};
         }
+        if (body.kind == BodyKind::for_at_least && body.units == 0)
+            says_nothing(claim.body.duration->span, "every stay lasts at least 0 time units");
         if (body.kind == BodyKind::at_least && body.units == 0)
             says_nothing(claim.body.duration->span, "every event comes at least 0 time units after another");
     }
@@ -222,6 +384,7 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     std::vector<Component> components_;
     CheckedClaims result_;
+    std::set<std::string> inputs_;  ///< of the component of the claim
 };
 
 }  // namespace

@@ -19,6 +19,9 @@ enum class Operand : std::uint8_t {
     constant,  ///< `value`
     argument,  ///< the value with this index that the event carries
     last,      ///< the last value of remembered channel `index`; the condition is false if there was none
+    fact,      ///< the truth of the claim's fact `index`
+    variable,  ///< the variable `index` of a machine; only in the condition of a fact
+    of_model,  ///< the constant `index` of a machine; only in the condition of a fact
 };
 
 /// A resolved condition. Truth values are 0 and 1; literals are their indices.
@@ -27,13 +30,34 @@ struct Condition {
     Op op = Op::conjunction;
     Fraction value;
     std::size_t index = 0;
+    ir::TypeId type = {};  ///< of constants and variables of an enumeration, of truth values and of variables
     std::vector<Condition> parts;
+
+    friend bool operator==(const Condition&, const Condition&) = default;
 };
+
+/// What a claim sees of a machine besides events: whether it is in a state, or whether its variables satisfy a
+/// condition.
+struct Fact {
+    std::string machine;  ///< its path in the script: "warehouse::Warehouse::brain::patrol"
+    ir::MachineId of;
+    std::optional<ir::NodeId> state;
+    Condition condition;  ///< if there is no state
+    std::string text;     ///< as written
+
+    friend bool operator==(const Fact& one, const Fact& other) {
+        return one.machine == other.machine && one.state == other.state && one.condition == other.condition;
+    }
+};
+
+enum class Change : std::uint8_t { none, begins, ends };
 
 /// The events of some channels for which a condition holds.
 struct EventMatch {
     std::vector<std::size_t> channels;   ///< ascending; of the claim's component
     std::optional<Condition> condition;  ///< only for a single channel
+    Change change = Change::none;        ///< `enter S`, `leave S`: no channels
+    std::size_t fact = 0;                ///< the fact that changes
     std::string text;                    ///< as written
     Span span;
 };
@@ -51,24 +75,40 @@ struct Events {
 struct CheckedScope {
     ScopeKind kind = ScopeKind::whole;
     Events first, last;
-    std::int64_t units = 0;  ///< for_after
+    std::int64_t units = 0;              ///< for_after
+    std::optional<Condition> condition;  ///< during
 };
 
 struct CheckedBody {
     BodyKind kind = BodyKind::never;
     Events events, others, exceptions;
+    std::optional<Condition> condition;  ///< on facts; `possible`: no value if it is about events
+    std::string condition_text;          ///< as written
     std::optional<std::int64_t> units;
     std::int64_t count = 0;
 };
 
 struct CheckedClaim {
     std::string name;
+    bool assumption = false;
     std::string wording;
     Component component;
     CheckedScope scope;
     CheckedBody body;
     std::vector<std::size_t> remembered;  ///< channels whose last value is used
+    std::vector<Fact> facts;              ///< what it reads of states and variables
     bool raised = false;                  ///< it is about raised events, which only cycles have
+    Span span;
+};
+
+/// The order of events in a cycle.
+struct CheckedOrder {
+    struct Drop {
+        std::string event, dropped;
+    };
+    Component component;
+    std::vector<std::string> first;  ///< only of a machine
+    std::vector<Drop> drops;
     Span span;
 };
 
@@ -76,6 +116,7 @@ struct CheckedClaim {
 struct CheckedClaims {
     std::optional<std::int64_t> unit;  ///< nanoseconds of a time unit, if declared
     std::vector<CheckedClaim> claims;
+    std::vector<CheckedOrder> orders;
 };
 
 }  // namespace robochart::claims

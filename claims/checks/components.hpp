@@ -21,6 +21,12 @@ struct Channel {
     friend bool operator==(const Channel&, const Channel&) = default;
 };
 
+/// A machine in a component, or the component itself.
+struct MachinePart {
+    std::string path;  ///< as in the script
+    ir::MachineId machine;
+};
+
 /// A module, a controller or a machine, alone or as a part of another component.
 struct Component {
     ir::ComponentKind kind = ir::ComponentKind::module;
@@ -28,7 +34,8 @@ struct Component {
     std::string package;  ///< "" if unnamed
     bool part = false;    ///< a part of another component
     std::vector<Channel> channels;
-    std::vector<std::string> defined;  ///< operations that the model defines for this component
+    std::vector<std::string> defined = {};  ///< operations that the model defines for this component
+    std::vector<MachinePart> machines = {};
 };
 
 /// The components of a system; each before its parts.

@@ -27,37 +27,7 @@ bool has_direction(const Channel& channel, Direction direction) {
     return false;
 }
 
-Condition operand_of(Operand operand, std::size_t index) {
-    Condition result;
-    result.operand = operand;
-    result.index = index;
-    return result;
-}
-
-Condition constant_of(Fraction value) {
-    Condition result;
-    result.operand = Operand::constant;
-    result.value = value;
-    return result;
-}
-
-Condition operation(Op op, std::vector<Condition> parts) {
-    Condition result;
-    result.op = op;
-    result.parts = std::move(parts);
-    return result;
-}
-
-bool is_comparison(Op op) {
-    return op == Op::less || op == Op::less_equal || op == Op::greater || op == Op::greater_equal;
-}
-
 }  // namespace
-
-void EventResolver::refuse(Span span, std::string text) {
-    diagnostics_.report(rules::wrong_value, span, {std::move(text)});
-    throw ClaimError{};
-}
 
 std::string EventResolver::written(Span span) const {
     std::string result;
@@ -87,7 +57,17 @@ Events EventResolver::resolve(const EventSet& events) {
     return result;
 }
 
+EventMatch EventResolver::resolve_change(const Pattern& pattern) {
+    EventMatch result;
+    result.span = pattern.span;
+    result.text = written(pattern.span);
+    result.change = pattern.kind == PatternKind::enter ? Change::begins : Change::ends;
+    result.fact = facts_.fact_of_state(pattern.name);
+    return result;
+}
+
 EventMatch EventResolver::resolve_pattern(const Pattern& pattern) {
+    if (pattern.kind == PatternKind::enter || pattern.kind == PatternKind::leave) return resolve_change(pattern);
     if (pattern.kind != PatternKind::named) return resolve_any(pattern);
     EventMatch result;
     const std::size_t at = find_channel(pattern.name, pattern.direction);
@@ -100,9 +80,7 @@ EventMatch EventResolver::resolve_pattern(const Pattern& pattern) {
     std::vector<Condition> conditions;
     if (pattern.arguments) add_arguments(pattern, channel, variables, conditions);
     if (pattern.condition) {
-        Typed condition = resolve_expr(*pattern.condition, channel, variables);
-        if (condition.sort != Sort::truth) refuse(pattern.condition->span, "this is no condition");
-        conditions.push_back(std::move(condition.condition));
+        conditions.push_back(conditions_.resolve_truth(*pattern.condition, leaf_of(channel, variables)));
     }
     if (!conditions.empty()) result.condition = operation(Op::conjunction, std::move(conditions));
     return result;
@@ -118,11 +96,11 @@ EventMatch EventResolver::resolve_any(const Pattern& pattern) {
         if (channels[i].kind == kind) result.channels.push_back(i);
     for (const Pattern& exception : pattern.but) {
         if (exception.kind != PatternKind::named || exception.condition || exception.arguments)
-            refuse(exception.span, "an exception is the name of an event or an operation");
+            conditions_.refuse(exception.span, "an exception is the name of an event or an operation");
         const std::size_t left_out = find_channel(exception.name, exception.direction);
         if (channels[left_out].kind != kind)
-            refuse(exception.span, fmt::format("`{}` is no {}", exception.name.text,
-                                               kind == ChannelKind::call ? "operation" : "input"));
+            conditions_.refuse(exception.span, fmt::format("`{}` is no {}", exception.name.text,
+                                                           kind == ChannelKind::call ? "operation" : "input"));
         std::erase(result.channels, left_out);
     }
     return result;
@@ -130,6 +108,11 @@ EventMatch EventResolver::resolve_any(const Pattern& pattern) {
 
 void EventResolver::report_unknown(const Name& name) {
     const Component& component = claim_.component;
+    if (facts_.has_state(name.text))
+        conditions_.refuse(name.span,
+                           fmt::format("`{}` is a state: write `always not in {}`, `enter {}`, or `while in {}, "
+                                       "...`",
+                                       name.text, name.text, name.text, name.text));
     if (std::ranges::find(component.defined, name.text) != component.defined.end()) {
         diagnostics_.report(rules::defined_operation, name.span, {name.text, component.path})
             .notes.push_back({{}, "claim something of the calls that the operation makes"});
@@ -164,132 +147,68 @@ std::size_t EventResolver::find_channel(const Name& name, Direction direction) {
 void EventResolver::add_arguments(const Pattern& pattern, const Channel& channel, Variables& variables,
                                   std::vector<Condition>& conditions) {
     const auto& arguments = *pattern.arguments;
+    const Variables no_variables;
     if (arguments.size() != channel.types.size())
-        refuse(pattern.span, fmt::format("`{}` carries {} value{}, not {}", channel.name, channel.types.size(),
-                                         channel.types.size() == 1 ? "" : "s", arguments.size()));
+        conditions_.refuse(pattern.span,
+                           fmt::format("`{}` carries {} value{}, not {}", channel.name, channel.types.size(),
+                                       channel.types.size() == 1 ? "" : "s", arguments.size()));
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const Expr& written_argument = *arguments[i];
         const bool name = written_argument.op == Op::name;
         if (name && written_argument.text == "_") continue;
-        const bool literal = name && find_literal(written_argument.text).has_value();
+        const bool literal = name && conditions_.find_literal(written_argument.text).has_value();
         if (name && !literal) {
             if (!variables.emplace(written_argument.text, i).second)
-                refuse(written_argument.span, fmt::format("`{}` names two values", written_argument.text));
+                conditions_.refuse(written_argument.span, fmt::format("`{}` names two values", written_argument.text));
             continue;
         }
-        const Typed value = resolve_expr(written_argument, channel, {});
-        const Typed argument = typed_operand(operand_of(Operand::argument, i), channel.types[i], written_argument.span);
+        const Typed value = conditions_.resolve(written_argument, leaf_of(channel, no_variables));
+        const Typed argument =
+            conditions_.typed_operand(operand_of(Operand::argument, i), channel.types[i], written_argument.span);
         if (value.sort != argument.sort || (value.sort == Sort::literal && value.type != argument.type))
-            refuse(written_argument.span, fmt::format("this value of `{}` has the type {}", channel.name,
-                                                      system_.type(channel.types[i]).name));
+            conditions_.refuse(written_argument.span, fmt::format("this value of `{}` has the type {}", channel.name,
+                                                                  system_.type(channel.types[i]).name));
         conditions.push_back(operation(Op::equal, {argument.condition, value.condition}));
     }
 }
 
 // ---------------------------------------------------------------- conditions
 
-EventResolver::Typed EventResolver::typed_operand(Condition condition, ir::TypeId type, Span span) {
-    const ir::Type& of = system_.type(type);
-    switch (of.kind) {
-        case ir::TypeKind::nat:
-        case ir::TypeKind::integer:
-        case ir::TypeKind::real:
-            return {std::move(condition), Sort::number, {}};
-        case ir::TypeKind::boolean:
-            return {std::move(condition), Sort::truth, {}};
-        case ir::TypeKind::enumeration:
-            if (std::ranges::all_of(of.literal_args, [](const auto& arguments) { return arguments.empty(); }))
-                return {std::move(condition), Sort::literal, type};
-            break;
-        case ir::TypeKind::string:
-        case ir::TypeKind::given:
-        case ir::TypeKind::sequence:
-        case ir::TypeKind::set:
-        case ir::TypeKind::product:
-        case ir::TypeKind::record:
-        case ir::TypeKind::function:
-        case ir::TypeKind::relation:
-        case ir::TypeKind::vector:
-        case ir::TypeKind::matrix:
-        case ir::TypeKind::unit:
-            break;
-    }
-    refuse(span, fmt::format("conditions are about numbers, truth values and literals, not about values of the type {}",
-                             of.name));
-}
-
 /// Two remembered values of one channel are one.
 std::size_t EventResolver::remember(const Expr& expr) {
     const std::size_t channel = find_channel({expr.text, expr.span}, Direction::none);
     if (claim_.component.channels[channel].types.size() != 1)
-        refuse(expr.span, fmt::format("`last {}` is the value of an event with one value", expr.text));
+        conditions_.refuse(expr.span, fmt::format("`last {}` is the value of an event with one value", expr.text));
     const auto known = std::ranges::find(claim_.remembered, channel);
     if (known != claim_.remembered.end()) return static_cast<std::size_t>(known - claim_.remembered.begin());
     claim_.remembered.push_back(channel);
     return claim_.remembered.size() - 1;
 }
 
-std::optional<EventResolver::Typed> EventResolver::find_literal(const std::string& text) const {
-    std::optional<Typed> found;
-    for (std::uint32_t i = 0; i < system_.types.size(); ++i) {
-        const ir::Type& type = system_.types[i];
-        if (type.kind != ir::TypeKind::enumeration) continue;
-        for (std::size_t label = 0; label < type.labels.size(); ++label) {
-            const std::string name = type.name + "::" + type.labels[label];
-            if (text != type.labels[label] && text != name && text != type.package + "::" + name) continue;
-            if (found) return std::nullopt;
-            found = Typed{constant_of(Fraction(static_cast<std::int64_t>(label))), Sort::literal, ir::TypeId{i}};
-        }
-    }
-    return found;
-}
-
-EventResolver::Typed EventResolver::resolve_name(const Expr& expr, const Channel& channel, const Variables& variables) {
+Typed EventResolver::resolve_name(const Expr& expr, const Channel& channel, const Variables& variables) {
     if (const auto found = variables.find(expr.text); found != variables.end())
-        return typed_operand(operand_of(Operand::argument, found->second), channel.types[found->second], expr.span);
-    if (auto literal = find_literal(expr.text)) return std::move(*literal);
-    refuse(expr.span, fmt::format("`{}` is no value here: name the values of the event, `{}(v)`, or write a literal as "
-                                  "`Type::Literal`",
-                                  expr.text, channel.name));
+        return conditions_.typed_operand(operand_of(Operand::argument, found->second), channel.types[found->second],
+                                         expr.span);
+    if (auto literal = conditions_.find_literal(expr.text)) return std::move(*literal);
+    conditions_.refuse(
+        expr.span, fmt::format("`{}` is no value here: name the values of the event, `{}(v)`, or write a literal as "
+                               "`Type::Literal`",
+                               expr.text, channel.name));
 }
 
-EventResolver::Typed EventResolver::resolve_expr(const Expr& expr, const Channel& channel, const Variables& variables) {
-    try {
-        if (expr.op == Op::number) return {constant_of(Fraction::of_decimal(expr.text)), Sort::number, {}};
-    } catch (const NotComputable& error) {
-        refuse(expr.span, error.what());
-    }
-    if (expr.op == Op::truth) return {constant_of(Fraction(expr.text == "true" ? 1 : 0)), Sort::truth, {}};
+/// The names of the event's values, literals, and last values.
+Typed EventResolver::resolve_leaf(const Expr& expr, const Channel& channel, const Variables& variables) {
+    if (expr.op == Op::in_state)
+        conditions_.refuse(expr.span,
+                           "the condition of an event is about its values; `while in S, ...` is about a state");
     if (expr.op == Op::name) return resolve_name(expr, channel, variables);
-    if (expr.op == Op::last) {
-        const std::size_t index = remember(expr);
-        const Channel& of = claim_.component.channels[claim_.remembered[index]];
-        return typed_operand(operand_of(Operand::last, index), of.types.front(), expr.span);
-    }
-    return resolve_operator(expr, channel, variables);
+    const std::size_t index = remember(expr);
+    const Channel& of = claim_.component.channels[claim_.remembered[index]];
+    return conditions_.typed_operand(operand_of(Operand::last, index), of.types.front(), expr.span);
 }
 
-EventResolver::Typed EventResolver::resolve_operator(const Expr& expr, const Channel& channel,
-                                                     const Variables& variables) {
-    std::vector<Typed> parts;
-    for (const ExprPtr& part : expr.parts) parts.push_back(resolve_expr(*part, channel, variables));
-    const auto require = [&](Sort sort, const char* what) {
-        for (std::size_t i = 0; i < parts.size(); ++i)
-            if (parts[i].sort != sort) refuse(expr.parts[i]->span, fmt::format("this is no {}", what));
-    };
-    Sort sort = Sort::truth;
-    if (expr.op == Op::negation || expr.op == Op::conjunction || expr.op == Op::disjunction) {
-        require(Sort::truth, "condition");
-    } else if (expr.op == Op::equal || expr.op == Op::unequal) {
-        if (parts[0].sort != parts[1].sort || parts[0].type != parts[1].type)
-            refuse(expr.span, "values of different types are compared");
-    } else {
-        require(Sort::number, "number");
-        if (!is_comparison(expr.op)) sort = Sort::number;
-    }
-    std::vector<Condition> conditions;
-    for (Typed& part : parts) conditions.push_back(std::move(part.condition));
-    return {operation(expr.op, std::move(conditions)), sort, {}};
+ConditionResolver::Leaf EventResolver::leaf_of(const Channel& channel, const Variables& variables) {
+    return [&](const Expr& expr) { return resolve_leaf(expr, channel, variables); };
 }
 
 }  // namespace robochart::claims

@@ -7,30 +7,26 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
-#include "claims/checks/checked.hpp"
+#include "claims/checks/conditions.hpp"
+#include "claims/checks/resolve_facts.hpp"
 
 namespace robochart::claims {
-
-/// Thrown after a finding about the claim.
-struct ClaimError {};
 
 /// Resolves the events of one claim; adds to its remembered channels.
 class EventResolver {
 public:
     EventResolver(const ir::System& system, CheckedClaim& claim, const diagnostics::SourceManager& sources,
                   diagnostics::Diagnostics& diagnostics)
-        : system_(system), claim_(claim), sources_(sources), diagnostics_(diagnostics) {}
+        : system_(system),
+          claim_(claim),
+          sources_(sources),
+          diagnostics_(diagnostics),
+          conditions_(system, diagnostics),
+          facts_(system, claim, sources, diagnostics) {}
 
     [[nodiscard]] Events resolve(const EventSet& events);
 
 private:
-    /// The type of a part of a condition. `type` is valid for literals.
-    enum class Sort : std::uint8_t { number, truth, literal };
-    struct Typed {
-        Condition condition;
-        Sort sort = Sort::number;
-        ir::TypeId type;
-    };
     using Variables = std::map<std::string, std::size_t>;
 
     [[nodiscard]] EventMatch resolve_pattern(const Pattern& pattern);
@@ -41,18 +37,18 @@ private:
                        std::vector<Condition>& conditions);
     [[nodiscard]] std::size_t remember(const Expr& expr);
 
-    [[nodiscard]] Typed resolve_expr(const Expr& expr, const Channel& channel, const Variables& variables);
-    [[nodiscard]] Typed resolve_operator(const Expr& expr, const Channel& channel, const Variables& variables);
+    [[nodiscard]] Typed resolve_leaf(const Expr& expr, const Channel& channel, const Variables& variables);
     [[nodiscard]] Typed resolve_name(const Expr& expr, const Channel& channel, const Variables& variables);
-    [[nodiscard]] std::optional<Typed> find_literal(const std::string& text) const;
-    [[nodiscard]] Typed typed_operand(Condition condition, ir::TypeId type, Span span);
-    [[noreturn]] void refuse(Span span, std::string text);
+    [[nodiscard]] ConditionResolver::Leaf leaf_of(const Channel& channel, const Variables& variables);
+    [[nodiscard]] EventMatch resolve_change(const Pattern& pattern);
     [[nodiscard]] std::string written(Span span) const;
 
     const ir::System& system_;
     CheckedClaim& claim_;
     const diagnostics::SourceManager& sources_;
     diagnostics::Diagnostics& diagnostics_;
+    ConditionResolver conditions_;
+    FactResolver facts_;
 };
 
 }  // namespace robochart::claims

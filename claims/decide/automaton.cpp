@@ -44,8 +44,13 @@ private:
         AutomatonState result;
         for (const Letter& letter : letters) {
             MonitorState next = state;
-            monitor_.observe(next, letter.occurrence);
+            if (letter.facts.empty())
+                monitor_.observe(next, letter.occurrence);
+            else
+                monitor_.observe(next, letter.facts);
             result.by_letter.push_back(number_of(next));
+            result.serves.push_back(letter.facts.empty() ? monitor_.serves(state, letter.occurrence)
+                                                         : monitor_.serves(state, letter.facts));
         }
         MonitorState later = state;
         monitor_.tock(later);
@@ -54,6 +59,7 @@ private:
         monitor_.end(ended);
         result.may_end = ended.verdict == Verdict::open;
         result.owes = monitor_.owes(state);
+        result.judges = monitor_.judges_facts(state);
         return result;
     }
 
@@ -66,7 +72,7 @@ private:
 }  // namespace
 
 bool AutomatonState::asks() const {
-    return !may_end || !by_tock || std::ranges::any_of(by_letter, [](const auto& next) { return !next; });
+    return judges || !may_end || !by_tock || std::ranges::any_of(by_letter, [](const auto& next) { return !next; });
 }
 
 Automaton make_automaton(const CheckedClaim& claim, const std::vector<Letter>& letters, diagnostics::Budget* budget) {

@@ -15,7 +15,9 @@ struct AutomatonState {
     std::vector<std::optional<std::size_t>> by_letter;
     std::optional<std::size_t> by_tock;
     bool may_end = true;
-    bool owes = false;  ///< an event is demanded
+    bool owes = false;              ///< an event is demanded
+    bool judges = false;            ///< the states or variables are judged here
+    std::vector<bool> serves = {};  ///< by letter: it is an answer or an exception
     /// Something is asked here: an event, the passing of time or the end would break the claim.
     [[nodiscard]] bool asks() const;
 };

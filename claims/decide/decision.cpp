@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -23,6 +24,36 @@ constexpr const char* free_time = "claims__free";
 
 Tree tock() {
     return build::name("tock");
+}
+
+Tree state_name(std::size_t number, const std::string& variant, std::size_t state) {
+    return build::name(fmt::format("claims__{}{}_{}", number, variant, state));
+}
+
+/// The events of a state of the automaton that lead to states of the variant.
+template <class InVariant>
+Exprs moves_of(const AutomatonState& state, const std::vector<Letter>& letters, std::size_t number,
+               const std::string& variant, const InVariant& in_variant) {
+    Exprs result;
+    std::map<std::size_t, Exprs> events;  // by successor
+    for (std::size_t i = 0; i < letters.size(); ++i)
+        if (state.by_letter[i] && in_variant(*state.by_letter[i]))
+            std::ranges::copy(letters[i].prefixes, std::back_inserter(events[*state.by_letter[i]]));
+    for (auto& [next, prefixes] : events)
+        result.push_back(build::replicated(cspm::ExprKind::replicated_external,
+                                           {build::generator("e__", build::productions(std::move(prefixes)))},
+                                           build::prefix(build::name("e__"), state_name(number, variant, next))));
+    if (state.by_tock && in_variant(*state.by_tock))
+        result.push_back(build::prefix(tock(), state_name(number, variant, *state.by_tock)));
+    return result;
+}
+
+/// All events of the letters, and tock.
+Tree seen_by(const std::vector<Letter>& letters) {
+    Exprs items;
+    for (const Letter& letter : letters) std::ranges::copy(letter.prefixes, std::back_inserter(items));
+    items.push_back(tock());
+    return build::productions(std::move(items));
 }
 
 class ProcessMaker {
@@ -56,7 +87,7 @@ public:
 
 private:
     [[nodiscard]] Tree process_name(const std::string& variant, std::size_t state) const {
-        return build::name(fmt::format("claims__{}{}_{}", number_, variant, state));
+        return state_name(number_, variant, state);
     }
 
     struct Variant {
@@ -69,18 +100,7 @@ private:
         for (std::size_t at = 0; at < automaton_.size(); ++at) {
             if (!in_variant(at)) continue;
             const AutomatonState& state = automaton_[at];
-            Exprs branches;
-            std::map<std::size_t, Exprs> events;  // by successor
-            for (std::size_t i = 0; i < letters_.size(); ++i)
-                if (state.by_letter[i] && in_variant(*state.by_letter[i]))
-                    events[*state.by_letter[i]].push_back(letters_[i].prefix);
-            for (auto& [next, prefixes] : events)
-                branches.push_back(
-                    build::replicated(cspm::ExprKind::replicated_external,
-                                      {build::generator("e__", build::productions(std::move(prefixes)))},
-                                      build::prefix(build::name("e__"), process_name(variant.name, next))));
-            if (state.by_tock && in_variant(*state.by_tock))
-                branches.push_back(build::prefix(tock(), process_name(variant.name, *state.by_tock)));
+            Exprs branches = moves_of(state, letters_, number_, variant.name, in_variant);
             if (state.may_end) branches.push_back(build::skip());
             if (variant.free_time && !state.owes)
                 branches.push_back(build::prefix(build::name(free_time), process_name(variant.name, at)));
@@ -93,20 +113,19 @@ private:
     /// something, the debt that stays open. The process "c" then shows the time units that pass, and refuses what
     /// serves the debt and what ends its scope. A debt stays open for ever iff some run has infinitely many of them.
     void add_followed_debt(std::vector<DeclPtr>& declarations) const {
-        if (!claim_.remembered.empty()) throw NotDecided("a response without a limit reads the last value of an event");
         for (std::size_t at = 0; at < automaton_.size(); ++at) {
             const AutomatonState& state = automaton_[at];
             Exprs free, committed;
             for (std::size_t i = 0; i < letters_.size(); ++i) {
                 if (!state.by_letter[i]) continue;
                 const std::size_t next = *state.by_letter[i];
-                const Tree events = build::productions({letters_[i].prefix});
+                const Tree events = build::productions(letters_[i].prefixes);
                 const auto branch = [&](const char* variant) {
                     return build::replicated(cspm::ExprKind::replicated_external, {build::generator("e__", events)},
                                              build::prefix(build::name("e__"), process_name(variant, next)));
                 };
                 free.push_back(branch("w"));
-                if (automaton_[next].owes && !serves(letters_[i])) committed.push_back(branch("c"));
+                if (automaton_[next].owes && !state.serves[i]) committed.push_back(branch("c"));
             }
             if (state.by_tock) free.push_back(build::prefix(tock(), process_name("w", *state.by_tock)));
             if (state.may_end) free.push_back(build::skip());
@@ -120,18 +139,8 @@ private:
             declarations.push_back(build::value(process_name("c", at)->text, build::choice(std::move(committed))));
         }
     }
-    [[nodiscard]] bool serves(const Letter& letter) const {
-        return Monitor::matches(claim_.body.others, letter.occurrence, {}) ||
-               Monitor::matches(claim_.body.exceptions, letter.occurrence, {});
-    }
 
-    /// All events of the claim's channels, and tock.
-    [[nodiscard]] Tree seen() const {
-        Exprs items;
-        for (const Letter& letter : letters_) items.push_back(letter.prefix);
-        items.push_back(tock());
-        return build::productions(std::move(items));
-    }
+    [[nodiscard]] Tree seen() const { return seen_by(letters_); }
     [[nodiscard]] Tree visible() const { return build::project(process_, seen()); }
 
     /// Whether an event that the claim restricts occurs at all. Conditions on last values are not judged.
@@ -145,7 +154,8 @@ private:
             channels.insert(match.channels.begin(), match.channels.end());
         Exprs events;
         for (const Letter& letter : letters_)
-            if (channels.contains(letter.occurrence.channel)) events.push_back(letter.prefix);
+            if (letter.facts.empty() && channels.contains(letter.occurrence.channel))
+                events.push_back(letter.prefixes[0]);
         if (events.empty()) return nullptr;
         return csp_emit::never_performs(build::project(process_, build::productions(std::move(events))), true);
     }
@@ -179,6 +189,64 @@ Decision decide_by_processes(const CheckedClaim& claim, const std::vector<Letter
                              std::size_t number, const cspm::ExprPtr& process,
                              const std::vector<cspm::ExprPtr>& outputs) {
     return ProcessMaker(claim, letters, automaton, number, process).make(outputs);
+}
+
+namespace {
+
+/// The letters that answer what the assumption demands, with their other names.
+std::map<std::size_t, Assumed::Due> due_letters(const CheckedClaim& claim, const std::vector<Letter>& letters,
+                                                const Automaton& automaton, std::size_t number) {
+    std::map<std::size_t, Assumed::Due> result;
+    for (const AutomatonState& state : automaton) {
+        if (state.by_tock) continue;
+        for (std::size_t i = 0; i < letters.size(); ++i) {
+            const bool answers = claim.body.kind == BodyKind::every
+                                     ? Monitor::matches(claim.body.events, letters[i].occurrence, {})
+                                     : static_cast<bool>(state.serves[i]);
+            if (!answers || !state.by_letter[i] || result.contains(i)) continue;
+            if (!claim.component.channels[letters[i].occurrence.channel].types.empty())
+                throw NotDecided(fmt::format("the assumption {} demands an event with values", claim.name));
+            result[i] = {letters[i].events[0], letters[i].prefixes[0], fmt::format("claims__due_{}_{}", number, i)};
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+Assumed assume_by_processes(const CheckedClaim& claim, const std::vector<Letter>& letters, const Automaton& automaton,
+                            std::size_t number, Tree component) {
+    Assumed result;
+    const std::string variant = "a";
+    const auto all = [](std::size_t) { return true; };
+    const std::map<std::size_t, Assumed::Due> due = due_letters(claim, letters, automaton, number);
+    for (std::size_t at = 0; at < automaton.size(); ++at) {
+        std::vector<Letter> own = letters;
+        for (const auto& [letter, other] : due)
+            if (!automaton[at].by_tock) own[letter].prefixes[0] = build::name(other.due);
+        Exprs branches = moves_of(automaton[at], own, number, variant, all);
+        branches.push_back(build::skip());
+        result.declarations.push_back(
+            build::value(state_name(number, variant, at)->text, build::choice(std::move(branches))));
+    }
+    Tree seen = seen_by(letters);
+    std::vector<cspm::Link> links;
+    std::vector<std::string> names;
+    Exprs others;
+    for (const auto& [letter, other] : due) {
+        links.push_back({other.prefix, other.prefix});
+        links.push_back({other.prefix, build::name(other.due)});
+        names.push_back(other.due);
+        others.push_back(build::name(other.due));
+        result.due.push_back(other);
+    }
+    if (!names.empty()) {
+        result.declarations.insert(result.declarations.begin(), build::channel(names));
+        component = build::rename(component, links);
+        seen = build::call("union", {seen, build::set(others)});
+    }
+    result.process = build::parallel(std::move(component), seen, state_name(number, variant, 0));
+    return result;
 }
 
 DeclPtr shared_channels() {

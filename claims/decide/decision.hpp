@@ -35,6 +35,24 @@ struct Decision {
                                            const Automaton& automaton, std::size_t number, const cspm::ExprPtr& process,
                                            const std::vector<cspm::ExprPtr>& outputs);
 
+/// An assumption as a process beside the component, which refuses what breaks it and may always end. Where it refuses
+/// to let time pass, the environment has to make an answer: the answer is then the event `due`, which is taken at once
+/// where it is hidden. Otherwise the component would look as if it stopped time.
+struct Assumed {
+    /// An answer that the assumption demands.
+    struct Due {
+        std::string event;     ///< "P::M::clear.in"
+        cspm::ExprPtr prefix;  ///< the same as an expression
+        std::string due;       ///< its other name
+    };
+    std::vector<cspm::DeclPtr> declarations;
+    std::vector<Due> due;
+    cspm::ExprPtr process;  ///< the component with the assumption
+};
+/// Throws NotDecided if the assumption demands an event with values.
+[[nodiscard]] Assumed assume_by_processes(const CheckedClaim& claim, const std::vector<Letter>& letters,
+                                          const Automaton& automaton, std::size_t number, cspm::ExprPtr component);
+
 /// The declaration of the channels that the processes of all claims share.
 [[nodiscard]] cspm::DeclPtr shared_channels();
 

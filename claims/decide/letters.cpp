@@ -78,7 +78,7 @@ public:
     void add_channel(std::size_t channel, bool with_values) {
         const Channel& of = claim_.component.channels[channel];
         const std::string name = claim_.component.path + "::" + of.name + (of.kind == ChannelKind::call ? "Call" : "");
-        Letter letter{{channel, {}}, name, build::name(name), of.name};
+        Letter letter{{channel, {}}, {}, {name}, {build::name(name)}, of.name};
         if (of.kind != ChannelKind::call) extend(letter, of.kind == ChannelKind::input ? "in" : "out");
         if (with_values)
             add_values(letter, of, 0);
@@ -89,8 +89,8 @@ public:
 
 private:
     static void extend(Letter& letter, const std::string& text) {
-        letter.event += "." + text;
-        letter.prefix = build::dot({letter.prefix, build::name(text)});
+        letter.events[0] += "." + text;
+        letter.prefixes[0] = build::dot({letter.prefixes[0], build::name(text)});
     }
 
     void add_values(const Letter& letter, const Channel& channel, std::size_t at) {
@@ -108,8 +108,8 @@ private:
                                          channel.name, type.name));
         for (const LetterValue& value : values) {
             Letter next = letter;
-            next.event += "." + value.text;
-            next.prefix = build::dot({next.prefix, value.expression});
+            next.events[0] += "." + value.text;
+            next.prefixes[0] = build::dot({next.prefixes[0], value.expression});
             next.occurrence.values.push_back(value.value);
             add_values(next, channel, at + 1);
         }
@@ -123,8 +123,55 @@ private:
 
 }  // namespace
 
+namespace {
+
+std::string shown_channel(const std::string& machine) {
+    return machine + "::shown__";
+}
+
+/// All ways in which the claim's facts about a machine may hold. The other facts that the machine shows are any.
+std::vector<Letter> fact_letters(const CheckedClaim& claim, const std::string& machine,
+                                 const std::vector<Fact>& facts) {
+    std::vector<std::optional<std::size_t>> of_claim;  // by the position in the event
+    for (const Fact& fact : facts) {
+        const auto found = std::ranges::find(claim.facts, fact);
+        of_claim.push_back(found == claim.facts.end() ? std::nullopt
+                                                      : std::optional<std::size_t>(found - claim.facts.begin()));
+    }
+    std::map<std::vector<FactValue>, Letter> letters;
+    for (std::size_t bits = 0; bits < (std::size_t{1} << facts.size()); ++bits) {
+        std::vector<FactValue> values;
+        std::string event = shown_channel(machine);
+        cspm::ExprPtr prefix = build::name(event);
+        for (std::size_t i = 0; i < facts.size(); ++i) {
+            const bool holds = (bits >> i) % 2 == 1;
+            if (of_claim[i]) values.push_back({*of_claim[i], holds});
+            event += holds ? ".true" : ".false";
+            prefix = build::dot({prefix, build::boolean(holds)});
+        }
+        if (values.empty()) return {};
+        Letter& letter = letters.try_emplace(values, Letter{{}, values, {}, {}, machine}).first->second;
+        letter.events.push_back(event);
+        letter.prefixes.push_back(prefix);
+    }
+    std::vector<Letter> result;
+    for (auto& [values, letter] : letters) result.push_back(std::move(letter));
+    return result;
+}
+
+}  // namespace
+
+std::vector<cspm::ExprPtr> channels_of_facts(const CheckedClaim& claim) {
+    std::vector<cspm::ExprPtr> result;
+    for (const MachinePart& part : claim.component.machines) {
+        const auto shows = [&](const Fact& fact) { return fact.machine == part.path; };
+        if (std::ranges::any_of(claim.facts, shows)) result.push_back(build::name(shown_channel(part.path)));
+    }
+    return result;
+}
+
 std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& system,
-                               const ir::Instantiation& instantiation) {
+                               const ir::Instantiation& instantiation, const ShownFacts& shown) {
     std::set<std::size_t> channels(claim.remembered.begin(), claim.remembered.end());
     for (const Events* events : sets_of(claim))
         for (const EventMatch& match : events->any) channels.insert(match.channels.begin(), match.channels.end());
@@ -133,12 +180,20 @@ std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& syst
         throw NotDecided("a csp block sets the values, which conditions of claims do not read");
     LetterMaker maker(claim, system, instantiation);
     for (const std::size_t channel : channels) maker.add_channel(channel, with_values.contains(channel));
-    return maker.take();
+    std::vector<Letter> result = maker.take();
+    for (const auto& [machine, facts] : shown)
+        for (Letter& letter : fact_letters(claim, machine, facts)) result.push_back(std::move(letter));
+    return result;
 }
 
 void require_channels(const CheckedClaim& claim, const std::vector<Letter>& letters,
                       const csp_emit::Provenance& provenance) {
     for (const Letter& letter : letters) {
+        if (!letter.facts.empty()) {
+            if (!provenance.events.contains(shown_channel(claim.facts[letter.facts.front().fact].machine)))
+                throw NotDecided(fmt::format("the semantics of {} does not show its states", claim.component.path));
+            continue;
+        }
         const Channel& of = claim.component.channels[letter.occurrence.channel];
         const char* end = "Call";
         if (of.kind != ChannelKind::call) end = of.kind == ChannelKind::input ? ".in" : ".out";
@@ -148,8 +203,10 @@ void require_channels(const CheckedClaim& claim, const std::vector<Letter>& lett
 }
 
 const Letter* find_letter(const std::vector<Letter>& letters, const std::string& event) {
-    const auto found = std::ranges::find_if(
-        letters, [&](const Letter& letter) { return event == letter.event || event.starts_with(letter.event + "."); });
+    const auto found = std::ranges::find_if(letters, [&](const Letter& letter) {
+        return std::ranges::any_of(
+            letter.events, [&](const std::string& known) { return event == known || event.starts_with(known + "."); });
+    });
     return found == letters.end() ? nullptr : &*found;
 }
 
@@ -173,12 +230,14 @@ std::vector<const EventMatch*> matches_without_value(const CheckedClaim& claim, 
     std::vector<const EventMatch*> result;
     MonitorState state;
     state.last.resize(claim.remembered.size());
+    state.facts.resize(claim.facts.size());
     for (const Events* events : sets_of(claim))
         for (const EventMatch& match : events->any) {
             if (!match.condition || reads_last(*match.condition)) continue;
             const Events alone{{match}, false, false, ""};
-            const bool some = std::ranges::any_of(
-                letters, [&](const Letter& letter) { return Monitor::matches(alone, letter.occurrence, state); });
+            const bool some = std::ranges::any_of(letters, [&](const Letter& letter) {
+                return letter.facts.empty() && Monitor::matches(alone, letter.occurrence, state);
+            });
             if (!some) result.push_back(&match);
         }
     return result;

@@ -2,6 +2,7 @@
 // The events of a component's script that a claim distinguishes.
 #pragma once
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "checker/cspm/syntax/syntax.hpp"
 #include "claims/monitor/monitor.hpp"
 #include "csp_emit/base/emission.hpp"
+#include "csp_emit/base/shown.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -19,18 +21,33 @@ struct NotDecided : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Events that the claim does not distinguish: one channel, with all values, or with some.
+/// The facts that machines of a script show, in the order of the values of `shown__`; by the paths of the machines.
+using ShownFacts = std::map<std::string, std::vector<Fact>>;
+
+/// Adds the facts of the claim.
+void add_facts(const CheckedClaim& claim, ShownFacts& shown);
+/// Throws NotDecided if the script has no expression for a fact.
+void require_facts(const CheckedClaim& claim, const ir::System& system, const ir::Instantiation& instantiation);
+/// The facts for the emission of the script.
+[[nodiscard]] csp_emit::Shown emitted_facts(const ShownFacts& shown, const ir::System& system,
+                                            const ir::Instantiation& instantiation);
+
+/// Events that the claim does not distinguish: one channel, with all values, or with some; or the same truth of the
+/// claim's facts about a machine.
 struct Letter {
     Occurrence occurrence;
-    std::string event;     ///< "P::M::goToCall.3"; events of the script are equal or continue it with '.'
-    cspm::ExprPtr prefix;  ///< the same as an expression
-    std::string name;      ///< of the event in the model
+    std::vector<FactValue> facts;     ///< not empty: a machine shows these facts, and there is no occurrence
+    std::vector<std::string> events;  ///< "P::M::goToCall.3"; events of the script are equal or continue it with '.'
+    std::vector<cspm::ExprPtr> prefixes;  ///< the same as expressions
+    std::string name;                     ///< of the event in the model
 };
 
-/// The letters of the channels that the claim names, by channel and values. Throws NotDecided if a condition is about
-/// values that the instantiation does not list.
+/// The letters of the channels that the claim names, by channel and values, and of its facts. Throws NotDecided if a
+/// condition is about values that the instantiation does not list.
 [[nodiscard]] std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& system,
-                                             const ir::Instantiation& instantiation);
+                                             const ir::Instantiation& instantiation, const ShownFacts& shown);
+/// The channels by which the machines of the component show facts.
+[[nodiscard]] std::vector<cspm::ExprPtr> channels_of_facts(const CheckedClaim& claim);
 
 /// Throws NotDecided if the script does not have the channel of a letter.
 void require_channels(const CheckedClaim& claim, const std::vector<Letter>& letters,

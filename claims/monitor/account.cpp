@@ -38,6 +38,10 @@ void Account::note_changes(const MonitorState& before, const Occurrence& observe
                        (scope.kind == ScopeKind::after_each ||
                         (scope.kind == ScopeKind::after_until && Monitor::matches(scope.last, observed, before)));
     const bool begins = state_.phase == Phase::inside && (before.phase != Phase::inside || again);
+    note_begun(before, begins);
+}
+
+void Account::note_begun(const MonitorState& before, bool begins) {
     if (begins) {
         scope_ = current_;
         trigger_.reset();
@@ -50,6 +54,28 @@ void Account::note_changes(const MonitorState& before, const Occurrence& observe
     } else if (is_open && (!was_open || state_.left > before.left)) {
         trigger_ = current_;
     }
+}
+
+void Account::observe(const std::vector<FactValue>& values) {
+    if (state_.verdict != Verdict::open) return;
+    const MonitorState before = state_;
+    current_ = {now_, change_text(before, values)};
+    breaker_ = Breaker::event;
+    monitor_.observe(state_, values);
+    if (state_.stay < 0 || before.stay < 0) stay_ = state_.stay < 0 && !is_broken() ? std::nullopt : stay_;
+    if (state_.stay >= 0 && before.stay < 0) stay_ = now_;
+    if (!is_broken()) note_begun(before, state_.phase == Phase::inside && before.phase != Phase::inside);
+}
+
+/// "in Held ends": the facts that change.
+std::string Account::change_text(const MonitorState& before, const std::vector<FactValue>& values) const {
+    std::string text;
+    for (const FactValue& value : values) {
+        if (before.facts.at(value.fact).value_or(false) == value.holds) continue;
+        if (!text.empty()) text += ", ";
+        text += fmt::format("{} {}", claim_.facts[value.fact].text, value.holds ? "begins" : "ends");
+    }
+    return text;
 }
 
 void Account::tock() {
@@ -94,6 +120,9 @@ std::string Account::demand_text() const {
     const CheckedBody& body = claim_.body;
     const std::int64_t from = trigger_ ? trigger_->time : 0;
     const std::int64_t limit = from + body.units.value_or(0);
+    if (body.kind == BodyKind::for_at_most)
+        return fmt::format("`{}` holds since {}, and has to end {} later", body.condition_text,
+                           time_text(stay_.value_or(0)), units(*body.units));
     if (body.kind == BodyKind::leads)
         return fmt::format("{} is owed since {}", body.others.text, trigger_ ? moment_text(*trigger_) : "the start");
     if (body.kind == BodyKind::every)
@@ -137,7 +166,18 @@ std::vector<std::string> Account::reasons_of_body() const {
                                          body.units ? fmt::format(" in {}", units(*body.units)) : ""));
             return result;
         }
+        case BodyKind::always:
+            return {fmt::format("at {}, when time passes, `{}` does not hold", time_text(now_), body.condition_text)};
+        case BodyKind::for_at_least:
+            return {fmt::format("`{}` holds since {}; it ends at {}, {} later; the claim demands {}",
+                                body.condition_text, time_text(stay_.value_or(0)), time_text(now_),
+                                units(now_ - stay_.value_or(0)), units(*body.units))};
+        case BodyKind::for_at_most:
+            return {fmt::format("`{}` holds since {}; the claim allows {}", body.condition_text,
+                                time_text(stay_.value_or(0)), units(*body.units)),
+                    came};
         case BodyKind::possible:
+        case BodyKind::can_take:
             return {};
     }
     return {};

@@ -20,6 +20,8 @@ public:
 
     /// `text`: the event for people, "goTo(3)".
     void observe(const Occurrence& event, const std::string& text);
+    /// A machine shows these facts.
+    void observe(const std::vector<FactValue>& values);
     void tock();
     void end();
 
@@ -42,6 +44,8 @@ private:
     };
     enum class Breaker : std::uint8_t { event, time, end };
     void note_changes(const MonitorState& before, const Occurrence& observed);
+    void note_begun(const MonitorState& before, bool begins);
+    [[nodiscard]] std::string change_text(const MonitorState& before, const std::vector<FactValue>& values) const;
     [[nodiscard]] std::string moment_text(const Moment& moment) const;
     [[nodiscard]] std::string breaker_text() const;
     [[nodiscard]] std::vector<std::string> reasons_of_body() const;
@@ -54,10 +58,11 @@ private:
     durations::Unit unit_;
     MonitorState state_;
     std::int64_t now_ = 0;
-    Moment current_;                 ///< the event that is being observed
-    std::optional<Moment> scope_;    ///< what began the scope
-    std::optional<Moment> trigger_;  ///< the oldest open trigger, the youngest delay, the last support
-    std::vector<Moment> counted_;    ///< at_most: the counted events of the scope
+    Moment current_;                    ///< the event that is being observed
+    std::optional<Moment> scope_;       ///< what began the scope
+    std::optional<Moment> trigger_;     ///< the oldest open trigger, the youngest delay, the last support
+    std::optional<std::int64_t> stay_;  ///< for_at_least, for_at_most: when the stay began
+    std::vector<Moment> counted_;       ///< at_most: the counted events of the scope
     Breaker breaker_ = Breaker::event;
 };
 

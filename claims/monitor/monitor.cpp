@@ -7,7 +7,12 @@
 namespace robochart::claims {
 namespace {
 
-using Values = std::vector<std::optional<Fraction>>;
+/// The values of the operands of a condition.
+struct Operands {
+    const std::vector<Fraction>& arguments;
+    const std::vector<std::optional<Fraction>>& last;
+    const std::vector<std::optional<bool>>& facts;
+};
 
 Fraction truth(bool value) {
     return Fraction(value ? 1 : 0);
@@ -21,15 +26,13 @@ Fraction remainder(const Fraction& number, const Fraction& by) {
     return Fraction(rest < 0 ? rest + by.numerator() : rest);
 }
 
-/// No value if it uses a last value that does not exist.
-std::optional<Fraction> evaluate(const Condition& condition, const std::vector<Fraction>& arguments,
-                                 const Values& last);
+/// No value if it uses a last value that does not exist, or a fact that is not known.
+std::optional<Fraction> evaluate(const Condition& condition, const Operands& operands);
 
-std::optional<Fraction> evaluate_operator(const Condition& condition, const std::vector<Fraction>& arguments,
-                                          const Values& last) {
+std::optional<Fraction> evaluate_operator(const Condition& condition, const Operands& operands) {
     std::vector<Fraction> parts;
     for (const Condition& part : condition.parts) {
-        const std::optional<Fraction> value = evaluate(part, arguments, last);
+        const std::optional<Fraction> value = evaluate(part, operands);
         if (!value) return std::nullopt;
         parts.push_back(*value);
     }
@@ -38,6 +41,7 @@ std::optional<Fraction> evaluate_operator(const Condition& condition, const std:
         case Op::truth:
         case Op::name:
         case Op::last:
+        case Op::in_state:
             return std::nullopt;  // an operand
         case Op::negate:
             return Fraction(-1) * parts[0];
@@ -71,19 +75,48 @@ std::optional<Fraction> evaluate_operator(const Condition& condition, const std:
     return std::nullopt;
 }
 
-std::optional<Fraction> evaluate(const Condition& condition, const std::vector<Fraction>& arguments,
-                                 const Values& last) {
+std::optional<Fraction> evaluate(const Condition& condition, const Operands& operands) {
     switch (condition.operand) {
         case Operand::none:
-            return evaluate_operator(condition, arguments, last);
+            return evaluate_operator(condition, operands);
         case Operand::constant:
             return condition.value;
         case Operand::argument:
-            return arguments.at(condition.index);
+            return operands.arguments.at(condition.index);
         case Operand::last:
-            return last.at(condition.index);
+            return operands.last.at(condition.index);
+        case Operand::fact: {
+            const std::optional<bool> holds = operands.facts.at(condition.index);
+            return holds ? std::optional(truth(*holds)) : std::nullopt;
+        }
+        case Operand::variable:
+        case Operand::of_model:
+            break;  // only in the condition of a fact
     }
     return std::nullopt;
+}
+
+/// A condition on facts; unknown facts make it false.
+bool holds(const std::optional<Condition>& condition, const MonitorState& state) {
+    if (!condition) return false;
+    const std::vector<Fraction> no_arguments;
+    const std::optional<Fraction> value = evaluate(*condition, {no_arguments, state.last, state.facts});
+    return value && *value != Fraction(0);
+}
+
+bool reads_fact(const std::optional<Condition>& condition, std::size_t fact);
+
+bool reads_fact(const Condition& condition, std::size_t fact) {
+    if (condition.operand == Operand::fact) return condition.index == fact;
+    return std::ranges::any_of(condition.parts, [&](const Condition& part) { return reads_fact(part, fact); });
+}
+
+bool reads_fact(const std::optional<Condition>& condition, std::size_t fact) {
+    return condition && reads_fact(*condition, fact);
+}
+
+bool is_of_stay(BodyKind kind) {
+    return kind == BodyKind::for_at_least || kind == BodyKind::for_at_most;
 }
 
 }  // namespace
@@ -92,13 +125,17 @@ bool Monitor::matches(const Events& events, const Occurrence& event, const Monit
     return std::ranges::any_of(events.any, [&](const EventMatch& match) {
         if (!std::ranges::binary_search(match.channels, event.channel)) return false;
         if (!match.condition) return true;
-        const std::optional<Fraction> holds = evaluate(*match.condition, event.values, state.last);
+        const std::optional<Fraction> holds = evaluate(*match.condition, {event.values, state.last, state.facts});
         return holds && *holds != Fraction(0);
     });
 }
 
 bool Monitor::matches(const Events& events, const Seen& seen, const MonitorState& state) {
     if (seen.event != nullptr) return matches(events, *seen.event, state);
+    if (seen.change != Change::none)
+        return std::ranges::any_of(events.any, [&](const EventMatch& match) {
+            return match.change == seen.change && match.fact == seen.fact;
+        });
     return (seen.start && events.start) || (seen.terminate && events.terminate);
 }
 
@@ -107,8 +144,9 @@ bool Monitor::matches(const Events& events, const Seen& seen, const MonitorState
 MonitorState Monitor::begin() const {
     MonitorState state;
     state.last.resize(claim_.remembered.size());
+    state.facts.resize(claim_.facts.size());
     if (claim_.scope.kind == ScopeKind::whole || claim_.scope.kind == ScopeKind::before) enter(state);
-    observe(state, Seen{nullptr, true, false});
+    observe(state, Seen{.start = true});
     return state;
 }
 
@@ -125,12 +163,14 @@ void Monitor::leave(MonitorState& state, Phase phase) const {
     next.verdict = state.verdict;
     next.phase = phase;
     next.last = std::move(state.last);
+    next.facts = std::move(state.facts);
+    next.stay = state.stay;
     state = std::move(next);
 }
 
 void Monitor::observe(MonitorState& state, const Occurrence& event) const {
     if (state.verdict != Verdict::open) return;
-    observe(state, Seen{&event, false, false});
+    observe(state, Seen{.event = &event});
     for (std::size_t i = 0; i < claim_.remembered.size(); ++i)
         if (claim_.remembered[i] == event.channel) state.last[i] = event.values.at(0);
 }
@@ -142,6 +182,7 @@ void Monitor::observe(MonitorState& state, const Seen& seen) const {
     const bool first = matches(scope.first, seen, state);
     switch (scope.kind) {
         case ScopeKind::whole:
+        case ScopeKind::during:
             break;
         case ScopeKind::before:
             if (first && state.phase == Phase::inside) return leave(state, Phase::over);
@@ -164,33 +205,119 @@ void Monitor::observe(MonitorState& state, const Seen& seen) const {
         case ScopeKind::for_after:
             if (first && state.phase == Phase::outside) return enter(state);
             break;
+        case ScopeKind::cycle:
+            if (first && state.phase == Phase::outside) enter(state);
+            break;
     }
     if (state.phase != Phase::inside) return;
     observe_in_scope(state, seen);
     if (first && scope.kind == ScopeKind::for_after) state.scope_left = scope.units;
 }
 
+std::vector<Occurrence> Monitor::order_raised(const MonitorState& state, std::vector<Occurrence> raised) const {
+    const CheckedScope& scope = claim_.scope;
+    const auto rank = [&](const Occurrence& event) {
+        if (scope.kind == ScopeKind::cycle && matches(scope.first, event, state)) return 0;
+        if (matches(scope.last, event, state)) return 1;
+        if (scope.kind == ScopeKind::before && matches(scope.first, event, state)) return 1;
+        if (serves(state, event)) return 2;
+        return matches(scope.first, event, state) ? 3 : 4;
+    };
+    std::ranges::stable_sort(raised, {}, rank);
+    return raised;
+}
+
 void Monitor::tock(MonitorState& state) const {
-    if (state.verdict != Verdict::open || state.phase != Phase::inside) return;
-    if (claim_.scope.kind == ScopeKind::for_after) {
-        if (state.scope_left == 0) return leave(state, Phase::outside);
-        --state.scope_left;
+    if (state.verdict != Verdict::open) return;
+    if (state.phase == Phase::inside && claim_.scope.kind == ScopeKind::for_after) {
+        if (state.scope_left == 0)
+            leave(state, Phase::outside);
+        else
+            --state.scope_left;
     }
-    pass_in_scope(state);
+    if (state.phase == Phase::inside) pass_in_scope(state);
+    if (claim_.scope.kind == ScopeKind::cycle && state.verdict == Verdict::open) leave(state, Phase::outside);
+    if (state.stay > 0) --state.stay;
 }
 
 /// The end forbids nothing, and breaks what is owed.
 void Monitor::end(MonitorState& state) const {
     if (state.verdict != Verdict::open) return;
-    observe(state, Seen{nullptr, false, true});
-    if (owes(state)) state.verdict = Verdict::broken;
+    observe(state, Seen{.terminate = true});
+    if (owes(state) && !is_of_stay(claim_.body.kind)) state.verdict = Verdict::broken;
 }
 
 bool Monitor::owes(const MonitorState& state) const {
     if (state.verdict != Verdict::open || state.phase != Phase::inside) return false;
     const BodyKind kind = claim_.body.kind;
     return kind == BodyKind::every || (kind == BodyKind::leads_within && state.left >= 0) ||
-           (kind == BodyKind::leads && state.due);
+           (kind == BodyKind::leads && state.due) || (kind == BodyKind::for_at_most && state.stay >= 0);
+}
+
+bool Monitor::judges_facts(const MonitorState& state) const {
+    if (state.verdict != Verdict::open || state.phase != Phase::inside) return false;
+    return claim_.body.kind == BodyKind::always || (is_of_stay(claim_.body.kind) && state.stay >= 0);
+}
+
+// ---------------------------------------------------------------- states and variables
+
+/// States are left, the scope of `while` ends or begins, states are entered. What ends the scope comes behind its end,
+/// and what begins it before its beginning.
+void Monitor::observe(MonitorState& state, const std::vector<FactValue>& values) const {
+    if (state.verdict != Verdict::open) return;
+    const bool inside = state.phase == Phase::inside;
+    const bool scope = holds(claim_.scope.condition, state), body = holds(claim_.body.condition, state);
+    std::vector<Seen> of_scope[2], others[2];
+    for (const FactValue& value : values) {
+        const std::optional<Seen> change = change_of(state, value);
+        state.facts.at(value.fact) = value.holds;
+        auto& list = reads_fact(claim_.scope.condition, value.fact) ? of_scope : others;
+        if (change) list[value.holds ? 1 : 0].push_back(*change);
+    }
+    const auto observe_all = [&](const std::vector<Seen>& list) {
+        for (const Seen& seen : list)
+            if (state.verdict == Verdict::open) observe(state, seen);
+    };
+    const bool within = holds(claim_.scope.condition, state);
+    observe_all(others[0]);
+    if (scope && !within && state.verdict == Verdict::open) leave(state, Phase::outside);
+    observe_all(of_scope[0]);
+    observe_all(of_scope[1]);
+    if (!scope && within && state.verdict == Verdict::open) enter(state);
+    observe_all(others[1]);
+    if (state.verdict == Verdict::open) follow_condition(state, body, inside);
+}
+
+/// A fact that is not known yet counts as false.
+std::optional<Monitor::Seen> Monitor::change_of(const MonitorState& state, const FactValue& value) {
+    if (state.facts.at(value.fact).value_or(false) == value.holds) return std::nullopt;
+    Seen seen;
+    seen.change = value.holds ? Change::begins : Change::ends;
+    seen.fact = value.fact;
+    return seen;
+}
+
+bool Monitor::serves(const MonitorState& state, const Occurrence& event) const {
+    return matches(claim_.body.others, event, state) || matches(claim_.body.exceptions, event, state);
+}
+
+bool Monitor::serves(const MonitorState& state, const std::vector<FactValue>& values) const {
+    return std::ranges::any_of(values, [&](const FactValue& value) {
+        const std::optional<Seen> change = change_of(state, value);
+        return change &&
+               (matches(claim_.body.others, *change, state) || matches(claim_.body.exceptions, *change, state));
+    });
+}
+
+/// The body's condition began to hold, goes on, or ended; `inside`: the scope had begun before.
+void Monitor::follow_condition(MonitorState& state, bool before, bool inside) const {
+    const bool now = holds(claim_.body.condition, state);
+    if (claim_.body.kind == BodyKind::possible && now && state.phase == Phase::inside)
+        state.verdict = Verdict::satisfied;
+    if (!is_of_stay(claim_.body.kind) || before == now) return;
+    const bool judged = inside && state.phase == Phase::inside && claim_.body.kind == BodyKind::for_at_least;
+    if (before && judged && state.stay > 0) state.verdict = Verdict::broken;
+    state.stay = now ? claim_.body.units.value() : -1;
 }
 
 // ---------------------------------------------------------------- the body
@@ -227,6 +354,11 @@ void Monitor::observe_in_scope(MonitorState& state, const Seen& seen) const {
             return;
         case BodyKind::possible:
             if (is_in(body.events)) state.verdict = Verdict::satisfied;
+            return;
+        case BodyKind::always:
+        case BodyKind::for_at_least:
+        case BodyKind::for_at_most:
+        case BodyKind::can_take:
             return;
     }
 }
@@ -275,6 +407,9 @@ void Monitor::pass_in_scope(MonitorState& state) const {
         std::erase_if(state.ages, [&](std::int64_t age) { return age >= *claim_.body.units; });
         for (std::int64_t& age : state.ages) ++age;
     }
+    const bool stays_too_long = kind == BodyKind::for_at_most && state.stay == 0;
+    if (stays_too_long || (kind == BodyKind::always && !holds(claim_.body.condition, state)))
+        state.verdict = Verdict::broken;
     if (state.left < 0) return;
     const bool owed = kind == BodyKind::leads_within || kind == BodyKind::every;
     if (state.left == 0 && owed) state.verdict = Verdict::broken;

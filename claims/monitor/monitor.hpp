@@ -20,6 +20,14 @@ struct Occurrence {
     friend auto operator<=>(const Occurrence&, const Occurrence&) = default;
 };
 
+/// What a component shows of its states and variables: the truth of some facts of the claim.
+struct FactValue {
+    std::size_t fact = 0;
+    bool holds = false;
+
+    friend auto operator<=>(const FactValue&, const FactValue&) = default;
+};
+
 enum class Verdict : std::uint8_t {
     open,  ///< not broken so far
     broken,
@@ -42,6 +50,9 @@ struct MonitorState {
     std::int64_t count = 0;                     ///< at_most: events in the scope
     std::vector<std::int64_t> ages;             ///< at_most in a duration: time since the last events, youngest first
     std::vector<std::optional<Fraction>> last;  ///< the last values of the remembered channels
+    std::vector<std::optional<bool>> facts;     ///< the facts of the claim; no value: not known yet
+    std::int64_t stay =
+        -1;  ///< for_at_least, for_at_most: time units that the stay still has to, or may, last; -1: none
 
     friend auto operator<=>(const MonitorState&, const MonitorState&) = default;
 };
@@ -55,12 +66,22 @@ public:
     [[nodiscard]] MonitorState begin() const;
     /// Throws NotComputable if a condition cannot be computed.
     void observe(MonitorState& state, const Occurrence& event) const;
+    /// The events that are raised at the beginning of a cycle, in the order in which the monitor observes them. They
+    /// are simultaneous: what ends a scope or answers counts before what begins a scope or asks.
+    [[nodiscard]] std::vector<Occurrence> order_raised(const MonitorState& state, std::vector<Occurrence> raised) const;
+    /// The truth of these facts is seen, at the beginning and before whatever happens after they may have changed.
+    void observe(MonitorState& state, const std::vector<FactValue>& values) const;
     /// One time unit passes.
     void tock(MonitorState& state) const;
     /// The component ends.
     void end(MonitorState& state) const;
     /// True if the claim demands an event that has not come yet: it is broken if time stops here.
     [[nodiscard]] bool owes(const MonitorState& state) const;
+    /// True if the event, or the change of a fact, is an answer or an exception.
+    [[nodiscard]] bool serves(const MonitorState& state, const Occurrence& event) const;
+    [[nodiscard]] bool serves(const MonitorState& state, const std::vector<FactValue>& values) const;
+    /// True if the claim is about states or variables and judges them in this state.
+    [[nodiscard]] bool judges_facts(const MonitorState& state) const;
 
     /// True if the event belongs to the set, with the last values of this state.
     [[nodiscard]] static bool matches(const Events& events, const Occurrence& event, const MonitorState& state);
@@ -69,10 +90,13 @@ private:
     /// An event, or the beginning or the end of the run.
     struct Seen {
         const Occurrence* event = nullptr;
+        Change change = Change::none;
+        std::size_t fact = 0;
         bool start = false;
         bool terminate = false;
     };
     [[nodiscard]] static bool matches(const Events& events, const Seen& seen, const MonitorState& state);
+    [[nodiscard]] static std::optional<Seen> change_of(const MonitorState& state, const FactValue& value);
     void observe(MonitorState& state, const Seen& seen) const;
     void enter(MonitorState& state) const;
     void leave(MonitorState& state, Phase phase) const;
@@ -80,6 +104,7 @@ private:
     void observe_response(MonitorState& state, const Seen& seen) const;
     void observe_delay(MonitorState& state, const Seen& seen) const;
     void count(MonitorState& state) const;
+    void follow_condition(MonitorState& state, bool before, bool inside) const;
     void pass_in_scope(MonitorState& state) const;
 
     const CheckedClaim& claim_;

@@ -52,6 +52,7 @@ public:
     Layout(std::string_view text, const std::vector<Token>& tokens, const ClaimFile& file)
         : text_(text), tokens_(tokens) {
         for (const Claim& claim : file.claims) begins_.insert(claim.span.begin);
+        for (const Order& order : file.orders) begins_.insert(order.span.begin);
         if (file.unit) begins_.insert(file.unit->span.begin);
         begins_item_.assign(tokens.size(), true);
         for (std::size_t i = tokens.size() - 1; i-- > 0;)

@@ -30,6 +30,16 @@ private:
     Parser& parser_;
 };
 
+namespace {
+
+/// Words that follow an event, so that a word before them is the event.
+bool continues_claim(std::string_view word) {
+    constexpr std::array words{"or", "with", "only", "leads", "at", "unless", "until", "before", "within", "any"};
+    return std::ranges::find(words, word) != words.end();
+}
+
+}  // namespace
+
 // ---------------------------------------------------------------- events
 
 EventSet Parser::parse_events() {
@@ -45,18 +55,15 @@ EventSet Parser::parse_events() {
 bool Parser::at_direction() const {
     constexpr std::array words{"in", "out", "call", "raised"};
     if (std::ranges::none_of(words, [this](std::string_view word) { return is_at(word); })) return false;
-    constexpr std::array later{"or", "with", "only", "leads", "at", "unless", "until", "before", "within", "any"};
-    const bool goes_on = std::ranges::any_of(later, [this](std::string_view word) { return is_at(word, 1); });
-    return is_at("^", 1) || (peek(1).kind == Tok::word && !goes_on);
+    return is_at("^", 1) || (peek(1).kind == Tok::word && !continues_claim(peek(1).text));
 }
 
 Pattern Parser::parse_pattern() {
     Pattern pattern;
     const Span from = peek().span;
     if (is_at("any") && (is_at("call", 1) || is_at("input", 1))) return parse_any(std::move(pattern));
-    if ((is_at("enter") || is_at("leave")) && peek(1).kind == Tok::word && !is_at("or", 1) && !is_at("leads", 1) &&
-        !is_at("only", 1) && !is_at("at", 1) && !is_at("until", 1) && !is_at("with", 1))
-        refuse(peek().text, "claims about states are not decided");
+    if ((is_at("enter") || is_at("leave")) && peek(1).kind == Tok::word && !continues_claim(peek(1).text))
+        return parse_change(std::move(pattern));
     if (is_at("start") || is_at("terminate")) {
         pattern.kind = is_at("start") ? PatternKind::start : PatternKind::terminate;
         pattern.name = {std::string(peek().text), peek().span};
@@ -85,6 +92,16 @@ Pattern Parser::parse_pattern() {
         take_token();
         pattern.condition = parse_conjunction();
     }
+    pattern.span = span_since(from);
+    return pattern;
+}
+
+/// enter S, leave S
+Pattern Parser::parse_change(Pattern pattern) {
+    const Span from = peek().span;
+    pattern.kind = is_at("enter") ? PatternKind::enter : PatternKind::leave;
+    take_token();
+    pattern.name = qualified_name("a state");
     pattern.span = span_since(from);
     return pattern;
 }
@@ -126,6 +143,11 @@ ExprPtr Parser::parse_relation() {
     const Depth depth(*this);
     const Span from = peek().span;
     if (accept("not")) return make_node(Op::negation, from, "not", {parse_relation()});
+    if (is_at("in") && peek(1).kind == Tok::word) {
+        take_token();
+        Name state = qualified_name("a state");
+        return make_node(Op::in_state, from, std::move(state.text), {});
+    }
     ExprPtr left = parse_sum();
     constexpr std::array rows{std::pair{"<=", Op::less_equal}, std::pair{">=", Op::greater_equal},
                               std::pair{"==", Op::equal},      std::pair{"!=", Op::unequal},

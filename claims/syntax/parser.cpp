@@ -33,13 +33,13 @@ constexpr std::array advice{
     Advice{"", "= @ =", "`==` compares values"},
     Advice{"a claim", "@ assertion", "assertions are in `.assertions` files"},
     Advice{"a claim", "@", claim_form},
+    Advice{"the end of the claim", "@ in", "claims are timed, and the form of a claim says how it is compared"},
     Advice{body, "NAME @ never", "`never` comes first: `after stop, never goTo`"},
     Advice{body, "NAME @ must", response_form},
     Advice{body, "NAME @ then", response_form},
     Advice{body, "NAME @ implies", response_form},
     Advice{body, "when @", response_form},
     Advice{body, "if @", response_form},
-    Advice{body, "always @", response_form},
     Advice{body, "after @", "a scope ends with a comma: `after stop, never goTo`"},
     Advice{body, "NAME @ after", "say `only after`, or `at least 3 s after`"},
     Advice{body, "NAME @ within", response_form},
@@ -211,12 +211,10 @@ void Parser::parse_item(ClaimFile& file) {
         Duration unit = parse_duration();
         unit.span = span_since(from);
         file.unit = unit;
-    } else if (is_at("claim")) {
+    } else if (is_at("claim") || (is_at("assume") && at_item())) {
         file.claims.push_back(parse_claim());
-    } else if (is_at("assume") && at_item()) {
-        refuse("assume", "claims are decided for all inputs");
     } else if (is_at("order") && at_item()) {
-        refuse("order", "the order of events in a cycle is that of docs/cpp.md");
+        file.orders.push_back(parse_order());
     } else {
         fail("a claim");
     }
@@ -233,8 +231,41 @@ Import Parser::parse_import() {
     return result;
 }
 
+/// order COMPONENT : E first, E drops E. An event without a word continues the list before it.
+Order Parser::parse_order() {
+    Order order;
+    const Span from = take_token().span;
+    order.component = qualified_name("the name of a component");
+    expect(":");
+    bool drops = false, begun = false;
+    Name event;
+    do {
+        (void)accept("^");
+        const Name name = simple_name("an event");
+        if (accept("first")) {
+            order.first.push_back(name);
+            drops = false;
+        } else if (accept("drops")) {
+            event = name;
+            drops = true;
+            order.drops.push_back({event, simple_name("an event")});
+        } else if (!begun) {
+            fail("'first' or 'drops'");
+        } else if (drops) {
+            order.drops.push_back({event, name});
+        } else {
+            order.first.push_back(name);
+        }
+        begun = true;
+    } while (accept(","));
+    order.span = span_since(from);
+    if (!at_item() && !is_at("import") && !is_at("unit")) fail("the end of the order");
+    return order;
+}
+
 Claim Parser::parse_claim() {
     Claim claim;
+    claim.assumption = is_at("assume");
     const Span from = take_token().span;
     claim.name = simple_name("the name of the claim");
     if (accept("of")) claim.component = qualified_name("the name of a component");
@@ -249,13 +280,7 @@ Claim Parser::parse_claim() {
     return claim;
 }
 
-void Parser::refuse_forms_of_scope() {
-    if (is_at("while")) refuse("while", "scopes over states are not decided; `after E until F` is a scope over events");
-    if (at_words({"in", "a", "cycle"})) refuse("in a cycle with", "`conform` decides what happens in one cycle");
-}
-
 Scope Parser::parse_scope() {
-    refuse_forms_of_scope();
     Scope scope;
     const Span from = peek().span;
     if (accept("before")) {
@@ -285,23 +310,52 @@ Scope Parser::parse_scope() {
         scope.duration = parse_duration();
         expect("after");
         scope.first = parse_events();
+    } else if (at_words({"in", "a", "cycle", "with"})) {
+        for (int word = 0; word < 4; ++word) take_token();
+        scope.kind = ScopeKind::cycle;
+        scope.first = parse_events();
+    } else if (is_at("while") && !is_connective(peek(1).text)) {
+        take_token();
+        scope.kind = ScopeKind::during;
+        scope.condition = parse_disjunction();
     } else {
         return scope;
     }
     scope.span = span_since(from);
     expect(",");
-    refuse_forms_of_scope();
     return scope;
 }
 
-void Parser::refuse_forms_of_body() {
-    if (is_at("always")) refuse("always", "claims about states and variables are not decided");
-    if (at_words({"can", "take"}))
-        refuse("can take", "`assertion A : X event E is not missed` in an .assertions file decides it");
+/// True if the body is `CONDITION for at least D` or `CONDITION for at most D`.
+bool Parser::at_duration_of_stay() const {
+    for (std::size_t i = at_; i + 2 < tokens_.size(); ++i) {
+        const auto is = [&](std::size_t place, std::string_view word) {
+            return tokens_[place].kind == Tok::word && tokens_[place].text == word;
+        };
+        if (is(i, "claim") || is(i, "leads") || is(i, "only") || is(i, "never")) return false;
+        if (is(i, "for") && is(i + 1, "at") && (is(i + 2, "least") || is(i + 2, "most"))) return true;
+    }
+    return false;
+}
+
+/// True if `possible` is followed by a condition and not by an event: `not ...`, `(...)`, `retries > 2`, `in S and
+/// ...`, `in Operating::Held`.
+bool Parser::at_condition() const {
+    if (is_at("not") || is_at("(")) return true;
+    std::size_t ahead = is_at("in") && peek(1).kind == Tok::word ? 1 : 0;
+    const bool state = ahead == 1;
+    ++ahead;
+    bool path = false;
+    while (is_at("::", ahead)) {
+        path = true;
+        ahead += 2;
+    }
+    if (state && (path || is_at("and", ahead))) return true;
+    constexpr std::array symbols{"<", "<=", ">", ">=", "==", "!=", "+", "-", "*", "%"};
+    return !state && std::ranges::any_of(symbols, [&](const char* symbol) { return is_at(symbol, ahead); });
 }
 
 Body Parser::parse_body() {
-    refuse_forms_of_body();
     Body result;
     const Span from = peek().span;
     if (is_at("never") && !is_connective(peek(1).text)) {
@@ -309,9 +363,15 @@ Body Parser::parse_body() {
         result.kind = BodyKind::never;
         result.events = parse_events();
     } else if (is_at("possible") && !is_connective(peek(1).text)) {
+        result = parse_possible(std::move(result));
+    } else if (is_at("always") && !is_connective(peek(1).text)) {
         take_token();
-        result.kind = BodyKind::possible;
-        result.events = parse_events();
+        result.kind = BodyKind::always;
+        result.condition = parse_disjunction();
+    } else if (at_words({"can", "take"})) {
+        result = parse_readiness(std::move(result));
+    } else if (at_duration_of_stay()) {
+        result = parse_stay(std::move(result));
     } else if (at_words({"at", "most"})) {
         result = parse_count(std::move(result));
     } else {
@@ -326,6 +386,38 @@ Body Parser::parse_body() {
             fail(body);
     }
     result.span = span_since(from);
+    return result;
+}
+
+/// possible E, possible P
+Body Parser::parse_possible(Body result) {
+    take_token();
+    result.kind = BodyKind::possible;
+    if (at_condition())
+        result.condition = parse_disjunction();
+    else
+        result.events = parse_events();
+    return result;
+}
+
+/// P for at least D, P for at most D
+Body Parser::parse_stay(Body result) {
+    result.condition = parse_disjunction();
+    expect("for");
+    expect("at");
+    result.kind = is_at("least") ? BodyKind::for_at_least : BodyKind::for_at_most;
+    take_token();
+    result.duration = parse_duration();
+    return result;
+}
+
+/// can take E [within D]
+Body Parser::parse_readiness(Body result) {
+    take_token();
+    take_token();
+    result.kind = BodyKind::can_take;
+    result.events = parse_events();
+    if (accept("within")) result.duration = parse_duration();
     return result;
 }
 
@@ -414,6 +506,18 @@ Duration Parser::parse_duration() {
         fail("the unit of the duration");
     duration.span = span_since(from);
     return duration;
+}
+
+ClaimFile read_parts(const diagnostics::SourceManager& sources, diagnostics::SourceId source,
+                     const std::vector<Span>& places, diagnostics::Diagnostics& diagnostics) {
+    std::string text(sources.source_text(source));
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool inside = std::ranges::any_of(places, [&](Span place) { return i >= place.begin && i < place.end; });
+        if (!inside && text[i] != '\n') text[i] = ' ';
+    }
+    ClaimFile file = Parser(lex(text, source, diagnostics), diagnostics).parse_file();
+    file.source = source;
+    return file;
 }
 
 ClaimFile read(const diagnostics::SourceManager& sources, diagnostics::SourceId source,

@@ -55,8 +55,12 @@ private:
     void parse_item(ClaimFile& file);
     Import parse_import();
     Claim parse_claim();
-    void refuse_forms_of_scope();
-    void refuse_forms_of_body();
+    Order parse_order();
+    [[nodiscard]] bool at_duration_of_stay() const;
+    [[nodiscard]] bool at_condition() const;
+    Body parse_stay(Body body);
+    Body parse_possible(Body body);
+    Body parse_readiness(Body body);
     Scope parse_scope();
     Body parse_body();
     Body parse_count(Body body);
@@ -70,6 +74,7 @@ private:
     EventSet parse_events();
     Pattern parse_pattern();
     Pattern parse_any(Pattern pattern);
+    Pattern parse_change(Pattern pattern);
     [[nodiscard]] bool at_direction() const;
 
     // conditions

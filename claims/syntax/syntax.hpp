@@ -23,10 +23,11 @@ struct Name {
 // ---------------------------------------------------------------- conditions
 
 enum class Op : std::uint8_t {
-    number,  ///< text: the number as written
-    truth,   ///< text: "true" or "false"
-    name,    ///< text: a variable of the pattern, or a literal ("Colour::red")
-    last,    ///< text: an event; the value that it carried last
+    number,    ///< text: the number as written
+    truth,     ///< text: "true" or "false"
+    name,      ///< text: a variable of the pattern, or a literal ("Colour::red")
+    last,      ///< text: an event; the value that it carried last
+    in_state,  ///< text: a state, possibly with its machine: `in Patrol::Held`
     negate,
     add,
     subtract,
@@ -46,7 +47,7 @@ enum class Op : std::uint8_t {
 struct Expr;
 using ExprPtr = std::shared_ptr<const Expr>;
 
-/// A condition, or a number in it.
+/// A condition on the values of an event or on the states and variables of a component, or a number in it.
 struct Expr {
     Op op = Op::number;
     std::string text;
@@ -65,6 +66,8 @@ enum class PatternKind : std::uint8_t {
     any_input,  ///< `any input [but E]`
     start,      ///< the beginning of the run
     terminate,  ///< the end of the component
+    enter,      ///< enter NAME: the machine enters a state
+    leave,      ///< leave NAME
 };
 
 struct Pattern;
@@ -107,11 +110,14 @@ enum class ScopeKind : std::uint8_t {
     after_until,  ///< after FIRST until LAST
     after_each,   ///< after each FIRST
     for_after,    ///< for DURATION after FIRST
+    during,       ///< while CONDITION
+    cycle,        ///< in a cycle with FIRST
 };
 
 struct Scope {
     ScopeKind kind = ScopeKind::whole;
     EventSet first, last;
+    ExprPtr condition;        ///< during
     bool only_first = false;  ///< `after first E`: a count begins once
     Duration duration;
     Span span;
@@ -127,12 +133,17 @@ enum class BodyKind : std::uint8_t {
     at_least,      ///< EVENTS at least DURATION after OTHERS [unless EXCEPTIONS]
     at_most,       ///< at most COUNT EVENTS [in any DURATION]
     every,         ///< EVENTS at least every DURATION
-    possible,      ///< possible EVENTS
+    possible,      ///< possible EVENTS, possible CONDITION
+    always,        ///< always CONDITION
+    for_at_least,  ///< CONDITION for at least DURATION
+    for_at_most,   ///< CONDITION for at most DURATION
+    can_take,      ///< can take EVENTS [within DURATION]
 };
 
 struct Body {
     BodyKind kind = BodyKind::never;
     EventSet events, others, exceptions;
+    ExprPtr condition;  ///< always, for_at_least, for_at_most; possible: null if it is about events
     std::optional<Duration> duration;
     std::string count;  ///< at_most
     Span count_span;
@@ -141,11 +152,23 @@ struct Body {
 
 struct Claim {
     Name name;
+    bool assumption = false;        ///< `assume`: runs that break it are not considered
     std::optional<Name> component;  ///< `of COMPONENT`
     Scope scope;
     Body body;
     Span span;
     std::string wording;  ///< scope and body on one line
+};
+
+/// order COMPONENT : E first, E drops E
+struct Order {
+    struct Drop {
+        Name event, dropped;
+    };
+    Name component;
+    std::vector<Name> first;
+    std::vector<Drop> drops;
+    Span span;
 };
 
 struct Import {
@@ -158,6 +181,7 @@ struct ClaimFile {
     std::vector<Import> imports;
     std::optional<Duration> unit;
     std::vector<Claim> claims;
+    std::vector<Order> orders;
     diagnostics::SourceId source = diagnostics::SourceId::none;
 };
 

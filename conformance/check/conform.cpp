@@ -13,6 +13,7 @@
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/process/term_system.hpp"
 #include "conformance/check/conformance_check.hpp"
+#include "conformance/check/cycle_claims.hpp"
 #include "conformance/check/enough_names.hpp"
 #include "conformance/check/export.hpp"
 #include "conformance/check/open_choice.hpp"
@@ -122,7 +123,8 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
         const refine::Limits limits = limits_of_search(options);
         model = session.system(process, limits);
         result = judge_component(*model, session.event_table(), interface, code, options.cycle_length, limits,
-                                 options.relation, places, options.inputs);
+                                 options.relation, places,
+                                 interface.drops.empty() ? options.inputs : InputSearch::all_inputs);
     } catch (const process::Interrupted& limit) {
         result.reason = fmt::format("the model was not compiled: {}", limit.what());
     } catch (const cspm::EvaluationError& error) {
@@ -132,7 +134,8 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
         result.reason = failure_text(error);
     }
     const bool interrupted = options.limits.interrupted && options.limits.interrupted();
-    if (result.outcome != Outcome::inconclusive || interrupted) return result;
+    // The other searches do not know the filter of dropped inputs.
+    if (result.outcome != Outcome::inconclusive || interrupted || !interface.drops.empty()) return result;
     if (model && options.relation == Relation::failures_divergences && options.inputs != InputSearch::on_demand)
         try_partial_readings(result, *model, session, interface, code, options, places);
     if (result.outcome != Outcome::inconclusive) return result;
@@ -191,6 +194,26 @@ void name_model_places(Result& result, const csp_emit::Provenance& provenance,
 /// For each output, the arguments whose values stand for all values. Empty if there are no such arguments.
 using Represented = std::vector<std::vector<bool>>;
 
+/// Decides the claims about cycles, if the model can be run in cycles.
+void add_cycle_claims(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
+                      const rc_interface& code, const ClaimedModel& claimed, const Represented& represented,
+                      const Options& options) {
+    const bool schedulable = result.outcome == Outcome::conforms || result.outcome == Outcome::differs;
+    if (options.claims == nullptr || options.claims->claims.empty() || !schedulable) return;
+    CycleClaims claims = *options.claims;
+    claims.carriers = claims.carriers && represented.empty();
+    try {
+        // Claims read the states of the model, which a compiled process does not tell apart.
+        process::OperationalSemantics semantics(session.terms());
+        process::TermSystem terms(semantics, session.process(process));
+        ModelGraph graph(terms, alphabet);
+        result.claims =
+            decide_cycle_claims(claims, claimed, graph, alphabet, code, options.cycle_length, options.limits);
+    } catch (const process::Interrupted& limit) {
+        result.warnings.push_back(fmt::format("claims about cycles are not decided: {}", limit.what()));
+    }
+}
+
 /// The values stand for all only if the model does not choose between them.
 void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
                     const Represented& represented, const Options& options) {
@@ -219,6 +242,20 @@ Interface interface_of_model(const ir::System& system, const ir::Instantiation& 
     return interface;
 }
 
+/// The inputs that an order of events drops.
+std::vector<DroppedInput> drops_of(const Interface& interface, const cpp_emit::EventOrder& order) {
+    std::vector<DroppedInput> result;
+    for (const cpp_emit::EventOrder::Drop& drop : order.drops) {
+        const auto place = [&](const std::string& name) {
+            const auto found = std::ranges::find(interface.inputs, name, input_name);
+            return static_cast<std::uint32_t>(found - interface.inputs.begin());
+        };
+        const DroppedInput both{place(drop.event), place(drop.dropped)};
+        if (both.event < interface.inputs.size() && both.dropped < interface.inputs.size()) result.push_back(both);
+    }
+    return result;
+}
+
 /// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
 /// terms.
 Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
@@ -226,7 +263,8 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
                     const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
-    const Interface interface = interface_of_model(system, instantiation, component, script.provenance, code);
+    Interface interface = interface_of_model(system, instantiation, component, script.provenance, code);
+    interface.drops = drops_of(interface, options.generator.order);
     const FailureText failure_text = [&](const cspm::EvaluationError& error) {
         return sources == nullptr ? runs::failure_text(error, system) : runs::placed_failure(error, system, *sources);
     };
@@ -235,6 +273,7 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
         Result result = check_process(session, process, interface, code, options, places, failure_text);
         const Alphabet alphabet(interface, session.event_table());
         refuse_choices(result, session, process, alphabet, represented, options);
+        add_cycle_claims(result, session, process, alphabet, code, {system, script.provenance}, represented, options);
         if (sources != nullptr) {
             name_model_places(result, script.provenance, *sources);
             explain_result(result, session, process, alphabet, {script.provenance, system, instantiation, *sources},
@@ -310,7 +349,13 @@ Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& compone
         csp_emit::emit(timed.model.system, few.instantiation, csp_emit::Time::timed, {}, *timed.sources, diagnostics);
     if (diagnostics.error_count() != errors)
         return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
-    Result result = judge_values(timed, component, few.instantiation, script, options, diagnostics);
+    Options with_few = options;
+    if (options.claims != nullptr) {
+        CycleClaims claims = *options.claims;
+        claims.carriers = false;
+        with_few.claims = std::make_shared<const CycleClaims>(std::move(claims));
+    }
+    Result result = judge_values(timed, component, few.instantiation, script, with_few, diagnostics);
     for (const RepresentedType& type : few.types) result.represented.push_back({type.name, type.values});
     return result;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@
 #include "semantics/data/class_model.hpp"
 
 namespace robochart::conformance {
+
+struct CycleClaims;  // cycle_claims.hpp
 
 /// The outcome for one component.
 enum class Outcome {
@@ -126,6 +129,21 @@ struct RobotNumbers {
     std::vector<Special> special;
 };
 
+/// The answer to a claim about cycles, for the model in cycles or for the code.
+struct CycleAnswer {
+    Outcome outcome = Outcome::inconclusive;  ///< conforms: the claim holds; differs: it fails
+    std::string reason;                       ///< what broke it, or why it is not decided
+    std::vector<Cycle> cycles;                ///< a shortest run that breaks it
+};
+/// Both answers to a claim.
+struct CycleAnswers {
+    std::string claim;  ///< its name
+    std::string wording;
+    diagnostics::Span span;
+    CycleAnswer model, code;
+    bool asked = true;  ///< some cycle of the code is in its scope
+};
+
 /// The result for one component, with the size of the exploration and, if the code differs, a shortest run.
 struct Result {
     Outcome outcome = Outcome::inconclusive;
@@ -159,6 +177,7 @@ struct Result {
     std::vector<OvertakenEvent> overtaken;  ///< if it conforms: events that come second in some state of the code
     std::uint64_t dispatched = 0;           ///< number of (state, event or none) pairs in which both APIs were compared
     std::optional<ApiDifference> api_difference;
+    std::vector<CycleAnswers> claims;   ///< about cycles
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
     std::vector<std::string> warnings;  ///< about the code: states that are not canonical
@@ -210,6 +229,7 @@ struct Options {
     std::string work_dir;  ///< folder for sources and the shared object; "": a new temporary folder, deleted afterwards
     diagnostics::Cache* cache = nullptr;  ///< cache of compiled code; null: none
     refine::Limits limits;
+    std::shared_ptr<const CycleClaims> claims = nullptr;  ///< about cycles of the component; null: none
 };
 
 }  // namespace robochart::conformance

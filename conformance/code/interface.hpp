@@ -43,12 +43,18 @@ struct Output {
     std::vector<Carrier> arguments;  ///< one for each argument
 };
 
+/// In a cycle with input `event`, input `dropped` is not raised (docs/claims.md, "Order in a cycle").
+struct DroppedInput {
+    std::uint32_t event = 0, dropped = 0;
+};
+
 struct Interface {
     std::string component;   ///< CSP prefix of its events: "P::M"
     std::int64_t scale = 1;  ///< reals are multiples of 1/scale
     std::vector<Register> inputs;
     std::vector<Output> outputs;
-    std::vector<std::string> blocked;  ///< channels of M that the environment does not use: "set_EXT_x"
+    std::vector<DroppedInput> drops = {};  ///< by both sides, in this order
+    std::vector<std::string> blocked;      ///< channels of M that the environment does not use: "set_EXT_x"
 };
 
 /// The name of an input for readers: "seeRobot", "reached".

@@ -167,18 +167,30 @@ Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
     return input ? Standstill::input_in_mid_cycle : Standstill::other;
 }
 
+/// Both sides of the comparison are behind the same filter.
+void NormalFormSystem::drop_inputs(std::span<lts::Word> state, lts::Word model) {
+    const auto content = state.subspan(fields + mask_words_, inputs_);
+    for (const DroppedInput& drop : alphabet_->interface().drops)
+        if (content[drop.event] != 0) content[drop.dropped] = 0;
+    for (const DroppedInput& drop : alphabet_->interface().drops)
+        if (model == gone || !model_->heard_inputs(model)[drop.event]) content[drop.event] = 0;
+}
+
 // A1, A3: registers are read one after the other, each with any reading. A register that M cannot read before time
 // passes is treated as absent (model_graph.hpp).
 void NormalFormSystem::add_reads(Move& move) {
     const lts::Word at = move.from[progress];
     const auto input = static_cast<std::uint32_t>(at);
     const lts::Word state = move.from[model_state];
+    const std::vector<DroppedInput>& drops = alphabet_->interface().drops;
+    const bool decides = std::ranges::find(drops, input, &DroppedInput::event) != drops.end();
     const bool heard = state != gone && model_->heard_inputs(state)[input];
     const auto found = [&](lts::Word reading, process::Event event) {
         std::vector<lts::Word>& next = move.restart();
-        next[fields + mask_words_ + input] = heard ? reading : 0;
+        next[fields + mask_words_ + input] = heard || decides ? reading : 0;
         next[progress] = at + 1;
         if (at + 1 == inputs_) {
+            if (!drops.empty()) drop_inputs(next, state);
             next[phase] = acting;
             next[progress] = 0;
         }

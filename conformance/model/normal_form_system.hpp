@@ -84,6 +84,7 @@ private:
     struct Move;
     void begin_cycle(std::span<lts::Word> state) const;
     void add_reads(Move&);
+    void drop_inputs(std::span<lts::Word> state, lts::Word model);
     void model_moves(Move&);
     void model_step(Move&, const ModelEdge&);
     void add_input_step(Move&, const ModelEdge&);

@@ -364,6 +364,22 @@ void write_outside(const Generation& generation, const StoredVariable& variable,
         out.line(line);
 }
 
+/// Events that a declared order drops where another event is raised.
+void write_drops(const Generation& generation, CodeWriter& out) {
+    const auto input_of = [&](const std::string& name) {
+        const auto& events = generation.component.events;
+        const auto found =
+            std::ranges::find_if(events, [&](const EventPort& port) { return port.received && port.outside == name; });
+        return found == events.end() ? std::string() : found->input;
+    };
+    for (const EventOrder::Drop& drop : generation.options.order.drops) {
+        const std::string event = input_of(drop.event), dropped = input_of(drop.dropped);
+        if (event.empty() || dropped.empty() || generation.mutation.hits(Fault::order_ignored)) continue;
+        out.comment(fmt::format("the declared order of events: {} drops {}", drop.event, drop.dropped));
+        out.line(fmt::format("if (inputs_.{}.present) inputs_.{}.present = false;", event, dropped));
+    }
+}
+
 void write_cycle(const Generation& generation, const Core& core, CodeWriter& out) {
     out.doc("One control cycle: inputs, everything that they and time make possible, then time passes.");
     out.open("robochart::StepResult cycle() noexcept {");
@@ -371,6 +387,7 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty() && variable.has_member()) write_outside(generation, variable, out, late);
     for (const EventPort* event : core.kept_inputs) take_kept(out, *event);
+    write_drops(generation, out);
     const char* const state = generation.component.is_composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
     for (const EventPort* event : core.kept_inputs) keep_input(out, *event);

@@ -97,6 +97,13 @@ std::string DispatchCode::rest_result() const {
                                          "robochart::StepResult::quiescent;";
 }
 
+/// Whether the declared order tries the transition before all others.
+bool DispatchCode::is_first(const ir::Transition& transition) const {
+    const auto& first = generation_.options.order.first;
+    const auto found = first.find(unit_.id.index);
+    return found != first.end() && std::ranges::find(found->second, transition.trigger->event) != found->second.end();
+}
+
 /// Writes the effect of a transition from a leaf, taken on the event of `port`, or without an event if `port` is null.
 void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
@@ -150,6 +157,9 @@ std::vector<const ir::Transition*> DispatchCode::candidate_transitions(NodeId le
         std::ranges::reverse(by_state);
     std::vector<const ir::Transition*> all;
     for (const auto& own : by_state) all.insert(all.end(), own.begin(), own.end());
+    std::ranges::stable_partition(all, [&](const ir::Transition* transition) {
+        return port != nullptr && !is_urgent(*transition) && is_first(*transition);
+    });
     return all;
 }
 

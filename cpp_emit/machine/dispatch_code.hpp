@@ -23,6 +23,7 @@ public:
 
 private:
     [[nodiscard]] bool is_urgent(const ir::Transition&) const;
+    [[nodiscard]] bool is_first(const ir::Transition&) const;
     [[nodiscard]] bool asks_for(const ir::Transition&, const EventPort& port) const;
     [[nodiscard]] bool goes_on(ir::NodeId rest) const;
     [[nodiscard]] bool look_after(ir::NodeId target) const;

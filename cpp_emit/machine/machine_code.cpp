@@ -177,7 +177,13 @@ std::string MachineWriter::finished_condition(const std::string& frame) const {
 void MachineWriter::run_function() {
     out_.gap();
     const std::string during = during_.empty() ? "" : " || " + function_call("during");
-    const std::string parts = fmt::format("{}{} || {}", function_call("control"), during, function_call("transition"));
+    std::string transitions = function_call("transition");
+    if (transition_code_.has_first_events()) {
+        const bool ignored = generation_.mutation.hits(Fault::order_ignored);
+        transitions = fmt::format("{} || {}", function_call(ignored ? "transition" : "first"),
+                                  function_call(ignored ? "first" : "transition"));
+    }
+    const std::string parts = fmt::format("{}{} || {}", function_call("control"), during, transitions);
     const bool watches = guards_deadlines(*unit_.machine);
     if (unit_.root) {
         if (generation_.component.is_composed()) {

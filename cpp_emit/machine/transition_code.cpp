@@ -17,19 +17,84 @@ using ir::NodeKind;
 void TransitionCode::transition_functions() {
     const ir::Machine& machine = plan_.machine();
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index)
-        if (machine.nodes[index].kind == NodeKind::state && !machine.nodes[index].outgoing.empty())
-            from_function(NodeId{index});
+        if (machine.nodes[index].kind == NodeKind::state && has_others(NodeId{index})) from_function(NodeId{index});
+    if (!first_events().empty()) {
+        first_functions();
+        choosing_function("first",
+                          "Starts the first enabled transition that an event of the declared order triggers, before "
+                          "all others.",
+                          &TransitionCode::first_calls);
+    }
+    choosing_function("transition", "Starts the first enabled transition: inner states first, then textual order.",
+                      &TransitionCode::attempt_calls);
+}
+
+const std::vector<ir::EventId>& TransitionCode::first_events() const {
+    static const std::vector<ir::EventId> none;
+    const auto& first = generation_.options.order.first;
+    const auto found = first.find(unit_.id.index);
+    return found == first.end() || !unit_.root ? none : found->second;
+}
+
+bool TransitionCode::comes_first(const ir::Transition& transition) const {
+    return transition.trigger && std::ranges::find(first_events(), transition.trigger->event) != first_events().end();
+}
+
+/// `first_S_n`: the transitions of a state that the n-th event of the order triggers.
+void TransitionCode::first_functions() {
+    const ir::Machine& machine = plan_.machine();
+    for (std::uint32_t index = 0; index < machine.nodes.size(); ++index)
+        for (std::size_t number = 0; number < first_events().size(); ++number) {
+            if (!has_first(NodeId{index}, number)) continue;
+            const ir::Event& event = machine.events[first_events()[number].index];
+            out_.open_declaration(
+                "Transitions of " + generation_.place_text(machine.nodes[index].origin) + " that the first event " +
+                    event.name + " triggers",
+                function_head(fmt::format("bool first_{}_{}", plan_.label_of(NodeId{index}), number)));
+            bool certain = false;
+            for (const ir::TransitionId way : plan_.node(NodeId{index}).outgoing) {
+                const ir::Transition& transition = machine.transitions[way.index];
+                const bool own = transition.trigger && transition.trigger->event == first_events()[number];
+                if (own && !certain) certain = try_transition(transition);
+            }
+            if (!certain) out_.line("return false;");
+            out_.close();
+        }
+}
+
+bool TransitionCode::has_first(NodeId state, std::size_t number) const {
+    const ir::Machine& machine = plan_.machine();
+    return machine.nodes[state.index].kind == NodeKind::state &&
+           std::ranges::any_of(machine.nodes[state.index].outgoing, [&](ir::TransitionId way) {
+               const auto& trigger = machine.transitions[way.index].trigger;
+               return trigger && trigger->event == first_events()[number];
+           });
+}
+
+std::vector<std::string> TransitionCode::first_calls(NodeId leaf) const {
+    std::vector<std::string> calls;
+    const std::vector<NodeId> chain = plan_.state_chain(leaf);
+    for (std::size_t number = 0; number < first_events().size(); ++number)
+        for (const NodeId state : chain)
+            if (has_first(state, number))
+                calls.push_back(function_call(fmt::format("first_{}_{}", plan_.label_of(state), number)));
+    return calls;
+}
+
+/// The function that calls those of the active states.
+void TransitionCode::choosing_function(const std::string& name, const char* comment, Calls calls_of) {
+    const ir::Machine& machine = plan_.machine();
     out_.gap();
     const bool choices = generation_.options.choices;
-    if (choices) pick_function();
-    out_.doc(choices ? "Starts the transition whose turn it is: inner states first, then textual order."
-                     : "Starts the first enabled transition: inner states first, then textual order.");
-    out_.open(function_head(choices ? "bool attempt" : "bool transition"));
+    const std::string attempt = choices ? "attempt_" + name : name;
+    if (choices) pick_function(name, attempt);
+    out_.doc(choices ? "Starts the transition whose turn it is: inner states first, then textual order." : comment);
+    out_.open(function_head("bool " + attempt));
     out_.open("switch (f.at) {");
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
         const NodeId id{index};
         const std::vector<std::string> calls =
-            plan_.is_resting_place(id) ? attempt_calls(id) : std::vector<std::string>{};
+            plan_.is_resting_place(id) ? (this->*calls_of)(id) : std::vector<std::string>{};
         if (calls.empty()) continue;
         out_.line(
             fmt::format("case {}: return {};", control_.qualified_label(plan_.label_of(id)), fmt::join(calls, " || ")));
@@ -40,16 +105,16 @@ void TransitionCode::transition_functions() {
 }
 
 /// Reference API A6: a first pass counts the choices and takes none of them.
-void TransitionCode::pick_function() {
+void TransitionCode::pick_function(const std::string& name, const std::string& attempt) {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
-    out_.open(function_head("bool transition"));
+    out_.open(function_head("bool " + name));
     out_.open("if constexpr (robochart::Picks<Platform>::value) {");
     out_.line("turn_.count();");
-    out_.line(function_call("attempt") + ";");
+    out_.line(function_call(attempt) + ";");
     out_.line("if (turn_.counted() == 0) return false;");
     out_.line("turn_.take(robochart::pick(platform_, turn_.counted()));");
     out_.close();
-    out_.line(fmt::format("return {};", function_call("attempt")));
+    out_.line(fmt::format("return {};", function_call(attempt)));
     out_.close();
     out_.gap();
 }
@@ -58,8 +123,15 @@ std::vector<std::string> TransitionCode::attempt_calls(NodeId leaf) const {
     std::vector<std::string> calls;
     const std::vector<NodeId> chain = plan_.state_chain(leaf);
     for (const NodeId state : chain)
-        if (!plan_.node(state).outgoing.empty()) calls.push_back(function_call("from_" + plan_.label_of(state)));
+        if (has_others(state)) calls.push_back(function_call("from_" + plan_.label_of(state)));
     return calls;
+}
+
+/// Whether the state has transitions that are not tried first.
+bool TransitionCode::has_others(NodeId state) const {
+    return std::ranges::any_of(plan_.node(state).outgoing, [&](ir::TransitionId way) {
+        return !comes_first(plan_.machine().transitions[way.index]);
+    });
 }
 
 void TransitionCode::from_function(NodeId id) {
@@ -68,6 +140,7 @@ void TransitionCode::from_function(NodeId id) {
     bool certain = false;
     for (const ir::TransitionId way : plan_.node(id).outgoing) {
         if (certain) break;
+        if (comes_first(plan_.machine().transitions[way.index])) continue;
         certain = try_transition(plan_.machine().transitions[way.index]);
     }
     if (!certain) out_.line("return false;");

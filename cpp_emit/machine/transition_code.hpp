@@ -13,11 +13,23 @@ public:
     TransitionCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
-    /// Writes a function for each state that can be left, and the function that calls them from the inside out.
+    /// Writes a function for each state that can be left, and the function that calls them from the inside out. If an
+    /// order of events is declared, there is a function `first`, too.
     void transition_functions();
+    /// Whether the machine has a function `first`.
+    [[nodiscard]] bool has_first_events() const { return !first_events().empty(); }
+    /// Whether the transition is tried before those of other events and those without an event.
+    [[nodiscard]] bool comes_first(const ir::Transition&) const;
 
 private:
-    void pick_function();
+    using Calls = std::vector<std::string> (TransitionCode::*)(ir::NodeId) const;
+    void choosing_function(const std::string& name, const char* comment, Calls calls_of);
+    [[nodiscard]] const std::vector<ir::EventId>& first_events() const;
+    void first_functions();
+    [[nodiscard]] bool has_first(ir::NodeId state, std::size_t number) const;
+    [[nodiscard]] bool has_others(ir::NodeId state) const;
+    [[nodiscard]] std::vector<std::string> first_calls(ir::NodeId leaf) const;
+    void pick_function(const std::string& name, const std::string& attempt);
     [[nodiscard]] std::vector<std::string> attempt_calls(ir::NodeId leaf) const;
     void from_function(ir::NodeId);
     bool try_transition(const ir::Transition&);

@@ -13,6 +13,7 @@ constexpr FaultKind kinds[] = {
     {Fault::trigger_value_old, "trigger_value_old", "a guard reads the variable's old value, not the incoming one"},
     {Fault::transitions_reversed, "transitions_reversed", "the transitions of a state are tried from the last one"},
     {Fault::outer_first, "outer_first", "transitions of outer states are tried before those of inner ones"},
+    {Fault::order_ignored, "order_ignored", "a declared order of events is not kept"},
     {Fault::junction_reversed, "junction_reversed",
      "the outgoing transitions of a junction or initial node are tried from the last one"},
     {Fault::way_exchanged, "way_exchanged", "a probabilistic junction takes one transition in place of another"},

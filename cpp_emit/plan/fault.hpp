@@ -18,6 +18,7 @@ enum class Fault {
     trigger_value_old,
     transitions_reversed,
     outer_first,
+    order_ignored,
     junction_reversed,
     way_exchanged,
     wrong_target,

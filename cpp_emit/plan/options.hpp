@@ -11,6 +11,7 @@
 #include "base/diagnostics/diagnostic.hpp"
 #include "base/durations/time_unit.hpp"
 #include "cpp_emit/plan/fault.hpp"
+#include "semantics/ir/ir.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -54,6 +55,17 @@ struct PackageFacts {
     std::string email = "maintainer@example.org";
 };
 
+/// The order of events in a cycle that claims files declare (docs/claims.md, "Order in a cycle").
+struct EventOrder {
+    /// Two events that the platform raises: in a cycle with `event`, `dropped` is not raised.
+    struct Drop {
+        std::string event, dropped;
+    };
+    /// By the number of a machine: the events whose transitions it tries before all others, in this order.
+    std::map<std::uint32_t, std::vector<ir::EventId>> first = {};
+    std::vector<Drop> drops = {};
+};
+
 /// The options of a generation.
 struct Options {
     Target target = Target::sources;
@@ -78,7 +90,8 @@ struct Options {
     PackageFacts package = {};
     bool mapping_draft = false;  ///< Target::ros2: the only file is a mapping to start from
     durations::Unit unit = {};   ///< Target::ros2: the length of a time unit, if it is declared
-    bool model_names = false;    ///< Target::ros2: nodes, topics and files have the names of the model, not snake_case
+    EventOrder order = {};
+    bool model_names = false;  ///< Target::ros2: nodes, topics and files have the names of the model, not snake_case
     /// For comments with file and line. If null, comments contain only the names of the model's elements.
     const diagnostics::SourceManager* sources = nullptr;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "csp_emit/base/project.hpp"
+#include "csp_emit/base/shown.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::csp_emit {
@@ -81,6 +82,7 @@ struct EmittedMachine {
 
 /// Everything emitted so far: every component by its qualified CSPM name, including nested ones.
 struct Emitted {
+    Shown shown = {};  ///< the facts that machines show; empty but for claims about states and variables
     Provenance provenance;
     std::map<std::string, ComponentEmission> components;
     /// Machines by their path in the model and the definitions of the operations that they call. Machines with the same

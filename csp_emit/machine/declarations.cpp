@@ -46,6 +46,10 @@ DeclPtr ModuleDeclarations::make_module(const std::vector<DeclPtr>& points, cons
     tables_.watch.declare(decls);
     if (!tables_.context.offered.empty())
         decls.push_back(b::channel({"inside__", "outside__", "refused__", "missed__"}));
+    if (const std::size_t facts = tables_.context.shown.size(); facts > 0) {
+        decls.push_back(b::channel({"shown__"}, b::dot(b::Exprs(facts, b::name("Bool")))));
+        tables_.record_meaning("shown__", {MeaningKind::memory, "what a claim reads", {}, tables_.machine().origin});
+    }
     decls.insert(decls.end(), points.begin(), points.end());
     declare_variants(decls, initial);
     const bool operation = tables_.machine().kind == ir::MachineKind::operation;

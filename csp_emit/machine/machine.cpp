@@ -49,8 +49,9 @@ cspm::DeclPtr rename_module(const cspm::DeclPtr& module, const std::string& name
 }  // namespace
 
 ComponentEmission emit_machine(MachineContext context, Emitted& emitted) {
-    // a copy that an assertion watches is unique
-    if (context.is_copy()) return machine_module(std::move(context), emitted);
+    if (const auto facts = emitted.shown.find(context.path); facts != emitted.shown.end())
+        context.shown = facts->second;
+    if (context.is_special()) return machine_module(std::move(context), emitted);
     const std::string path = context.path;
     const std::string name = context.name;
     const auto [found, added] = emitted.machines.try_emplace(key_of(context));

@@ -3,6 +3,7 @@
 #include "csp_emit/machine/processes.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/machine/rules/actions.hpp"
@@ -57,7 +58,7 @@ bool is_input_of(const cspm::Expr& branch, const std::string& event) {
 }  // namespace
 
 Processes::Processes(MachineTables& tables) : tables_(tables) {
-    if (tables.context.offered.empty()) return;
+    if (tables.context.offered.empty() && tables.context.shown.empty()) return;
     Cell cell;
     cell.name = "passed__";
     cell.kind = CellKind::frozen;
@@ -181,6 +182,7 @@ void Processes::add_branches(const std::vector<Branch>& branches, std::vector<Ex
 ExprPtr Processes::choice_of_branches(const Activation& config) {
     const b::Exprs all = make_branches(config);
     if (!passed_) return b::choice(all);
+    if (!tables_.context.shown.empty()) return show_facts(config, all);
     const std::optional<ir::NodeId>& state = tables_.context.within;
     const bool inside = state ? is_in(tables_, config, *state) : !is_final(tables_, config);
     const auto with = [&](std::int64_t value) {
@@ -195,6 +197,36 @@ ExprPtr Processes::choice_of_branches(const Activation& config) {
         (is_input_of(*branch, tables_.context.offered) ? result : others).push_back(branch);
     if (!others.empty()) result.push_back(b::guard(with(1), b::choice(others)));
     return b::choice(result);
+}
+
+/// First `shown__` with the truth of each fact, then the branches. Values and configuration are the same behind it.
+ExprPtr Processes::show_facts(const Activation& config, const b::Exprs& branches) {
+    const auto behind = [&](std::int64_t value) {
+        return b::binary(cspm::ExprKind::equal, tables_.cells.parameter_name(*passed_), b::number(value));
+    };
+    std::vector<cspm::Field> fields;
+    for (const ShownFact& fact : tables_.context.shown)
+        fields.push_back(b::output(fact.state ? b::boolean(is_in(tables_, config, *fact.state))
+                                              : fact.condition(names_of_machine())));
+    passing_ = true;
+    const ExprPtr again = call_point(config, {});
+    passing_ = false;
+    b::Exprs result{b::guard(behind(0), b::prefix(b::name("shown__"), std::move(fields), again))};
+    if (!branches.empty()) result.push_back(b::guard(behind(1), b::choice(branches)));
+    return b::choice(result);
+}
+
+MachineNames Processes::names_of_machine() const {
+    MachineNames names;
+    names.variable = [this](ir::VariableId id) {
+        return tables_.cells.parameter_name(tables_.frames.root_frame().variables.at(id.index));
+    };
+    names.constant = [this](ir::ConstantId id) {
+        for (const ConstantParameter& constant : tables_.calls.constants())
+            if (constant.owner == &tables_.machine() && constant.id == id) return b::name(constant.inside);
+        throw std::logic_error("csp_emit: a fact names a constant that the machine does not have");
+    };
+    return names;
 }
 
 ExprPtr Processes::body_of(const Activation& config) {

@@ -37,6 +37,8 @@ private:
     cspm::ExprPtr body_after_call(const Continuation&);
     std::vector<cspm::ExprPtr> make_branches(const Activation& config);
     cspm::ExprPtr choice_of_branches(const Activation& config);
+    cspm::ExprPtr show_facts(const Activation& config, const std::vector<cspm::ExprPtr>& branches);
+    MachineNames names_of_machine() const;
     std::vector<cspm::ExprPtr> reading_branches(const Activation& config, const View& now, CellId clock);
     bool returns_to_caller(const Activation& config) const;
 
@@ -44,7 +46,7 @@ private:
     std::size_t run_ = 0;           ///< number of statements executed since the last function began
     std::size_t branching_ = 0;     ///< number of enclosing conditionals
     bool after_tock_ = false;       ///< the branch of a tock is being emitted
-    std::optional<CellId> passed_;  ///< MachineContext::offered: 1 if the point has shown whether it is in the state
+    std::optional<CellId> passed_;  ///< MachineContext::offered, shown: 1 if the point has shown what it shows first
     bool passing_ = false;          ///< the call after that event is being emitted
 };
 

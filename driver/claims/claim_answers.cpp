@@ -31,13 +31,23 @@ public:
 
     void complete() {
         if (report_.answer == Answer::fails && report_.run) explain(*report_.run);
+        complete_positive();
+        const bool possible = claim_.body.kind == claims::BodyKind::possible;
+        if (scripted_.exact || report_.answer != (possible ? Answer::holds : Answer::fails)) return;
+        report_.answer = Answer::inconclusive;
+        report_.reason =
+            "not decided: a run was found, but another machine may have acted in it before the state was seen; a claim "
+            "about the machine alone decides it";
+    }
+
+private:
+    void complete_positive() {
         if (report_.answer != Answer::holds) return;
         if (scripted_.decision.standstill) decide_standstill();
         if (report_.answer == Answer::holds && scripted_.decision.waiting) decide_waiting();
         if (report_.answer == Answer::holds) add_vacuity();
     }
 
-private:
     [[nodiscard]] refine::Verdict check(const cspm::DeclPtr& assertion) const {
         return context_.session.check(*assertion, limits_of_check(search_, obligation_.title)).verdict;
     }
@@ -53,7 +63,10 @@ private:
             account.tock();
         } else if (event == "✓") {
             account.end();
-        } else if (const claims::Letter* const letter = claims::find_letter(scripted_.letters, event)) {
+        } else if (const claims::Letter* const letter = claims::find_letter(scripted_.letters, event);
+                   letter != nullptr && !letter->facts.empty()) {
+            account.observe(letter->facts);
+        } else if (letter != nullptr) {
             account.observe(letter->occurrence, claims::text_of(*letter, claim_, event));
         }
     }
@@ -135,7 +148,11 @@ private:
                 claim_.body.kind == claims::BodyKind::leads_within || claim_.body.kind == claims::BodyKind::leads_before
                     ? claim_.body.events.text
                     : claim_.scope.first.text;
-            if (claim_.scope.kind == claims::ScopeKind::whole)
+            if (claim_.body.condition && claim_.scope.kind == claims::ScopeKind::whole)
+                never(fmt::format("never asked: in no run does `{}` hold", claim_.body.condition_text));
+            else if (claim_.scope.kind == claims::ScopeKind::during)
+                never(fmt::format("never asked: no run has {} in the scope", trigger));
+            else if (claim_.scope.kind == claims::ScopeKind::whole)
                 never(fmt::format("never asked: no run has {}", asked_text()));
             else
                 never(fmt::format("never asked: no run has {} in the scope of {}", trigger, claim_.scope.first.text));

@@ -122,8 +122,10 @@ bool FreeClaims::answer(const Turn& turn, const csp_emit::Obligation& obligation
 std::optional<ListedClaim> FreeClaims::free_claim(const csp_emit::Obligation& obligation) {
     if (!data_.project().project) return std::nullopt;
     if (!free_)
-        free_ = std::make_unique<TimeClaims>(*data_.project().project, search_, time_, may_carry_over,
-                                             Values::of_project, results_);
+        free_ = std::make_unique<TimeClaims>(
+            *data_.project().project,
+            emit_csp(*data_.project().project, search_.settings.claims, search_.settings.swarm, time_), search_, time_,
+            may_carry_over, Values::of_project, results_);
     const auto title = [](const ListedClaim& claim) -> const std::string& { return claim.obligation->title; };
     if (std::ranges::count(free_->claims(), obligation.title, title) != 1) return std::nullopt;
     return *std::ranges::find(free_->claims(), obligation.title, title);

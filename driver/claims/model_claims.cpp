@@ -15,7 +15,9 @@
 #include "driver/claims/kept_text.hpp"
 #include "driver/claims/probability_claims.hpp"
 #include "driver/claims/time_claims.hpp"
+#include "driver/model/claim_scripts.hpp"
 #include "driver/model/preferences.hpp"
+#include "driver/model/project_claims.hpp"
 
 namespace robochart::driver {
 namespace {
@@ -93,9 +95,11 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
             continue;
         const auto add = [&](Project& of, Values values) {
             const auto takes = [&classes, &of, values](const csp_emit::Obligation& obligation) {
-                return is_decided_in_carriers(classes, of.system, obligation) == (values == Values::of_carriers);
+                return !reads_facts(of, obligation) &&
+                       is_decided_in_carriers(classes, of.system, obligation) == (values == Values::of_carriers);
             };
-            times.push_back(std::make_unique<TimeClaims>(of, search, time, takes, values, results));
+            const csp_emit::Emission& script = emit_csp(of, search.settings.claims, search.settings.swarm, time);
+            times.push_back(std::make_unique<TimeClaims>(of, script, search, time, takes, values, results));
             times.back()->write_certificates();
         };
         const std::size_t first = results.assertions.size();
@@ -103,10 +107,21 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         free.push_back(std::make_unique<FreeClaims>(*times.back(), free_data, search, time));
         free.back()->add_to(claims);
         const bool open = !(decided.outputs_replaced.empty() && decided.related.empty());
-        if (!classes.project || !(has_observers(project) || (classes.small_carriers && open))) continue;
-        add(project, Values::of_carriers);
-        add_claims(*times.back(), claims);
-        divided.push_back({time, first, results.assertions.size()});
+        const bool in_carriers = classes.project && (has_observers(project) || (classes.small_carriers && open));
+        if (in_carriers) {
+            add(project, Values::of_carriers);
+            add_claims(*times.back(), claims);
+        }
+        const bool shows = time == Time::timed && search.settings.swarm.file.empty();
+        if (shows)
+            for (const ShowingScript& script : showing_scripts(project)) {
+                const auto all = [](const csp_emit::Obligation&) { return true; };
+                times.push_back(std::make_unique<TimeClaims>(project, *script.emission, search, time, all,
+                                                             Values::of_project, results));
+                add_claims(*times.back(), claims);
+            }
+        if (in_carriers || (shows && !project.claims->showing.empty()))
+            divided.push_back({time, first, results.assertions.size()});
     }
     if (&decided != &project) project.diagnostics.add(decided.diagnostics);
     if (probabilities) probabilities->add_to(claims);

@@ -368,7 +368,7 @@ AssertionReport decide_premise(const ClaimContext& context, const csp_emit::Obli
     AssertionReport report;
     report.answer = Answer::holds;
     (void)decide_claim(context, obligation, report);
-    if (report.answer != Answer::holds) return report;
+    if (report.answer != Answer::holds || !claim.premise->recurrence.process) return report;
     obligation.kind = ir::PropertyKind::refines;
     obligation.recurrence = claim.premise->recurrence;
     decide_recurrence(context, obligation, report);
@@ -501,7 +501,10 @@ int rank_of(const csp_emit::Obligation& obligation) {
 
 void Premises::apply_premise(const ClaimContext& context, const csp_emit::Obligation& obligation,
                              AssertionReport& report) {
-    if (obligation.premise == nullptr || report.answer != Answer::holds) return;
+    if (obligation.premise == nullptr) return;
+    // The premise of a claim of a claims file is an assumption, under which time may stop.
+    const bool of_failures = claim_of(context.project, obligation).has_value();
+    if (report.answer != Answer::holds && !(of_failures && report.answer == Answer::fails)) return;
     const AssertionReport premise = answer_premise(context, obligation);
     if (premise.answer == Answer::holds) return;
     const csp_emit::Premise& emitted_premise = *obligation.premise;
@@ -520,14 +523,14 @@ AssertionReport Premises::answer_premise(const ClaimContext& context, const csp_
     return report;
 }
 
-TimeClaims::TimeClaims(Project& project, const SearchContext& search, Time time, ClaimFilter takes, Values values,
-                       ClaimResults& results)
+TimeClaims::TimeClaims(Project& project, const csp_emit::Emission& emission, const SearchContext& search, Time time,
+                       ClaimFilter takes, Values values, ClaimResults& results)
     : project_(project),
       search_(search),
       time_(time),
       takes_(std::move(takes)),
       values_(values),
-      emission_(emit_csp(project, search.settings.claims, search.settings.swarm, time)),
+      emission_(emission),
       results_(results),
       watch_(project, emission_, project.instantiation),
       reached_(project, emission_, project.instantiation, search),
@@ -641,7 +644,9 @@ std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context,
             "inputs or outputs of different values have one name here; --concrete decides it for finite carriers";
     }
     premises_.apply_premise(context, obligation, one);
-    second_look_->add_to(obligation, one);
+    // Where a machine shows its states, no time passes, although the model does not stop it.
+    const bool shows = claim && !context.project.claims->checked.claims[*claim].facts.empty();
+    if (!shows) second_look_->add_to(obligation, one);
     if (is_in_carriers() && (one.answer == Answer::holds || one.answer == Answer::fails))
         add(one.basis,
             {GroundKind::carriers, "this claim compares values, those of the finite instantiation", {}, {}, {}, {}});

@@ -63,8 +63,8 @@ struct ListedClaim {
 class TimeClaims {
 public:
     /// Lists the claims that `takes` selects in the results. All arguments must outlive the object.
-    TimeClaims(Project& project, const SearchContext& search, csp_emit::Time time, ClaimFilter takes, Values values,
-               ClaimResults& results);
+    TimeClaims(Project& project, const csp_emit::Emission& emission, const SearchContext& search, csp_emit::Time time,
+               ClaimFilter takes, Values values, ClaimResults& results);
 
     [[nodiscard]] const std::vector<ListedClaim>& claims() const { return claims_; }
     /// Decides the claim within the turn. The results only contain the progress until the report is stored.

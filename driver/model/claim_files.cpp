@@ -122,8 +122,26 @@ std::vector<std::string> model_inputs(const std::vector<std::string>& inputs) {
     return result.empty() ? inputs : result;
 }
 
+namespace {
+
+/// The claims in assertion files.
+void read_claims_of_assertions(Project& project) {
+    for (const auto& file : project.model->files) {
+        std::vector<diagnostics::Span> places;
+        for (const frontend::KeptPart& part : file->kept)
+            if (part.form == "claim" || part.form == "assume" || part.form == "order" || part.form == "unit")
+                places.push_back(part.whole);
+        if (places.empty()) continue;
+        ClaimFile read = claims::read_parts(project.sources, file->source, places, project.diagnostics);
+        project.claims->files.push_back(std::make_shared<const ClaimFile>(std::move(read)));
+    }
+}
+
+}  // namespace
+
 void read_claim_files(Project& project, const LoadSettings& settings) {
     project.claims->ignored = settings.claims == ClaimUse::ignore;
+    read_claims_of_assertions(project);
     for (const TextInput& input : settings.texts) {
         if (!is_claims(input.path)) continue;
         const diagnostics::SourceId source = project.sources.add(input.path, input.text);
@@ -171,6 +189,16 @@ std::optional<claims::DeclaredUnit> unit_beside(const std::vector<std::string>& 
     return claims::find_unit(files, sources, diagnostics);
 }
 
+void read_ignored_claims(Project& project, const LoadSettings& settings) {
+    if (settings.claims != ClaimUse::ignore || !project.diagnostics.ok()) return;
+    LoadSettings reading = settings;
+    reading.claims = ClaimUse::read;
+    project.claims = make_project_claims();
+    read_claim_files(project, reading);
+    std::erase_if(project.claims->files, [&](const auto& file) { return !is_about(*file, *project.model); });
+    check_claim_files(project, project.system);
+}
+
 void divide_claim_files(const std::vector<std::shared_ptr<const ClaimFile>>& files, const std::vector<Part>& parts) {
     for (const auto& file : files) {
         std::vector<Project*> about;
@@ -211,11 +239,45 @@ void check_claim_files(Project& project, const ir::System& system) {
     project.claims->checked = claims::check_claims(project.claims->files, model, project.sources, project.diagnostics);
 }
 
+namespace {
+
+/// `can take E within D` as the assertion that E is not missed for D + 1 time units.
+ir::Property readiness(const claims::CheckedClaim& claim, const Project& project) {
+    const claims::Component& component = claim.component;
+    ir::Property result;
+    result.name = claim.name;
+    result.kind = ir::PropertyKind::event_missed;
+    result.negated = true;
+    result.untimed = false;
+    result.subject.kind = ir::ComponentKind::machine;
+    result.subject.package = component.package;
+    result.subject.path = component.path;
+    if (!component.package.empty()) result.subject.path.erase(0, component.package.size() + 2);
+    result.subject.definition = component.machines.front().machine.index;
+    result.event = component.channels[claim.body.events.any.front().channels.front()].name;
+    if (claim.scope.condition) {
+        const claims::Fact& fact = claim.facts[claim.scope.condition->index];
+        result.state = project.system.machine(fact.of).nodes[fact.state->index].path;
+    }
+    result.time_units = claim.body.units.value_or(0) + 1;
+    result.file = project.sources.path(claim.span.source);
+    result.wording = fmt::format("{}: {}: {}", claim.name, component.path, claim.wording);
+    result.origin = {component.path, claim.span};
+    return result;
+}
+
+}  // namespace
+
 void check_claim_files(Project& project) {
     check_claim_files(project, project.system);
+    for (const claims::CheckedClaim& claim : project.claims->checked.claims)
+        if (claim.body.kind == claims::BodyKind::can_take)
+            project.system.properties.push_back(readiness(claim, project));
+    std::erase_if(project.claims->checked.claims,
+                  [](const claims::CheckedClaim& claim) { return claim.body.kind == claims::BodyKind::can_take; });
     for (const claims::CheckedClaim& claim : project.claims->checked.claims) {
         try {
-            const auto letters = claims::letters_of(claim, project.system, project.instantiation);
+            const auto letters = claims::letters_of(claim, project.system, project.instantiation, {});
             for (const claims::EventMatch* match : claims::matches_without_value(claim, letters))
                 project.diagnostics.report(claims::rules::no_value, match->span,
                                            {match->text, "`--range` and `--const` choose values"});

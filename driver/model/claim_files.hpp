@@ -33,6 +33,10 @@ void find_unit(Project& project);
                                                               diagnostics::SourceManager& sources,
                                                               diagnostics::Diagnostics& diagnostics);
 
+/// Reads and resolves the claims files of a project whose settings ignore claims: those about control cycles are
+/// decided with the code.
+void read_ignored_claims(Project& project, const LoadSettings& settings);
+
 /// Gives each claims file of the whole project to the part that it is about. A file that may be about several parts is
 /// an error.
 void divide_claim_files(const std::vector<std::shared_ptr<const claims::ClaimFile>>& files,

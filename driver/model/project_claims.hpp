@@ -3,12 +3,15 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "claims/checks/checked.hpp"
 #include "claims/decide/decision.hpp"
 #include "claims/decide/letters.hpp"
 #include "claims/syntax/syntax.hpp"
+#include "csp_emit/base/emission.hpp"
 
 namespace robochart::driver {
 
@@ -16,6 +19,16 @@ namespace robochart::driver {
 struct ScriptedClaim {
     std::vector<claims::Letter> letters;
     claims::Decision decision;
+    /// Every run of the script is one of the model, with facts that hold at their places. Otherwise the script has more
+    /// runs: all claims that hold of them hold.
+    bool exact = true;
+};
+
+/// A timed script whose machines show the states and variables that some claims read (csp_emit/showing.hpp).
+struct ShowingScript {
+    std::set<std::string> claims;  ///< names
+    claims::ShownFacts shown;
+    std::unique_ptr<csp_emit::Emission> emission;
 };
 
 struct ProjectClaims {
@@ -23,6 +36,7 @@ struct ProjectClaims {
     std::vector<std::shared_ptr<const claims::ClaimFile>> files;  ///< as read
     claims::CheckedClaims checked;                                ///< resolved in the project's system
     std::vector<ScriptedClaim> scripted;                          ///< by the numbers of the resolved claims
+    std::vector<ShowingScript> showing;                           ///< made by showing_scripts
 };
 
 }  // namespace robochart::driver

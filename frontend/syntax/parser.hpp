@@ -328,6 +328,7 @@ private:
     [[nodiscard]] KeptPart kept_part() const;
     [[nodiscard]] bool at_assertion_member() const;
     [[nodiscard]] bool at_kept_part() const;
+    [[nodiscard]] bool at_claim() const;
 
     // Probabilistic assertions (parser_probability.cpp)
     [[nodiscard]] bool at_probabilistic_part() const;

@@ -20,9 +20,18 @@ bool Parser::at_kept_part() const {
         while (peek(ahead).is_word("::")) ahead += 2;
         if (peek(1).kind == TokenKind::identifier && at_word("as", ahead)) return true;
     }
+    if (at_claim()) return true;
     constexpr std::array<std::string_view, 5> words = {"label", "formula", "rewards", "defs", "pmodules"};
     const bool known = std::ranges::any_of(words, [&](std::string_view word) { return at_word(word); });
     return known && peek().first_on_line && peek(1).kind == TokenKind::string;
+}
+
+/// A part of a claims file at the beginning of a line: `claim A : …`, `claim A of X : …`, `unit 0.1 s`.
+bool Parser::at_claim() const {
+    if (!peek().first_on_line) return false;
+    if (at_word("unit")) return !peek(1).text.empty() && peek(1).text[0] >= '0' && peek(1).text[0] <= '9';
+    const bool named = peek(1).kind == TokenKind::identifier && (at_word(":", 2) || at_word("of", 2));
+    return named && (at_word("claim") || at_word("assume") || at_word("order"));
 }
 
 /// `robocert assertion …` at the beginning of a line: it belongs to another tool.
@@ -82,6 +91,8 @@ void Parser::assertion_member(File& file) {
         if (at_word("sleec") && time != AssertionTime::untimed) return rule_assertion(file);
         if (at_word("csp")) return csp_block(file, time);
         if (at_probabilistic_part() && time == AssertionTime::both) return probabilistic_part(file);
+        if (at_word("claim") && time != AssertionTime::both)
+            fail_expecting("`assertion` or `csp`: claims are about the timed semantics, without a word for it,");
         if (at_kept_part() && time == AssertionTime::both) return keep_as_text(file);
         fail_expecting("`assertion`, `csp` or `import`");
     });
@@ -111,12 +122,18 @@ KeptPart Parser::kept_part() const {
 void Parser::keep_as_text(File& file) {
     const Span begin = peek().span;
     const bool rewards = at_word("rewards");
+    const bool claim = at_claim();
     KeptPart part = kept_part();
     advance_token();
     while (!at_end() && (rewards ? !at_word("endrewards") : !at_assertion_member())) advance_token();
     if (rewards) accept_word("endrewards");
     part.whole = span_since(begin);
     part.text = sources_.source_text(source_).substr(part.whole.begin, part.whole.end - part.whole.begin);
+    if (claim) {
+        std::string name = sources_.path(source_);
+        name = name.substr(name.rfind('/') + 1);
+        report(syntax::claim_in_assertions, part.span, {part.form, name.substr(0, name.rfind('.'))});
+    }
     file.kept.push_back(std::move(part));
 }
 

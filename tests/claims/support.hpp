@@ -35,9 +35,18 @@ interface Sensors {
 }
 
 stm Patrol {
+	const limit : nat = 3
+	var retries : nat = 0
+	var shade : Colour
 	requires Motion
 	uses Sensors
 	initial i
+	state Outer {
+		initial k
+		state Inner { }
+		transition begin { from k to Inner }
+	}
+	transition out { from Held to Outer trigger level?retries }
 	state Driving { entry goTo(1) }
 	state Held { entry halt(); beep; show(Colour::red, true) }
 	transition begin { from i to Driving }

@@ -56,6 +56,14 @@ stm Late {
 	transition stop { from Driving to Braking trigger estop }
 }
 
+stm Loop {
+	uses Sensors
+	initial start
+	state A { }
+	transition begin { from start to A }
+	transition again { from A to A trigger obstacle }
+}
+
 stm Ends {
 	requires Motion
 	uses Sensors
@@ -179,6 +187,76 @@ TEST(Claims, HaveTheirVerdicts) {
                     });
 }
 
+TEST(Claims, AboutStatesAndVariables) {
+    expect_verdicts({{"patrol.rct", robots}}, "import patrol::*\nunit 0.1 s\n",
+                    {
+                        {"always in Driving or in Held or in BackingOff or in Emergency", "holds", "Patrol"},
+                        {"always not in Emergency", "fails", "Patrol"},
+                        {"after estop until reset, always in Emergency", "holds", "Patrol"},
+                        {"after estop until clear, always in Emergency", "fails", "Patrol"},
+                        {"while in Emergency, never goTo", "holds", "Patrol"},
+                        {"while in Emergency, never reset", "fails", "Patrol"},  // it is taken in the state
+                        {"while in Held, never halt", "fails", "Patrol"},      // the entry action belongs to the state
+                        {"while in Held, never obstacle", "holds", "Patrol"},  // it leads into the state
+                        {"while not in Held, never halt", "holds", "Patrol"},
+                        {"enter Held leads to halt within 0 s", "holds", "Patrol"},
+                        {"leave Held leads to goTo or reverse or brake within 0 s", "holds", "Patrol"},
+                        {"leave Held leads to goTo within 0 s", "fails", "Patrol"},
+                        {"while in Held, estop leads to goTo within 0 s", "holds", "Patrol"},  // the scope ends
+                        {"in Held for at most 300 ms", "holds", "Patrol"},
+                        {"in Held for at most 200 ms", "fails", "Patrol"},
+                        {"in Held for at least 100 ms", "fails", "Patrol"},
+                        {"in BackingOff for at most 1 s", "fails", "Patrol"},
+                        {"after estop until reset, in Held for at most 0 s", "holds", "Patrol"},
+                        {"always waypoint < 3", "holds", "Patrol"},
+                        {"always waypoint <= 1", "fails", "Patrol"},
+                        {"always waypoint < patience", "holds", "Patrol"},
+                        {"always 2 * waypoint < patience + 1.5", "holds", "Patrol"},
+                        {"always 2 * waypoint < patience + 0.5", "fails", "Patrol"},
+                        {"while waypoint == 1, never goTo(2)", "holds", "Patrol"},
+                        {"while waypoint == 2, never goTo(2)", "fails", "Patrol"},
+                        {"possible in Emergency", "holds", "Patrol"},
+                        {"possible waypoint == 2 and in Held", "holds", "Patrol"},
+                        {"possible waypoint == 3", "fails", "Patrol"},
+                        {"before obstacle, possible in Held", "fails", "Patrol"},
+                        {"while in Driving, can take obstacle", "holds", "Patrol"},
+                        {"can take obstacle", "fails", "Patrol"},
+                        {"can take clear within 300 ms", "fails", "Patrol"},
+                        {"while in Held, can take clear", "holds", "Patrol"},
+                        {"at most 1 enter A", "fails", "Loop"},
+                        {"while in A, at most 1 obstacle", "holds", "Loop"},
+                        {"always in A", "holds", "Loop"},
+                        {"estop leads to leave Driving within 0 s", "holds", "Late"},
+                        {"in Braking for at most 5 units", "fails", "Late"},  // time stops in it
+                    });
+}
+
+TEST(Claims, HoldUnderAssumptions) {
+    const std::string claims = "claim A of Patrol : never reverse\nclaim B of Patrol : never brake\n";
+    const Answers without({{"patrol.rct", robots}}, "import patrol::*\n" + claims);
+    EXPECT_EQ(without.verdict("A"), "fails");
+    const Answers with(
+        {{"patrol.rct", robots}},
+        "import patrol::*\nassume Soon of Patrol : obstacle leads to clear or estop within 2 units\n" + claims);
+    EXPECT_EQ(with.verdict("A"), "holds") << with.of("A").reason << with.text();
+    EXPECT_EQ(with.verdict("B"), "fails");
+    const Answers never({{"patrol.rct", robots}},
+                        "import patrol::*\nassume Calm of Patrol : never obstacle\n" + claims);
+    EXPECT_EQ(never.verdict("B"), "holds");
+    const Answers two({{"patrol.rct", robots}},
+                      "import patrol::*\nassume Soon of Patrol : obstacle leads to clear or estop within 2 units\n"
+                      "assume Sure of Patrol : obstacle leads to clear within 1 units unless estop\n"
+                      "claim A of Patrol : in Held for at most 1 units\n"
+                      "claim B of Patrol : obstacle leads to goTo or brake within 1 units\n");
+    EXPECT_EQ(two.verdict("A"), "holds") << two.of("A").reason << two.text();
+    EXPECT_EQ(two.verdict("B"), "holds") << two.of("B").reason << two.text();
+    // In Emergency, clear is not taken.
+    const Answers stops({{"patrol.rct", robots}},
+                        "import patrol::*\nassume Soon of Patrol : obstacle leads to clear within 2 units\n" + claims);
+    EXPECT_EQ(stops.verdict("A"), "inconclusive");
+    EXPECT_THAT(stops.of("A").reason, HasSubstr("Soon would stop time"));
+}
+
 TEST(Claims, TellWhatBrokeThem) {
     const Answers answers({{"patrol.rct", robots}},
                           "import patrol::*\nunit 0.1 s\n"
@@ -196,6 +274,14 @@ TEST(Claims, TellWhatBrokeThem) {
     EXPECT_EQ(end_of("Owed"),
               "reverse is owed until t=2 (200 ms), 2 units (200 ms) after obstacle at t=0 (0 s); time passes beyond "
               "t=2 (200 ms)");
+    const Answers states({{"patrol.rct", robots}},
+                         "import patrol::*\nunit 0.1 s\n"
+                         "claim Long of Patrol : in Held for at most 0.2 s\n"
+                         "claim Low of Patrol : always waypoint <= 1\n");
+    EXPECT_EQ(states.of("Long").run ? states.of("Long").run->end : "",
+              "`in Held` holds since t=0 (0 s); the claim allows 2 units (200 ms); time passes beyond t=2 (200 ms)");
+    EXPECT_EQ(states.of("Low").run ? states.of("Low").run->end : "",
+              "at t=0 (0 s), when time passes, `waypoint <= 1` does not hold");
     EXPECT_THAT(end_of("Stops"), HasSubstr("time stops at t=1 (100 ms)"));
     EXPECT_THAT(end_of("Ends"), HasSubstr("the component ends at t=0 (0 s)"));
 }
@@ -205,10 +291,38 @@ TEST(Claims, SayWhatIsNeverAsked) {
                           "import patrol::*\n"
                           "claim Scope of Ends : after brake until halt, never estop\n"
                           "claim Event of Ends : never brake\n"
+                          "claim State of Loop : always in A\n"
                           "claim Asked of Patrol : after estop until reset, never goTo\n");
+    EXPECT_THAT(answers.basis("State"), Not(Contains(HasSubstr("time can stop"))));
     EXPECT_THAT(answers.basis("Scope"), Contains(HasSubstr("never asked")));
     EXPECT_THAT(answers.basis("Event"), Contains(HasSubstr("no run has brake")));
     EXPECT_THAT(answers.basis("Asked"), Not(Contains(HasSubstr("never asked"))));
+}
+
+TEST(Claims, AreReadInAssertionFilesWithAWarning) {
+    LoadResult loaded = load_texts({{"patrol.rct", robots},
+                                    {"a.assertions",
+                                     "import patrol::*\nassertion Free : Patrol is deadlock-free\nunit 0.1 s\n"
+                                     "claim Back of Patrol : reverse at least 0.3 s after obstacle\n"
+                                     "claim Soon of Patrol : reverse at least 0.4 s after obstacle\n"}});
+    ASSERT_TRUE(loaded.model) << loaded.text;
+    EXPECT_THAT(loaded.text, HasSubstr("RC-P39"));
+    CheckOptions options;
+    options.limits.threads = 1;
+    const CheckResult result = loaded.model->check(options);
+    const auto verdict_of = [&](const std::string& name) {
+        const auto found = std::ranges::find_if(
+            result.answers, [&](const Answer& answer) { return answer.title.starts_with(name + " "); });
+        return found == result.answers.end() ? "" : std::string(name_of(found->verdict));
+    };
+    EXPECT_EQ(verdict_of("Back"), "holds");
+    EXPECT_EQ(verdict_of("Soon"), "fails");
+    const LoadResult wrong = load_texts(
+        {{"patrol.rct", robots}, {"a.assertions", "import patrol::*\n\nclaim Back of Patrol : never holt\n"}});
+    EXPECT_THAT(wrong.text, HasSubstr("a.assertions:3:30"));
+    const LoadResult untimed =
+        load_texts({{"patrol.rct", robots}, {"a.assertions", "untimed claim Back of Patrol : never halt\n"}});
+    EXPECT_THAT(untimed.text, HasSubstr("timed semantics"));
 }
 
 TEST(Claims, AreErrorsWithAPlace) {
@@ -277,6 +391,40 @@ TEST(ClaimsSuite, Rover) {
                         {"forward at least 4 units after turn unless halt", "holds"},
                         {"stop leads to halt within 1 units", "holds"},
                         {"stop leads to halt within 0 units", "holds"},
+                    });
+}
+
+TEST(ClaimsSuite, Forager) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    expect_verdicts(suite_models("forager"), "import foraging::*\nunit 1 s\n",
+                    {
+                        {"grab only after food", "holds"},
+                        {"food leads to grab within 0 s", "holds"},
+                        {"drop leads to halt within 0 s", "holds"},
+                        {"search at least 5 s after halt", "holds"},
+                        {"search at least 6 s after halt", "fails"},
+                        {"in Resting for at least 5 s", "holds"},
+                        {"in Searching for at most 20 s", "holds"},
+                        {"in Searching for at most 19 s", "fails"},
+                        {"in Homing for at most 1 min", "fails"},
+                        {"while in Resting, never food", "holds"},
+                        {"while in Homing, at most 1 drop", "holds"},
+                        {"after each drop, at most 1 search", "holds"},
+                        {"possible in Homing", "holds"},
+                    });
+}
+
+TEST(ClaimsSuite, Beacon) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    expect_verdicts(suite_models("beacon"), "import moving_beacon::*\n",
+                    {
+                        {"at most 1 goNorth or goSouth", "holds"},
+                        {"enter Away only after goNorth or goSouth", "holds"},
+                        {"while in Away, never goNorth or goSouth", "holds"},
+                        {"crowded leads to goNorth", "fails"},
+                        {"before goNorth or goSouth, crowded leads to goNorth or goSouth within 0 units", "holds"},
+                        {"crowded leads to goNorth or goSouth within 0 units", "fails"},  // the second time
+                        {"at most 1 enter Away", "fails"},  // it stays by a transition that enters it again
                     });
 }
 

@@ -179,6 +179,7 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
         case ItemKind::waiting:
         case ItemKind::left:
         case ItemKind::resume:
+        case ItemKind::shown:
         case ItemKind::stuck:
             break;
     }
@@ -334,6 +335,7 @@ std::optional<Branch> head_branch(MachineTables& tables, const RunningThread& ru
         case ItemKind::entered:
             return entered_branch(tables, running);
         case ItemKind::left:
+        case ItemKind::shown:
             return left_branch(tables, running);
         case ItemKind::waiting:  // changes only with time
         case ItemKind::deadline_end:

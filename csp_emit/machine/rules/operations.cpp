@@ -19,7 +19,8 @@ namespace {
 /// Whether the call runs without concurrency, so that the return address determines the caller's configuration.
 bool may_share_call(const MachineTables& tables, const RunningThread& running, const Activation& returned) {
     // A shared operation runs in a separate configuration, which does not contain the state of its caller.
-    if (!tables.project().options.share_calls || tables.context.within || tables.machine().robosim) return false;
+    if (!tables.project().options.share_calls || tables.context.shows_states() || tables.machine().robosim)
+        return false;
     if (running.during || returned.frame != running.frame()) return false;
     if (!returned.durings.empty() || returned.control.callee) return false;
     for (const Link* link = returned.control.rest.get(); link != nullptr; link = link->tail.get())

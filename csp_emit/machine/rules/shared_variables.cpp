@@ -30,7 +30,7 @@ bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
 /// Whether other components cannot write in the current state of the thread.
 bool refuses_writes(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
-    if (item.kind == ItemKind::stuck) return true;
+    if (item.kind == ItemKind::stuck || item.kind == ItemKind::shown) return true;
     if (item.stmt == nullptr || (item.kind != ItemKind::statement && item.kind != ItemKind::frozen)) return false;
     const bool to_read = item.kind == ItemKind::statement && (!is_stable(tables, running.frame(), *item.stmt, alone) ||
                                                               reads_in_turn(tables, running, *item.stmt));
@@ -56,6 +56,17 @@ void left_before(const MachineTables& tables, const ir::StmtPtr& next, ir::NodeI
     Item left;
     left.kind = ItemKind::left;
     left.node = node;
+    left.label = "transition " + transition.name;
+    items.push_back(left);
+}
+
+void left_and_shown(const MachineTables& tables, std::uint32_t frame, const ir::Transition& transition,
+                    std::vector<Item>& items) {
+    const bool state = tables.machine().nodes[transition.source.index].kind == ir::NodeKind::state;
+    if (frame != 0 || !state || tables.context.shown.empty() || !tables.context.shows_states()) return;
+    Item left;
+    left.kind = ItemKind::shown;
+    left.node = transition.source;
     left.label = "transition " + transition.name;
     items.push_back(left);
 }

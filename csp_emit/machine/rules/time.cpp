@@ -104,7 +104,7 @@ Next wait_for(MachineTables& tables, const RunningThread& running, const ir::Stm
 
 bool stops_time(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
-    if (item.kind == ItemKind::entered || item.kind == ItemKind::left) return true;
+    if (item.kind == ItemKind::entered || item.kind == ItemKind::left || item.kind == ItemKind::shown) return true;
     if (item.kind == ItemKind::store)
         return !tables.cells[tables.frames[running.frame()].variables.at(item.variable.index)].shared;
     if (item.kind == ItemKind::frozen) return item.stmt->kind == ir::StmtKind::call;

@@ -140,6 +140,7 @@ Activation leave_source(MachineTables& tables, const Activation& activation, ir:
         items.back().stmt = tables.frames.reset_statement(activation.frame, id, clock);
     }
     const std::vector<Item> beside = race ? std::exchange(items, {}) : std::vector<Item>{};
+    left_and_shown(tables, activation.frame, transition, items);
     add_exits(tables, activation, transition, race, items);
     left_before(tables, transition.action ? transition.action : left.nodes[transition.target.index].entry, source,
                 transition, items);

@@ -22,6 +22,7 @@ enum class ItemKind {
     waiting,       ///< a wait with `cells[0]` remaining units
     deadline_end,  ///< leaves the scope of a deadline that `cells[0]` counts
     left,          ///< leaves a node: a hidden step, until which others may write shared variables
+    shown,         ///< leaves a state whose absence the machine shows (shown.hpp): a hidden step
     enter,         ///< enter a node
     entered,       ///< a state has been entered
     join,          ///< waits until the store that runs in parallel with the exits of `node`'s inner states is done

@@ -2,12 +2,15 @@
 // A machine and its context, the input of the machine's emission.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "csp_emit/base/names.hpp"
 #include "csp_emit/base/project.hpp"
+#include "csp_emit/base/shown.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::csp_emit {
@@ -28,9 +31,15 @@ struct MachineContext {
     /// `within`, and otherwise `outside__`. With these events, priority can detect where the event is refused.
     std::string offered = {};
     std::optional<ir::NodeId> within = {};  ///< a state; no value: everywhere except at the end
+    /// Facts that the machine shows before any other step (shown.hpp).
+    std::vector<ShownFact> shown = {};
 
-    /// Whether this is a copy of a machine for one assertion.
-    [[nodiscard]] bool is_copy() const { return !offered.empty() || !watched.empty(); }
+    /// Whether the machine differs from others of its kind: a copy for one assertion, or a machine that shows facts.
+    [[nodiscard]] bool is_special() const { return !offered.empty() || !watched.empty() || !shown.empty(); }
+    /// Whether the machine shows in which states it is.
+    [[nodiscard]] bool shows_states() const {
+        return within || std::ranges::any_of(shown, [](const ShownFact& fact) { return fact.state.has_value(); });
+    }
 };
 
 }  // namespace robochart::csp_emit

@@ -126,6 +126,7 @@ protected:
     /// Fails if no mutant of some kind is killed, which would indicate a checker that misses this kind.
     void expect_kills_of_every_kind() const {
         for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
+            if (kind.fault == Fault::order_ignored) continue;  // these models declare no order; cycle_claims_test.cpp
             const auto found = by_kind_.find(kind.fault);
             ASSERT_NE(found, by_kind_.end()) << kind.name << " is in no model";
             if (decides_only(kind.fault))
@@ -142,7 +143,8 @@ protected:
             fmt::print("{:24} {:8} {:8} {:8} {:8}  {}\n", name, count.mutants(), count.killed, count.equivalent,
                        count.variants, longest == 0 ? "-" : fmt::format("{} cycles", longest));
         };
-        for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) row(kind.name, by_kind_.at(kind.fault));
+        for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults())
+            if (by_kind_.contains(kind.fault)) row(kind.name, by_kind_.at(kind.fault));
         for (const auto& [model, count] : by_model_) row(model.substr(model.rfind('/') + 1), count);
         row("all", whole_);
         for (const auto& [by, count] : by_) fmt::print("killed by {:40} {:6}\n", by, count);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Claims about control cycles (docs/claims.md, "Claims about one cycle"), for the model run in cycles, NF_c(M), and for
+// the code, L(G). The monitor of the claim follows both in all runs; a claim about cycles has a finite run that breaks
+// it, so a breadth-first search of the product decides it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/refine/search/limits.hpp"
+#include "claims/checks/checked.hpp"
+#include "conformance/check/result.hpp"
+#include "conformance/code/code_system.hpp"
+#include "conformance/model/normal_form_system.hpp"
+#include "csp_emit/base/emission.hpp"
+
+namespace robochart::conformance {
+
+/// What claims are asked of.
+struct CycleClaims {
+    std::vector<claims::CheckedClaim> claims;
+    std::optional<std::int64_t> unit;  ///< nanoseconds of a time unit, if declared
+    bool carriers = true;  ///< events have the values of the finite instantiation, not some that stand for all
+};
+
+/// The model that the claims are about.
+struct ClaimedModel {
+    const ir::System& system;
+    const csp_emit::Provenance& provenance;
+};
+
+/// Decides the claims for the model in cycles and for the code. Inconclusive answers say why.
+[[nodiscard]] std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const ClaimedModel& claimed,
+                                                            ModelGraph& model, const Alphabet& alphabet,
+                                                            const rc_interface& code, std::uint32_t cycle_length,
+                                                            const refine::Limits& limits);
+
+}  // namespace robochart::conformance

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The timed semantics with processes that show states and variables. Claims about them (claims/) read these events.
+//
+// Before any other step, a machine performs `shown__.b1.b2...` with the truth of each of its facts. The event stays
+// visible in all components around the machine. A state that a transition leaves and enters again is seen to be left.
+#pragma once
+
+#include "csp_emit/base/emission.hpp"
+#include "csp_emit/base/shown.hpp"
+#include "semantics/ir/instantiation.hpp"
+
+namespace robochart::csp_emit {
+
+/// The timed semantics (emit.hpp) whose machines show these facts.
+[[nodiscard]] Emission emit_showing(const ir::System& system, const ir::Instantiation& instantiation,
+                                    const Shown& shown, diagnostics::SourceManager& sources,
+                                    diagnostics::Diagnostics& diagnostics);
+
+}  // namespace robochart::csp_emit
