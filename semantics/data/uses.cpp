@@ -10,9 +10,9 @@
 namespace robochart::ir {
 namespace {
 
-class Collector {
+class UseCollector {
 public:
-    Collector(const System& system, const Sampling& sampling, Places& places, Computed computed)
+    UseCollector(const System& system, const Sampling& sampling, Places& places, Computed computed)
         : system_(system), sampling_(sampling), places_(places), computed_(computed) {}
 
     std::map<PlaceId, Uses> collect() {
@@ -51,14 +51,14 @@ private:
     std::map<PlaceId, Uses> uses_;
 };
 
-void Collector::merge(Uses& all, Uses&& more) {
+void UseCollector::merge(Uses& all, Uses&& more) {
     all.conditions.insert(all.conditions.end(), more.conditions.begin(), more.conditions.end());
     all.writes.insert(all.writes.end(), more.writes.begin(), more.writes.end());
     all.entries.insert(all.entries.end(), more.entries.begin(), more.entries.end());
     if (!all.needs_values) all.needs_values = more.needs_values;
 }
 
-std::set<PlaceId> Collector::places_read(const Expr& root) const {
+std::set<PlaceId> UseCollector::places_read(const Expr& root) const {
     std::set<PlaceId> result;
     visit_operands(root, [&](const Expr& expr) {
         if (const PlaceId place = place_of(expr); place != no_id) result.insert(place);
@@ -66,13 +66,13 @@ std::set<PlaceId> Collector::places_read(const Expr& root) const {
     return result;
 }
 
-void Collector::read_values(const ExprPtr& expr, KeepReason why) {
+void UseCollector::read_values(const ExprPtr& expr, KeepReason why) {
     if (!expr) return;
     for (const PlaceId place : places_read(*expr)) needs_values(place, why, *expr);
 }
 
 /// Other conditions than guards stop the machine where they are undefined.
-void Collector::read_condition(const ExprPtr& expr) {
+void UseCollector::read_condition(const ExprPtr& expr) {
     if (expr && may_be_undefined(expr))
         read_values(expr, KeepReason::undefined);
     else
@@ -81,7 +81,7 @@ void Collector::read_condition(const ExprPtr& expr) {
 
 /// A condition over one place is a test of its values as a whole. In a connective of several places, each operand is a
 /// condition, unless a call may be undefined: then the whole guard is false.
-void Collector::read_guard(const ExprPtr& expr) {
+void UseCollector::read_guard(const ExprPtr& expr) {
     if (!expr) return;
     const std::set<PlaceId> read = places_read(*expr);
     if (read.empty()) return;
@@ -97,7 +97,7 @@ void Collector::read_guard(const ExprPtr& expr) {
     for (const ExprPtr& part : expr->args) read_guard(part);
 }
 
-void Collector::write(PlaceId target, const ExprPtr& expr, bool initial) {
+void UseCollector::write(PlaceId target, const ExprPtr& expr, bool initial) {
     if (!expr) return;
     if (const PlaceId source = place_of(*expr); source != no_id) {
         places_.unite(source, target);
@@ -113,7 +113,7 @@ void Collector::write(PlaceId target, const ExprPtr& expr, bool initial) {
 }
 
 /// An assignment to a part of a variable computes the whole from the old value.
-void Collector::write_part(const Stmt& stmt) {
+void UseCollector::write_part(const Stmt& stmt) {
     const PlaceId target = places_.variable(machine_, stmt.variable);
     if (computed_ == Computed::exactly) {
         for (const ExprPtr& step : stmt.path) read_values(step, KeepReason::selector);
@@ -125,7 +125,7 @@ void Collector::write_part(const Stmt& stmt) {
     uses_[target].writes.push_back(std::move(written));
 }
 
-void Collector::collect_communication(const Communication& communication) {
+void UseCollector::collect_communication(const Communication& communication) {
     const PlaceId carried = places_.event(machine_, communication.event);
     trigger_ = carried;
     read_condition(communication.predicate);
@@ -135,7 +135,7 @@ void Collector::collect_communication(const Communication& communication) {
     write(carried, communication.value);
 }
 
-void Collector::collect_statement(const Stmt& stmt) {
+void UseCollector::collect_statement(const Stmt& stmt) {
     read_condition(stmt.condition);
     read_values(stmt.upper, KeepReason::time);
     if (stmt.kind == StmtKind::assign && stmt.path.empty())
@@ -153,7 +153,7 @@ void Collector::collect_statement(const Stmt& stmt) {
         write(places_.parameter(machine_, stmt.operation, i), stmt.args[i]);
 }
 
-void Collector::collect_transition(const Transition& transition) {
+void UseCollector::collect_transition(const Transition& transition) {
     if (transition.trigger) collect_communication(*transition.trigger);
     trigger_ = places_.trigger(machine_, transition);
     if (transition.trigger) {
@@ -170,7 +170,7 @@ void Collector::collect_transition(const Transition& transition) {
     if (transition.action) visit_statements(*transition.action, [&](const Stmt& stmt) { collect_statement(stmt); });
 }
 
-void Collector::collect_machine(MachineId id) {
+void UseCollector::collect_machine(MachineId id) {
     machine_ = id;
     const Machine& machine = system_.machine(id);
     for (std::uint32_t v = 0; v < machine.variables.size(); ++v) {
@@ -192,7 +192,7 @@ void Collector::collect_machine(MachineId id) {
 
 std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places,
                                      Computed computed) {
-    return Collector(system, sampling, places, computed).collect();
+    return UseCollector(system, sampling, places, computed).collect();
 }
 
 }  // namespace robochart::ir

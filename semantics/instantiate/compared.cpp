@@ -86,7 +86,7 @@ std::optional<Decimal> divide_decimals(const Decimal& a, const Decimal& b) {
 
 // ---------------------------------------------------------------- values without variables
 
-using Values = std::vector<Decimal>;
+using Decimals = std::vector<Decimal>;
 using Chosen = std::map<std::string, ExprPtr>;
 
 /// The number that a block Instantiations assigns to a name; no value if it is another expression.
@@ -112,7 +112,7 @@ public:
 
     /// No value if the expression depends on the state of a machine. `machine` declares the constants; null: it uses
     /// none.
-    [[nodiscard]] std::optional<Values> find_values(const Expr&, const Machine*, int depth = 0) const;
+    [[nodiscard]] std::optional<Decimals> find_values(const Expr&, const Machine*, int depth = 0) const;
     [[nodiscard]] bool is_length(const Expr& expr) const {
         const bool size = expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_size";
         return size && !expr.args.empty() && is_sequence(*expr.args[0]);
@@ -123,21 +123,22 @@ private:
         if (expr.kind == ExprKind::cast) return is_sequence(*expr.args[0]);
         return expr.type.is_valid() && system_.type(expr.type).kind == TypeKind::sequence;
     }
-    [[nodiscard]] std::optional<Values> combine_operands(const Expr&, const Machine*, int depth, Operation) const;
-    [[nodiscard]] const Values& values_of_constant(const std::string& name, int depth) const;
-    [[nodiscard]] Values values_of(const std::string& name, int depth) const;
-    void add_declared(const std::vector<Constant>&, const std::string& name, const Machine*, int depth, Values&) const;
+    [[nodiscard]] std::optional<Decimals> combine_operands(const Expr&, const Machine*, int depth, Operation) const;
+    [[nodiscard]] const Decimals& values_of_constant(const std::string& name, int depth) const;
+    [[nodiscard]] Decimals values_of(const std::string& name, int depth) const;
+    void add_declared(const std::vector<Constant>&, const std::string& name, const Machine*, int depth,
+                      Decimals&) const;
 
     const System& system_;
     const Chosen& chosen_;
     std::int64_t longest_;
-    mutable std::map<std::string, Values> constants_;
+    mutable std::map<std::string, Decimals> constants_;
 };
 
-std::optional<Values> KnownValues::find_values(const Expr& expr, const Machine* machine, int depth) const {
-    if (expr.kind == ExprKind::integer) return Values{{expr.number, 0}};
-    if (expr.kind == ExprKind::real) return Values{expr.decimal};
-    if (is_length(expr)) return Values{{longest_, 0}};
+std::optional<Decimals> KnownValues::find_values(const Expr& expr, const Machine* machine, int depth) const {
+    if (expr.kind == ExprKind::integer) return Decimals{{expr.number, 0}};
+    if (expr.kind == ExprKind::real) return Decimals{expr.decimal};
+    if (is_length(expr)) return Decimals{{longest_, 0}};
     if (expr.kind == ExprKind::constant) {
         if (machine == nullptr || expr.constant.index >= machine->constants.size()) return std::nullopt;
         return values_of_constant(machine->constants[expr.constant.index].name, depth);
@@ -153,11 +154,11 @@ std::optional<Values> KnownValues::find_values(const Expr& expr, const Machine* 
     return inner;
 }
 
-std::optional<Values> KnownValues::combine_operands(const Expr& expr, const Machine* machine, int depth,
-                                                    Operation operation) const {
+std::optional<Decimals> KnownValues::combine_operands(const Expr& expr, const Machine* machine, int depth,
+                                                      Operation operation) const {
     const auto left = find_values(*expr.args[0], machine, depth), right = find_values(*expr.args[1], machine, depth);
     if (!left || !right || left->size() * right->size() > most_of_expression) return std::nullopt;
-    Values result;
+    Decimals result;
     for (const Decimal& a : *left)
         for (const Decimal& b : *right)
             if (const auto value = operation(a, b)) result.push_back(*value);
@@ -165,7 +166,7 @@ std::optional<Values> KnownValues::combine_operands(const Expr& expr, const Mach
 }
 
 void KnownValues::add_declared(const std::vector<Constant>& constants, const std::string& name, const Machine* machine,
-                               int depth, Values& values) const {
+                               int depth, Decimals& values) const {
     for (const Constant& constant : constants) {
         if (constant.name != name) continue;
         if (!constant.value) {
@@ -176,17 +177,17 @@ void KnownValues::add_declared(const std::vector<Constant>& constants, const std
     }
 }
 
-const Values& KnownValues::values_of_constant(const std::string& name, int depth) const {
+const Decimals& KnownValues::values_of_constant(const std::string& name, int depth) const {
     const auto known = constants_.find(name);
     if (known != constants_.end()) return known->second;
-    const Values found = depth < most_depth ? values_of(name, depth) : Values{};
+    const Decimals found = depth < most_depth ? values_of(name, depth) : Decimals{};
     return constants_[name] = found;
 }
 
 /// All constants with the same name are treated as one, because a required constant gets its value from another
 /// constant with this name.
-Values KnownValues::values_of(const std::string& name, int depth) const {
-    Values values;
+Decimals KnownValues::values_of(const std::string& name, int depth) const {
+    Decimals values;
     for (const Machine& machine : system_.machines) add_declared(machine.constants, name, &machine, depth + 1, values);
     for (const Controller& controller : system_.controllers)
         add_declared(controller.constants, name, nullptr, depth + 1, values);
@@ -240,7 +241,7 @@ private:
     const KnownValues& known_;
     Compared& result_;
     std::set<TypeKind> unlike_variables_;  // types with order comparisons of two values that can both change
-    Values thresholds_;                    // numbers that reals are compared with by order
+    Decimals thresholds_;                  // numbers that reals are compared with by order
 };
 
 void Comparisons::look_at(const Expr& expr, const Machine* machine) {
