@@ -87,10 +87,10 @@ struct Options {
     /// Target::ros2: the messages for the component's boundary (cpp_emit/ros2/mapping.hpp); null: messages of std_msgs.
     const ros2::Mapping* mapping = nullptr;
     PackageFacts package = {};
-    EventOrder order = {};
     bool model_names = false;  ///< Target::ros2: nodes, topics and files have the names of the model, not snake_case
     /// For comments with file and line. If null, comments contain only the names of the model's elements.
     const diagnostics::SourceManager* sources = nullptr;
+    EventOrder order = {};
 };
 
 /// Whether the cycle has no seeded fault.
