@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements `emit monitor` and `simulate --monitor`.
 #include "app/verbs/monitor.hpp"
+#include "app/claims/event_order.hpp"
 
 #include <fmt/format.h>
 
@@ -47,6 +48,8 @@ std::unique_ptr<conformance::MonitorBuild> build_monitor(driver::Project& projec
                                    {component.path, why});
         return nullptr;
     };
+    if (!event_order(project, component).drops.empty())
+        return refuse("its declared order drops events, and a monitor of the model does not know this");
     const refine::Limits bounds = limits(options, "monitor of " + component.path);
     try {
         std::string error;

@@ -673,8 +673,19 @@ Exit print_phases(const std::vector<driver::Part>& parts, const Options& options
     return exit;
 }
 
+/// Reports an error if a declared order drops events: logs are compared with the model, which does not know this.
+void refuse_orders_that_drop(driver::Project& project) {
+    for (const ir::ComponentRef& component : driver::code_components(project.system, ""))
+        if (!event_order(project, component).drops.empty())
+            project.diagnostics.report(driver::rules::bad_option, {},
+                                       {fmt::format("--traces: the declared order of {} drops events, and logs are "
+                                                    "compared with the model, which does not know this",
+                                                    component.path)});
+}
+
 /// Compares logs with the parts. A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
+    for (const driver::Part& part : parts) refuse_orders_that_drop(*part.project);
     const auto refused = std::ranges::find_if(
         parts, [&](const driver::Part& part) { return !is_acceptable(*part.project, options.load); });
     if (refused != parts.end()) {
@@ -695,7 +706,7 @@ Options with_buffers(Options options) {
 Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
     parts = driver::load_parts(options, options.run->budget());
-    if (options.verb == Verb::conform || options.verb == Verb::emit_cpp)
+    if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor)
         for (const driver::Part& part : parts) driver::read_ignored_claims(*part.project, options.load);
     record_projects(parts, options, options);
     if (options.output.phase != Phase::none) return print_phases(parts, options);
