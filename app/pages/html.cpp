@@ -206,7 +206,8 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
     if (const std::string_view reason = proof_reason(assertion.statistics.decided_by); !reason.empty())
         shown += fmt::format("<br>no search was necessary: {}", xml_text(std::string(reason)));
     shown += basis_list(assertion.basis);
-    if (assertion.certificate) shown += fmt::format("<br>{}", xml_text(driver::certificate_text(*assertion.certificate)));
+    if (assertion.certificate)
+        shown += fmt::format("<br>{}", xml_text(driver::certificate_text(*assertion.certificate)));
     if (assertion.probability) shown += values_table(title_of(assertion), *assertion.probability);
     const bool information = assertion.core && assertion.core->information;
     const bool holds = assertion.answer == driver::Answer::holds;

@@ -97,8 +97,7 @@ int collect_status(pid_t child) {
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error,
-                Budget* budget) {
+int run_program(const std::vector<std::string>& command, const std::string& log, std::string& error, Budget* budget) {
     const pid_t child = start_program(command, log, error);
     if (child == 0) return -1;
     const Budget::Held held(budget, child);

@@ -71,7 +71,8 @@ void check_certificate(const std::string& folder, diagnostics::Budget& budget, C
     const std::string log = work.path() + "/log";
     int status = -1;
     try {
-        if (error.empty()) status = diagnostics::run_program({certifier_path(), "--answer", folder}, log, error, &budget);
+        if (error.empty())
+            status = diagnostics::run_program({certifier_path(), "--answer", folder}, log, error, &budget);
     } catch (const diagnostics::LimitReached& limit) {
         error = limit.what();
     }
@@ -149,7 +150,8 @@ std::string certificate_text(const CertificateReport& report) {
         folders += (folders.empty() ? "" : ", ") + diagnostics::escape_for_display(folder);
     switch (report.certification) {
         case Certification::unchecked:
-            return fmt::format("certificate {}, not checked: {}", folders, diagnostics::escape_for_display(report.reason));
+            return fmt::format("certificate {}, not checked: {}", folders,
+                               diagnostics::escape_for_display(report.reason));
         case Certification::certified:
             return fmt::format("holds (certified: product level, unreduced, {}, {}); certificate {}",
                                counted(report.pairs, "pair"), counted(report.components, "component"), folders);

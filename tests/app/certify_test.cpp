@@ -17,7 +17,8 @@ using ::testing::Not;
 /// Runs commands in a folder with a script whose two assertions hold. The first has a certificate. `answer` is what
 /// robochart-certify prints.
 Ran run_with_answer(const std::string& answer, const std::string& commands) {
-    return run_shell("mkdir bin\nprintf '#!/bin/sh\\n[ \"$1\" = --answer ] && [ -f \"$2/claim.txt\" ] && echo \"" + answer +
+    return run_shell("mkdir bin\nprintf '#!/bin/sh\\n[ \"$1\" = --answer ] && [ -f \"$2/claim.txt\" ] && echo \"" +
+                     answer +
                      "\"\\n' > bin/robochart-certify\nchmod +x bin/robochart-certify\nexport PATH=\"$PWD/bin:$PATH\"\n"
                      "printf 'channel a\\nP = a -> P\\nassert P [FD= P\\nassert P :[deterministic]\\n' > s.csp\n" +
                      commands);
@@ -26,18 +27,18 @@ Ran run_with_answer(const std::string& answer, const std::string& commands) {
 TEST(Certify, ReportsSayCertifiedOnlyWithTheLevel) {
     const Ran ran = run_with_answer("certified 1739 6", "\"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("holds (certified: product level, unreduced, 1,739 pairs, 6 components); certificate "
-                                   "certs/1-P-FD-P\n"));
+    EXPECT_THAT(ran.out,
+                HasSubstr("holds (certified: product level, unreduced, 1,739 pairs, 6 components); certificate "
+                          "certs/1-P-FD-P\n"));
     EXPECT_THAT(ran.out, HasSubstr("no certificate: there are no certificates for this kind of assertion"));
     EXPECT_THAT(ran.out, Not(HasSubstr("proved")));
 }
 
 TEST(Certify, JsonHasTheFigures) {
-    const Ran ran =
-        run_with_answer("certified 1 1", "\"$verify\" cspm s.csp --no-cache --certify certs --format json");
+    const Ran ran = run_with_answer("certified 1 1", "\"$verify\" cspm s.csp --no-cache --certify certs --format json");
     const nlohmann::json certificate = nlohmann::json::parse(ran.out).at("results").at(0).at("certificate");
-    const nlohmann::json expected{{"level", "product"},    {"reduced", false}, {"folders", {"certs/1-P-FD-P"}},
-                                  {"certified", true},     {"pairs", 1},       {"components", 1}};
+    const nlohmann::json expected{{"level", "product"}, {"reduced", false}, {"folders", {"certs/1-P-FD-P"}},
+                                  {"certified", true},  {"pairs", 1},       {"components", 1}};
     EXPECT_EQ(certificate, expected) << ran.out;
 }
 
@@ -49,24 +50,26 @@ TEST(Certify, PagesSayCertified) {
         "trigger e } }' > m/m.rct\necho 'assertion Moves : Walker is deadlock-free' > m/m.assertions\n"
         "\"$verify\" check m --assertion Moves --no-cache --certify certs --html page.html && cat page.html");
     EXPECT_EQ(ran.exit, 0) << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("<br>holds (certified: product level, unreduced, 12 pairs, 1 component); certificate"));
+    EXPECT_THAT(ran.out,
+                HasSubstr("<br>holds (certified: product level, unreduced, 12 pairs, 1 component); certificate"));
 }
 
 /// The answer of the search is wrong then, so the run must not succeed.
 TEST(Certify, ARefusedCertificateIsAnError) {
-    const Ran ran = run_with_answer("refused after <a>, it can do nothing",
-                                    "\"$verify\" cspm s.csp --no-cache --certify certs");
+    const Ran ran =
+        run_with_answer("refused after <a>, it can do nothing", "\"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_EQ(ran.exit, 2);
     EXPECT_THAT(ran.out, HasSubstr("REFUSED by robochart-certify: after <a>, it can do nothing"));
     EXPECT_THAT(ran.out, Not(HasSubstr("certified:")));
 }
 
 TEST(Certify, ACertificateIsNotCheckedWithoutTheProgram) {
-    const Ran undecided = run_with_answer("undecided there are more than 5 pairs",
-                                          "\"$verify\" cspm s.csp --no-cache --certify certs");
+    const Ran undecided =
+        run_with_answer("undecided there are more than 5 pairs", "\"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_EQ(undecided.exit, 0);
     EXPECT_THAT(undecided.out, HasSubstr("certificate certs/1-P-FD-P, not checked: there are more than 5 pairs\n"));
-    const Ran none = run_with_answer("", "rm bin/robochart-certify; PATH=/nowhere; \"$verify\" cspm s.csp --no-cache --certify certs");
+    const Ran none = run_with_answer(
+        "", "rm bin/robochart-certify; PATH=/nowhere; \"$verify\" cspm s.csp --no-cache --certify certs");
     EXPECT_EQ(none.exit, 0);
     EXPECT_THAT(none.out, HasSubstr("certificate certs/1-P-FD-P, not checked: cannot run robochart-certify"));
     const Ran mute = run_with_answer("", "\"$verify\" cspm s.csp --no-cache --certify certs");
@@ -79,12 +82,14 @@ TEST(Certify, AFullDiskIsAnErrorAndLeavesNoCertificate) {
                                     "find certs -name claim.txt");
     EXPECT_THAT(ran.out, Not(HasSubstr("claim.txt")));
     EXPECT_THAT(ran.out, Not(HasSubstr("certified:")));
-    const Ran exit = run_with_answer("certified 1 1", "ulimit -f 0\n\"$verify\" cspm s.csp --no-cache --certify certs > /dev/null");
+    const Ran exit =
+        run_with_answer("certified 1 1", "ulimit -f 0\n\"$verify\" cspm s.csp --no-cache --certify certs > /dev/null");
     EXPECT_EQ(exit.exit, 2) << exit.err;
 }
 
 TEST(Certify, TheFolderMustBeEmpty) {
-    const Ran ran = run_with_answer("certified 1 1", "mkdir certs; touch certs/x; \"$verify\" cspm s.csp --certify certs");
+    const Ran ran =
+        run_with_answer("certified 1 1", "mkdir certs; touch certs/x; \"$verify\" cspm s.csp --certify certs");
     EXPECT_EQ(ran.exit, 4);
     EXPECT_THAT(ran.err, HasSubstr("certs is not empty"));
 }

@@ -209,7 +209,8 @@ TEST(Certificates, AreCompleteOrRefusedOnASmallDisk) {
         const int result = tests::on_small_disk(folder.path(), kibibytes, [&] {
             const std::string error = write_certificate(folder.path(), "1", files, nullptr);
             const bool accepted = certify(folder.path()).exit == 0;
-            if (accepted != error.empty() || std::filesystem::exists(folder.in("1/claim.txt")) != error.empty()) return 2;
+            if (accepted != error.empty() || std::filesystem::exists(folder.in("1/claim.txt")) != error.empty())
+                return 2;
             return error.find("No space left on device") != std::string::npos ? 1 : 0;
         });
         if (result == 100) GTEST_SKIP() << "this system allows no small disk";
