@@ -12,6 +12,7 @@
 #include "app/command/run.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/spelling.hpp"
+#include "claims/decide/letters.hpp"
 #include "driver/model/project_claims.hpp"
 #include "driver/settings/rules.hpp"
 #include "simulation/scenario/rules.hpp"
@@ -261,8 +262,9 @@ private:
     }
     /// Why the claim cannot be followed; "" if it can.
     [[nodiscard]] std::string reason_against(const CheckedClaim& claim, std::size_t kind) const {
-        if (claim.body.kind == claims::BodyKind::possible)
-            return fmt::format("{}: one run does not show what other runs do", claim.name);
+        std::string why = claims::why_not_followed(claim);
+        if (claim.raised) why = "it is about control cycles, which `conform` decides";
+        if (!why.empty()) return fmt::format("{}: {}", claim.name, why);
         const std::string missing = missing_channel(claim, *kinds_[kind].emission);
         if (missing.empty()) return "";
         return fmt::format("{}: the controller has no event and no operation `{}`", claim.name, missing);

@@ -95,9 +95,7 @@ private:
             const std::string& path = claim.component.path;
             if (path != header_.component && !path.ends_with("::" + header_.component)) continue;
             followed_.emplace_back(claim, project_.system, project_.unit);
-            if (!claim.facts.empty()) followed_.back().give_up("a log does not show states and variables");
-            if (claim.body.kind == claims::BodyKind::possible)
-                followed_.back().give_up("one run does not show what other runs do");
+            if (const std::string why = claims::why_not_followed(claim); !why.empty()) followed_.back().give_up(why);
             for (const std::string& word : header_.unobserved) hide(followed_.back(), word);
         }
     }

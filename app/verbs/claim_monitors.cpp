@@ -37,7 +37,7 @@ public:
     /// Throws claims::NotDecided if the claim has no monitor of moderate size.
     ClaimTables(const CheckedClaim& claim, const driver::Project& project, std::uint32_t cycle)
         : claim_(claim), instantiation_(project.instantiation) {
-        letters_ = claims::letters_of(claim, project.system, project.instantiation);
+        letters_ = claims::letters_of(claim, project.system, project.instantiation, {});
         fill_states(claims::make_automaton(claim, letters_, project.diagnostics.budget()));
         std::set<std::size_t> channels;
         for (const Letter& letter : letters_) channels.insert(letter.occurrence.channel);
@@ -139,10 +139,11 @@ private:
 };
 
 bool write_monitor(const CheckedClaim& claim, driver::Project& project, const Options& options, Report& report) {
-    if (claim.body.kind == claims::BodyKind::possible) {
+    std::string why = claims::why_not_followed(claim);
+    if (claim.raised) why = "it is about control cycles, which `conform` decides";
+    if (!why.empty()) {
         const auto edit = options.run->edit();
-        report.remarks.push_back(fmt::format("{}{}: no monitor, because one run does not show what other runs do",
-                                             project.label, claim.name));
+        report.remarks.push_back(fmt::format("{}{}: no monitor, because {}", project.label, claim.name, why));
         return true;
     }
     try {

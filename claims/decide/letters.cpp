@@ -243,4 +243,11 @@ std::vector<const EventMatch*> matches_without_value(const CheckedClaim& claim, 
     return result;
 }
 
+std::string why_not_followed(const CheckedClaim& claim) {
+    if (claim.body.kind == BodyKind::possible || claim.body.kind == BodyKind::can_take)
+        return "one run does not show what other runs do";
+    if (!claim.facts.empty()) return "events do not show states and variables";
+    return "";
+}
+
 }  // namespace robochart::claims

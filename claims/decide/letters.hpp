@@ -42,6 +42,9 @@ struct Letter {
     std::string name;                     ///< of the event in the model
 };
 
+/// Why one run does not decide the claim if only its events are known; "" if it does.
+[[nodiscard]] std::string why_not_followed(const CheckedClaim& claim);
+
 /// The letters of the channels that the claim names, by channel and values, and of its facts. Throws NotDecided if a
 /// condition is about values that the instantiation does not list.
 [[nodiscard]] std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& system,
