@@ -312,13 +312,11 @@ private:
         const std::string usual = cycle_seconds(generation_.options);
         const std::string text = cycle_text(generation_.options);
         if (!generation_.options.unit) {
+            out_.open(fmt::format("if (!(seconds_ >= {0} && seconds_ <= {0})) {{", usual));
             out_.line(
                 fmt::format("const double unit = seconds_ / {};", std::max(1U, generation_.options.cycle_length)));
-            out_.open(fmt::format("if (seconds_ >= {0} && seconds_ <= {0}) {{", usual));
-            out_.line("RCLCPP_INFO(get_logger(), \"a time unit of the model lasts %g s\", unit);");
-            out_.reopen_block("} else {");
             out_.line(
-                fmt::format("RCLCPP_WARN(get_logger(), \"parameter cycle: a time unit of the model lasts %g s, so "
+                fmt::format("RCLCPP_WARN(get_logger(), \"with this cycle a time unit of the model lasts %g s, so "
                             "its clocks and timeouts are %g times as long as with {} s\", unit, seconds_ / {});",
                             usual, usual));
             return out_.close();

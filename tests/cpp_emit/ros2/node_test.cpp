@@ -683,7 +683,7 @@ int main() {
         network.parameters = {{"cycle", other}};
         p::MNode node;
         EXPECT(node.configure().label() == "unconfigured");
-        EXPECT(logged("parameter cycle: a cycle is 2 time units of the model (20 ms)"));
+        EXPECT(logged("parameter cycle: a cycle is 2 time units of the model (20 ms"));
 }
 network.parameters = {{"cycle", 0.1}, {"cycle_scale", std::int64_t{5}}};
 {
@@ -708,7 +708,7 @@ int main() {
     {
         p::MNode node;
         EXPECT(started(node));
-        EXPECT(logged("a time unit of the model lasts 0.1 s"));
+        EXPECT(network.log.empty());
     }
     network.parameters = {{"cycle", 0.02}};
     p::MNode node;
