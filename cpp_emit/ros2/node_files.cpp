@@ -316,7 +316,7 @@ private:
             out_.line(
                 fmt::format("const double unit = seconds_ / {};", std::max(1U, generation_.options.cycle_length)));
             out_.line(
-                fmt::format("RCLCPP_WARN(get_logger(), \"parameter cycle: a time unit of the model lasts %g s, so "
+                fmt::format("RCLCPP_WARN(get_logger(), \"with this cycle a time unit of the model lasts %g s, so "
                             "its clocks and timeouts are %g times as long as with {} s\", unit, seconds_ / {});",
                             usual, usual));
             return out_.close();
