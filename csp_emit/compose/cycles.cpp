@@ -299,7 +299,8 @@ void CycleDefiner::define_passing() {
                               : b::prefix(write(one.writer), next));
     }
     ways.push_back(b::prefix(b::name("endexec"), b::skip()));
-    decls_.push_back(b::function_decl("PassOn__", {}, b::choice(ways), "a write is passed on before the next is taken"));
+    decls_.push_back(
+        b::function_decl("PassOn__", {}, b::choice(ways), "a write is passed on before the next is taken"));
 }
 
 /// A variable: `V(x) = write?y -> V(y) [] read!x -> V(x)`. An event: empty, it has any value; full, the last one:

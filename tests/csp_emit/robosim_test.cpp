@@ -25,8 +25,8 @@ std::unique_ptr<Model> load(const std::string& rst, const std::string& rsa = "")
 /// "holds" if the component has exactly the behaviour of Spec in failures and divergences, with variables as parameters
 /// and in memory processes.
 std::string compare(const std::string& rst, const std::string& specification, const std::string& component = "S") {
-    const auto model = load(rst, "csp Spec csp-begin\n" + specification + "\ncsp-end\nassertion A : " + component +
-                                     " equals Spec\n");
+    const auto model =
+        load(rst, "csp Spec csp-begin\n" + specification + "\ncsp-end\nassertion A : " + component + " equals Spec\n");
     const std::vector<std::string> found = decide_obligations(*model, Time::timed);
     if (found.size() != 1) return model->messages();
     if (found[0] != "holds") return found[0];
