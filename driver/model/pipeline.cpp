@@ -520,7 +520,9 @@ void separate_broken_claims(std::vector<Part>& parts, const Settings& settings) 
         const Project& whole = *part.project;
         std::vector<Part> sound;
         sound.push_back({part_of(whole, found->sound.unit, whole.name, settings.load, found->sound.texts), part.again});
+        sound.front().project->claims->files = whole.claims->files;
         instantiate_parts(sound, settings);
+        check_claims(sound);
         separate_broken_claims(sound, settings);  // errors in blocks are only found if there are no others
         std::set<diagnostics::SourceId> wrong;
         std::string named;  // name of the first file with an error

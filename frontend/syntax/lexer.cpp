@@ -315,20 +315,23 @@ TokenStream Lexer::run() {
 }  // namespace
 
 std::span<const std::string_view> assertion_words() {
-    static constexpr std::array<std::string_view, 91> words = {
-        "ACI",        "APMC",        "CI",        "Cumul",      "Exists",      "Finally",     "Forall",
-        "Globally",   "LTL",         "Next",      "Prob",       "Reachable",   "Release",     "Reward",
-        "SPRT",       "Total",       "Until",     "Weak",       "and",         "assertion",   "assigned",
-        "associated", "at",          "begin",     "bool",       "cmdoptions",  "conform",     "conforms",
-        "constant",   "constants",   "csp",       "deadlock",   "definitions", "defs",        "deterministic",
-        "divergence", "divergences", "does",      "endrewards", "equal",       "equals",      "failures",
-        "for",        "formula",     "free",      "generate",   "init",        "initialised", "instantiate",
-        "label",      "max",         "min",       "missed",     "model",       "modules",     "of",
-        "out",        "parameter",   "path",      "pfunction",  "pmodule",     "pmodules",    "poperation",
-        "prob",       "property",    "reachable", "refine",     "refines",     "repeats",     "return",
-        "rewards",    "set",         "sim",       "simulation", "sleec",       "steps",       "terminate",
-        "tick",       "time",        "timed",     "timelock",   "tock",        "traces",      "unit",
-        "units",      "untimed",     "up",        "using",      "val",         "value",       "with"};
+    static constexpr std::array<std::string_view, 94> words = {
+        "ACI",           "APMC",        "CI",          "Cumul",      "Exists",      "Finally",
+        "Forall",        "Globally",    "LTL",         "Next",       "Prob",        "Reachable",
+        "Release",       "Reward",      "SPRT",        "Total",      "Until",       "Weak",
+        "and",           "assertion",   "assigned",    "associated", "assume",      "at",
+        "begin",         "bool",        "claim",       "cmdoptions", "conform",     "conforms",
+        "constant",      "constants",   "csp",         "deadlock",   "definitions", "defs",
+        "deterministic", "divergence",  "divergences", "does",       "endrewards",  "equal",
+        "equals",        "failures",    "for",         "formula",    "free",        "generate",
+        "init",          "initialised", "instantiate", "label",      "max",         "min",
+        "missed",        "model",       "modules",     "of",         "order",       "out",
+        "parameter",     "path",        "pfunction",   "pmodule",    "pmodules",    "poperation",
+        "prob",          "property",    "reachable",   "refine",     "refines",     "repeats",
+        "return",        "rewards",     "set",         "sim",        "simulation",  "sleec",
+        "steps",         "terminate",   "tick",        "time",       "timed",       "timelock",
+        "tock",          "traces",      "unit",        "units",      "untimed",     "up",
+        "using",         "val",         "value",       "with"};
     return words;
 }
 

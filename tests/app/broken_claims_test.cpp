@@ -44,6 +44,12 @@ std::map<std::string, std::string> answers(const Files& files, int exit, const s
     return result;
 }
 
+TEST(BrokenClaims, DoNotStopClaimsFiles) {
+    const std::string english = "claim Never of M : never go\n";
+    const auto found = answers({{"m.rct", model}, {"b.assertions", unknown_name + good}, {"m.claims", english}}, 2);
+    EXPECT_EQ(found, (std::map<std::string, std::string>{{"Good", "holds"}, {"Broken", "error"}, {"Never", "fails"}}));
+}
+
 TEST(BrokenClaims, OfAnotherFileAreReportedAndTheRestIsDecided) {
     const auto unread = answers({{"m.rct", model}, {"a.assertions", good}, {"b.assertions", syntax_error}}, 2);
     EXPECT_EQ(unread, (std::map<std::string, std::string>{{"Good", "holds"}, {"Beside", "holds"}}));

@@ -616,7 +616,7 @@ TEST(Limits, AddressSpaceThatIsNotThereIsNoCrash) {
 #endif
     for (const char* text : {wide, endless}) {
         const TemporaryFile script("large.csp", text);
-        const Ran ran = run_with_address_space({"cspm", "--no-reduction", script.path()}, std::uint64_t{120} << 20U);
+        const Ran ran = run_with_address_space({"cspm", "--no-reduction", script.path()}, std::uint64_t{200} << 20U);
         EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
         EXPECT_THAT(ran.out + ran.err, HasSubstr("memory"));
     }

@@ -267,13 +267,13 @@ TEST(Claims, TellWhatBrokeThem) {
                           "claim Ends of Ends : estop leads to brake within 1 units\n");
     const auto end_of = [&](const std::string& name) { return answers.of(name).run ? answers.of(name).run->end : ""; };
     EXPECT_EQ(end_of("Back"),
-              "reverse comes at t=3 (300 ms), 3 units (300 ms) after obstacle at t=0 (0 s); the claim allows it from "
-              "t=4 (400 ms) on");
+              "reverse comes at t=3 (0.3 s), 3 units (300 ms) after obstacle at t=0 (0.0 s); the claim allows it from "
+              "t=4 (0.4 s) on");
     EXPECT_EQ(end_of("Stays"),
-              "the scope began with estop at t=0 (0 s); goTo(0) comes at t=0 (0 s), which the claim forbids");
+              "the scope began with estop at t=0 (0.0 s); goTo(0) comes at t=0 (0.0 s), which the claim forbids");
     EXPECT_EQ(end_of("Owed"),
-              "reverse is owed until t=2 (200 ms), 2 units (200 ms) after obstacle at t=0 (0 s); time passes beyond "
-              "t=2 (200 ms)");
+              "reverse is owed until t=2 (0.2 s), 2 units (200 ms) after obstacle at t=0 (0.0 s); time passes beyond "
+              "t=2 (0.2 s)");
     const Answers states({{"patrol.rct", robots}},
                          "import patrol::*\nunit 0.1 s\n"
                          "claim Long of Patrol : in Held for at most 0.2 s\n"

@@ -195,8 +195,9 @@ TEST(OneUnit, NodesHaveTheDeclaredCycle) {
     EXPECT_THAT(parameters("unit 20 ms\n", {}), HasSubstr("    cycle_scale: 1.0\n"));
     EXPECT_THAT(parameters("unit 20 ms\n", {"--cycle", "5"}), HasSubstr("5 time units of the model (100 ms)"));
     EXPECT_THAT(parameters("unit 20 ms\n", {"--cycle", "5"}), HasSubstr("    cycle: 0.1\n"));
-    EXPECT_THAT(parameters("unit 1 s\nclaim of nothing", {}), HasSubstr("    cycle: 1.0\n"))
-        << "other errors do not count";
+    const Folder broken({{"robot.rct", robot}, {"robot.claims", "unit 1 s\nclaim of nothing"}});
+    EXPECT_EQ(run({"emit", "cpp", broken / "robot.rct", "--target", "ros2", "-o", broken / "out"}).exit, 2)
+        << "the file may declare an order of events";
 }
 
 }  // namespace

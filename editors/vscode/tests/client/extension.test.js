@@ -26,7 +26,7 @@ test("the server is asked about models, assertions, scripts and rules on disk", 
     const { handlers } = await activated({ "robochart.server.path": program });
     const languages = handlers.documents.map((each) => `${each.scheme}:${each.language}`);
     const models = ["file:robochart", "file:robochart-assertions", "file:robosim", "file:robosim-assertions"];
-    assert.deepStrictEqual(languages, [...models, "file:cspm", "file:sleec"]);
+    assert.deepStrictEqual(languages, [...models, "file:cspm", "file:sleec", "file:robochart-claims"]);
 });
 
 test("a missing program is said once, with the setting and a way to it", async () => {
