@@ -279,11 +279,11 @@ TEST(Claims, TellWhatBrokeThem) {
                          "claim Long of Patrol : in Held for at most 0.2 s\n"
                          "claim Low of Patrol : always waypoint <= 1\n");
     EXPECT_EQ(states.of("Long").run ? states.of("Long").run->end : "",
-              "`in Held` holds since t=0 (0 s); the claim allows 2 units (200 ms); time passes beyond t=2 (200 ms)");
+              "`in Held` holds since t=0 (0.0 s); the claim allows 2 units (200 ms); time passes beyond t=2 (0.2 s)");
     EXPECT_EQ(states.of("Low").run ? states.of("Low").run->end : "",
-              "at t=0 (0 s), when time passes, `waypoint <= 1` does not hold");
-    EXPECT_THAT(end_of("Stops"), HasSubstr("time stops at t=1 (100 ms)"));
-    EXPECT_THAT(end_of("Ends"), HasSubstr("the component ends at t=0 (0 s)"));
+              "at t=0 (0.0 s), when time passes, `waypoint <= 1` does not hold");
+    EXPECT_THAT(end_of("Stops"), HasSubstr("time stops at t=1 (0.1 s)"));
+    EXPECT_THAT(end_of("Ends"), HasSubstr("the component ends at t=0 (0.0 s)"));
 }
 
 TEST(Claims, SayWhatIsNeverAsked) {
