@@ -107,8 +107,8 @@ void write_region(const machine::Supercombinator& process, std::size_t index, Wr
             requirements.push_back(requirement(region.requirements[i]));
         // The certifier begins with the first requirement, and finds transitions of components faster than those of
         // regions.
-        std::ranges::stable_partition(requirements,
-                                      [&](const auto& one) { return region.participants[one.first].is_region; });
+        std::stable_partition(requirements.begin(), requirements.end(),
+                              [&](const auto& one) { return region.participants[one.first].is_region; });
         const auto first = region.assignments.begin();
         writer.add_rule(rule.event, rule.level, requirements,
                         {first + rule.first_assignment, first + rule.end_assignment});

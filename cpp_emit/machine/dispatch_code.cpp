@@ -157,7 +157,7 @@ std::vector<const ir::Transition*> DispatchCode::candidate_transitions(NodeId le
         std::ranges::reverse(by_state);
     std::vector<const ir::Transition*> all;
     for (const auto& own : by_state) all.insert(all.end(), own.begin(), own.end());
-    std::ranges::stable_partition(all, [&](const ir::Transition* transition) {
+    std::stable_partition(all.begin(), all.end(), [&](const ir::Transition* transition) {
         return port != nullptr && !is_urgent(*transition) && is_first(*transition);
     });
     return all;

@@ -183,7 +183,8 @@ std::vector<fs::path> needed_files(const fs::path& named, bool alone, Diagnostic
     std::vector<Neighbour> open;
     for (const fs::path& path : candidate_files(named, alone, out)) open.push_back(survey_file(path));
     std::vector<Neighbour> chosen{survey_file(named)};
-    std::ranges::stable_partition(open, [&](const Neighbour& file) { return same_dialect(file.path, named); });
+    std::stable_partition(open.begin(), open.end(),
+                          [&](const Neighbour& file) { return same_dialect(file.path, named); });
     Declared declared(chosen.front());
     declared.add(chosen.front());
     for (std::size_t i = 0; i < chosen.size(); ++i)
