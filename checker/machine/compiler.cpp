@@ -119,17 +119,6 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
     return used;
 }
 
-/// The first state of the machine that a compressed process behaves as; no value if the process is not compressed, or
-/// has no transitions.
-std::optional<TermId> first_machine_state(process::OperationalSemantics& semantics, TermId term) {
-    if (semantics.terms()[term].op != Op::compress) return std::nullopt;
-    const auto steps = semantics.successors(term);
-    if (steps.empty() || semantics.left_out().contains(term)) return std::nullopt;
-    const process::Term& target = semantics.terms()[steps.front().target];
-    if (target.op != Op::machine) return std::nullopt;
-    return target.children.size() > 2 ? target.children[2] : steps.front().target;
-}
-
 }  // namespace
 
 Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bounds)
@@ -140,7 +129,7 @@ Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bound
 ComponentPtr Compiler::explore_component(TermId term, diagnostics::Pollable& budget) {
     Exploration exploration(semantics_, bounds_.component_states, stage_.states);
     stage_.component = term;
-    const auto first = first_machine_state(semantics_, term);
+    const std::optional<TermId> first = semantics_.first_machine_state(term);
     exploration.run(first.value_or(term), budget);
     if (!first) return minimise_component(std::move(exploration.found), budget);
     return std::make_shared<const Component>(exploration.found.rows, std::move(exploration.found.meaning));

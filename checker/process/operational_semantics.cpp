@@ -201,6 +201,15 @@ std::span<const Transition> OperationalSemantics::successors(TermId term) {
     return impl_->list_transitions(term);
 }
 
+std::optional<TermId> OperationalSemantics::first_machine_state(TermId term) {
+    if (!impl_->is_compression(term)) return std::nullopt;
+    const std::span<const Transition> steps = successors(term);
+    if (steps.empty() || left_out().contains(term)) return std::nullopt;
+    const TermId target = steps.front().target;
+    const std::vector<TermId>& children = terms()[target].children;
+    return children.size() > 2 ? children[2] : target;
+}
+
 TermStore& OperationalSemantics::terms() const {
     return impl_->terms;
 }

@@ -53,6 +53,9 @@ public:
     /// Valid during the lifetime of this object. Throws SemanticsError, and the exceptions of the definitions.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
+    /// The first state of the machine that a compressed term behaves as. No value if the term is not compressed,
+    /// there is no compressor, the compression is omitted, or the term has no transitions. Throws as `successors`.
+    std::optional<TermId> first_machine_state(TermId term);
     /// The terms whose compression was omitted so far, because their operands have too many states.
     [[nodiscard]] const std::set<TermId>& left_out() const;
     /// Computing transitions polls the budget, which must outlive it.

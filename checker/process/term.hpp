@@ -55,8 +55,8 @@ enum class Op : std::uint8_t {
     chase,             ///< one child: every tau is followed at once, the first one if there are several
     compress,          ///< one child; payload: Compression. Meaning: the child's, in the models that the compression
                        ///< preserves
-    machine,           ///< a state of a compressed machine; one child: a term that it represents; created only by the
-                       ///< semantics
+    machine,           ///< a state of a compressed machine; children: a term that it represents, the compressed term,
+                       ///< and the first state unless it is the first itself; created only by the semantics
     chaos_offer,       ///< set: the state of chaos(set) that offers the whole set; created only by the firing rules
 };
 
