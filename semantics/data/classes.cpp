@@ -43,7 +43,6 @@ private:
     using Answers = std::vector<int>;
 
     [[nodiscard]] std::optional<std::vector<Value>> candidates() const;
-    [[nodiscard]] std::optional<std::vector<Value>> linear_candidates() const;
     [[nodiscard]] std::optional<std::vector<Value>> sequence_candidates() const;
     [[nodiscard]] ClosedValue closed_of(MachineId machine) const {
         return [this, machine](const Expr& expr) { return sampling_.closed_value(machine, expr); };
@@ -83,18 +82,6 @@ std::vector<Value> Division::written_values() const {
     return result;
 }
 
-std::optional<std::vector<Value>> Division::linear_candidates() const {
-    LinearConditions linear(system_, sampling_.instantiation());
-    for (const Condition& condition : uses_.conditions)
-        if (!linear.add(*condition.body, closed_of(condition.machine))) return std::nullopt;
-    const auto points = linear.points();
-    if (!points) return std::nullopt;
-    std::vector<Value> result;
-    for (const std::vector<std::int64_t>& point : *points)
-        result.push_back(value_at(system_, sampling_.instantiation(), type_, linear.components(), point));
-    return result;
-}
-
 std::optional<std::vector<Value>> Division::sequence_candidates() const {
     SequenceConditions sequences(system_, sampling_.instantiation().scale);
     for (const Condition& condition : uses_.conditions)
@@ -108,8 +95,7 @@ std::optional<std::vector<Value>> Division::sequence_candidates() const {
 std::optional<std::vector<Value>> Division::candidates() const {
     if (uses_.conditions.empty()) return std::vector<Value>{};
     if (system_.type(type_).kind == TypeKind::sequence) return sequence_candidates();
-    auto result = linear_candidates();
-    return result ? result : solve_answers(system_, sampling_, type_, uses_.conditions);
+    return values_for_answers(system_, sampling_, type_, uses_.conditions);
 }
 
 /// True for a value that no transition takes.
@@ -296,6 +282,21 @@ bool is_replaceable(const System& system, TypeId id) {
     return has({TypeKind::nat, TypeKind::integer, TypeKind::real, TypeKind::string, TypeKind::given,
                 TypeKind::sequence}) &&
            !has({TypeKind::function, TypeKind::relation, TypeKind::matrix});
+}
+
+std::optional<std::vector<Value>> values_for_answers(const System& system, const Sampling& sampling, TypeId type,
+                                                     const std::vector<Condition>& conditions) {
+    LinearConditions linear(system, sampling.instantiation());
+    const bool all_linear = std::ranges::all_of(conditions, [&](const Condition& condition) {
+        return linear.add(*condition.body,
+                          [&](const Expr& part) { return sampling.closed_value(condition.machine, part); });
+    });
+    const auto points = all_linear ? linear.points() : std::nullopt;
+    if (!points) return solve_answers(system, sampling, type, conditions);
+    std::vector<Value> result;
+    for (const std::vector<std::int64_t>& point : *points)
+        result.push_back(value_at(system, sampling.instantiation(), type, linear.components(), point));
+    return result;
 }
 
 bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type, const Expr& condition) {

@@ -28,6 +28,12 @@ struct ValueClasses {
 /// value_text cannot show.
 [[nodiscard]] bool is_replaceable(const System& system, TypeId type);
 
+/// A value of the type, which has no sequences, for each combination of answers that its values give to conditions on
+/// one place: by linear regions (linear.hpp), or else by the solver (solver.hpp). No value if neither finds them.
+[[nodiscard]] std::optional<std::vector<Value>> values_for_answers(const System& system, const Sampling& sampling,
+                                                                   TypeId type,
+                                                                   const std::vector<Condition>& conditions);
+
 /// Whether a condition that reads only one place, which has this type, has a form that divides its values into classes.
 [[nodiscard]] bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type,
                               const Expr& condition);

@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "semantics/data/inlining.hpp"
-#include "semantics/data/linear.hpp"
-#include "semantics/data/solver.hpp"
 #include "semantics/data/windows.hpp"
 #include "semantics/evaluate/carrier.hpp"
 
@@ -63,7 +61,6 @@ private:
         for (const Condition& condition : flow.uses->conditions) result.push_back(condition.body);
         return result;
     }
-    [[nodiscard]] std::optional<std::vector<Value>> members(const Conditions& conditions) const;
     [[nodiscard]] std::optional<Answers> answers(const Conditions& conditions, const Value& value) const;
     [[nodiscard]] std::vector<std::optional<Answers>> answers_of_classes(const DividedFlow& flow) const;
     /// Adds a pair of classes with these answers. False if one has no class.
@@ -107,32 +104,15 @@ bool ImageSearch::add(const std::optional<Answers>& from, const std::optional<An
     return found;
 }
 
-/// Values with every combination of answers to the conditions.
-std::optional<std::vector<Value>> ImageSearch::members(const Conditions& conditions) const {
-    const ClosedValue closed = [this](const Expr& part) { return sampling_.closed_value(machine_, part); };
-    LinearConditions linear(system_, sampling_.instantiation());
-    const bool all_linear =
-        std::ranges::all_of(conditions, [&](const ExprPtr& condition) { return linear.add(*condition, closed); });
-    const auto points = all_linear ? linear.points() : std::nullopt;
-    std::vector<Value> result;
-    if (points) {
-        for (const std::vector<std::int64_t>& point : *points)
-            result.push_back(value_at(system_, sampling_.instantiation(), source_.type, linear.components(), point));
-        return result;
-    }
-    std::vector<Condition> tests;
-    for (const ExprPtr& condition : conditions) tests.push_back({condition.get(), machine_, condition});
-    return solve_answers(system_, sampling_, source_.type, tests);
-}
-
 std::optional<Images> ImageSearch::of_number(const ExprPtr& expr) const {
     const ExprPtr value = inline_calls(system_, expr);
     const Conditions before = conditions_of(source_);
     Conditions after;
     for (const ExprPtr& condition : conditions_of(target_)) after.push_back(substituted(condition, value));
-    Conditions all = before;
-    all.insert(all.end(), after.begin(), after.end());
-    const auto values = members(all);
+    std::vector<Condition> all;
+    for (const Conditions* conditions : {&before, &std::as_const(after)})
+        for (const ExprPtr& condition : *conditions) all.push_back({condition.get(), machine_, condition});
+    const auto values = values_for_answers(system_, sampling_, source_.type, all);
     if (!values) return std::nullopt;
     Images images(source_.classes->witnesses.size());
     for (const Value& member : *values)
