@@ -144,9 +144,7 @@ SolverFormulas::Formula SolverFormulas::read_comparison(const Expr& expr) {
     const Expr& first = *expr.args.at(0);
     const Expr& second = *expr.args.at(1);
     const bool truths = kind_of(first) == TypeKind::boolean && kind_of(second) == TypeKind::boolean;
-    if (!truths && kind_of(first) != kind_of(second) &&
-        (kind_of(first) == TypeKind::real) != (kind_of(second) == TypeKind::real))
-        return std::nullopt;
+    if ((kind_of(first) == TypeKind::real) != (kind_of(second) == TypeKind::real)) return std::nullopt;
     const Formula left = truths ? read_truth(first) : read_number(first);
     const Formula right = truths ? read_truth(second) : read_number(second);
     if (!left || !right) return std::nullopt;
@@ -223,7 +221,7 @@ struct SolverFraction {
     std::int64_t numerator = 0, denominator = 1;
 };
 
-/// The number itself, or a number beside it if it is irrational.
+/// The number itself, or a fraction a little below it if it is irrational.
 std::optional<SolverFraction> read_fraction(z3::context& context, const z3::expr& number) {
     z3::expr rational = number;
     if (!number.is_numeral() && number.is_algebraic()) rational = number.algebraic_lower(9);
