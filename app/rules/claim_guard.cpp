@@ -262,9 +262,8 @@ private:
     }
     /// Why the claim cannot be followed; "" if it can.
     [[nodiscard]] std::string reason_against(const CheckedClaim& claim, std::size_t kind) const {
-        std::string why = claims::why_not_followed(claim);
-        if (claim.raised) why = "it is about control cycles, which `conform` decides";
-        if (!why.empty()) return fmt::format("{}: {}", claim.name, why);
+        if (const std::string why = claims::why_not_monitored(claim); !why.empty())
+            return fmt::format("{}: {}", claim.name, why);
         const std::string missing = missing_channel(claim, *kinds_[kind].emission);
         if (missing.empty()) return "";
         return fmt::format("{}: the controller has no event and no operation `{}`", claim.name, missing);

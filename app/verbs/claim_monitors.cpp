@@ -139,9 +139,7 @@ private:
 };
 
 bool write_monitor(const CheckedClaim& claim, driver::Project& project, const Options& options, Report& report) {
-    std::string why = claims::why_not_followed(claim);
-    if (claim.raised) why = "it is about control cycles, which `conform` decides";
-    if (!why.empty()) {
+    if (const std::string why = claims::why_not_monitored(claim); !why.empty()) {
         const auto edit = options.run->edit();
         report.remarks.push_back(fmt::format("{}{}: no monitor, because {}", project.label, claim.name, why));
         return true;

@@ -250,4 +250,8 @@ std::string why_not_followed(const CheckedClaim& claim) {
     return "";
 }
 
+std::string why_not_monitored(const CheckedClaim& claim) {
+    return claim.raised ? "it is about control cycles, which `conform` decides" : why_not_followed(claim);
+}
+
 }  // namespace robochart::claims

@@ -44,6 +44,8 @@ struct Letter {
 
 /// Why one run does not decide the claim if only its events are known; "" if it does.
 [[nodiscard]] std::string why_not_followed(const CheckedClaim& claim);
+/// The same for monitors, which do not decide claims about control cycles.
+[[nodiscard]] std::string why_not_monitored(const CheckedClaim& claim);
 
 /// The letters of the channels that the claim names, by channel and values, and of its facts. Throws NotDecided if a
 /// condition is about values that the instantiation does not list.
