@@ -206,9 +206,8 @@ Json ClaimTexts::document_symbols(const Request& request) {
 Json ClaimTexts::formatting(const Request& request) {
     const TextDocument& document = request.document;
     diagnostics::Diagnostics ignored;
-    const auto text = claims::format(document.sources, document.source, ignored);
-    if (!text) throw Refusal(ErrorCode::request_failed, "not formatted: the text has syntax errors");
-    return text_edits(document.sources, document.source, *text, session_.client.encoding);
+    return formatting_edits(document.sources, document.source,
+                            claims::format(document.sources, document.source, ignored), session_.client.encoding);
 }
 
 /// The names of claims can be renamed; names of events belong to the model.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/diagnostics/utf8.hpp"
+#include "editors/server/documents/session.hpp"
 
 namespace robochart::lsp {
 
@@ -35,6 +36,12 @@ Json text_edits(const SourceManager& sources, SourceId source, std::string_view 
     const Difference change = find_difference(source, sources.source_text(source), after);
     return Json::array(
         {Json::object({{"range", lsp_range(sources, change.span, encoding)}, {"newText", change.text}})});
+}
+
+Json formatting_edits(const SourceManager& sources, SourceId source, const std::optional<std::string>& formatted,
+                      Encoding encoding) {
+    if (!formatted) throw Refusal(ErrorCode::request_failed, "not formatted: the text has syntax errors");
+    return text_edits(sources, source, *formatted, encoding);
 }
 
 }  // namespace robochart::lsp

@@ -38,9 +38,8 @@ Json RuleTexts::completion(const Request& request) {
 Json RuleTexts::formatting(const Request& request) {
     const TextDocument& document = request.document;
     diagnostics::Diagnostics ignored;
-    const auto text = sleec::format(document.sources, document.source, ignored);
-    if (!text) throw Refusal(ErrorCode::request_failed, "not formatted: the text has syntax errors");
-    return text_edits(document.sources, document.source, *text, session_.client.encoding);
+    return formatting_edits(document.sources, document.source,
+                            sleec::format(document.sources, document.source, ignored), session_.client.encoding);
 }
 
 }  // namespace robochart::lsp
