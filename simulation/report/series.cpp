@@ -137,49 +137,35 @@ private:
     void add_measure_chart(std::size_t number) {
         const Measure& measure = scenario_.measures[number];
         Chart chart;
-        if (measure.kind == MeasureKind::time) return;
-        const bool share = measure.kind == MeasureKind::cluster || measure.kind == MeasureKind::reached ||
-                           measure.kind == MeasureKind::inside || measure.kind == MeasureKind::in_state ||
-                           measure.kind == MeasureKind::working || measure.kind == MeasureKind::kept;
-        const double factor = share ? 100 : 1;
-        if (measure.kind == MeasureKind::reached)
-            chart = {"Robots at " + scenario_.lights.at(measure.light).name.text, "%",
-                     fmt::format("The share of robots whose centres are at most {} cm from the light.", measure.link),
-                     false, 100.0};
+        const auto describe_share = [&](std::string title, std::string definition) {
+            chart = {std::move(title), "%", std::move(definition), false, 100.0};
+        };
         switch (measure.kind) {
-            case MeasureKind::reached:
             case MeasureKind::time:
+                return;
+            case MeasureKind::reached:
+                describe_share(
+                    "Robots at " + scenario_.lights.at(measure.light).name.text,
+                    fmt::format("The share of robots whose centres are at most {} cm from the light.", measure.link));
                 break;
             case MeasureKind::cluster:
-                chart.title = "Largest cluster";
-                chart.unit = "%";
-                chart.definition = fmt::format(
-                    "The share of these robots in the largest group of links of at most {} cm.", measure.link);
-                chart.most = 100.0;
+                describe_share("Largest cluster",
+                               fmt::format("The share of these robots in the largest group of links of at most {} cm.",
+                                           measure.link));
                 break;
             case MeasureKind::in_state:
-                chart.title = "Robots in " + measure.state.text;
-                chart.unit = "%";
-                chart.definition = "The share of robots whose first machine is in this state.";
-                chart.most = 100.0;
+                describe_share("Robots in " + measure.state.text,
+                               "The share of robots whose first machine is in this state.");
                 break;
             case MeasureKind::inside:
-                chart.title = "Robots inside";
-                chart.unit = "%";
-                chart.definition = "The share of robots whose centres are in the rectangle.";
-                chart.most = 100.0;
+                describe_share("Robots inside", "The share of robots whose centres are in the rectangle.");
                 break;
             case MeasureKind::kept:
-                chart.title = "Robots that keep the claim";
-                chart.unit = "%";
-                chart.definition = "The share of robots whose runs have kept this claim of the model so far.";
-                chart.most = 100.0;
+                describe_share("Robots that keep the claim",
+                               "The share of robots whose runs have kept this claim of the model so far.");
                 break;
             case MeasureKind::working:
-                chart.title = "Robots without failures";
-                chart.unit = "%";
-                chart.definition = "The share of robots of which nothing has failed.";
-                chart.most = 100.0;
+                describe_share("Robots without failures", "The share of robots of which nothing has failed.");
                 break;
             case MeasureKind::spread:
                 chart.title = "Distance to the centroid";
@@ -199,6 +185,7 @@ private:
                     gauci);
                 break;
         }
+        const double factor = chart.most ? 100 : 1;  // shares are shown in percent
         if (measure.of) chart.title += " of " + scenario_.kind_at(*measure.of).kind.text;
         chart.title += fmt::format(" ({})", measure.name.text);
         chart.series.push_back(
