@@ -134,8 +134,8 @@ TEST(RandomModels, OfTheOtherShapesConform) {
     for (const NamedShape& shape : shapes) {
         if (shape.of == core_shape) continue;
         SCOPED_TRACE(shape.name);
-        const Campaign campaign = run(shape.of, false, 25);
-        EXPECT_GE(campaign.tally().conforming * 3, campaign.tally().models) << "too few can be explored";
+        const Campaign campaign = run(shape.of, false, 75);
+        EXPECT_GE(campaign.tally().conforming * 2, campaign.tally().models) << "too few can be explored";
     }
 }
 
