@@ -46,6 +46,11 @@ cpp_emit::EventOrder event_order(const driver::Project& project, const ir::Compo
     return result;
 }
 
+std::string why_unlike_model(const driver::Project& project, const ir::ComponentRef& component) {
+    return event_order(project, component).drops.empty() ? ""
+                                                         : "its declared order drops events, and the model does not";
+}
+
 std::string order_text(const ir::System& system, const cpp_emit::EventOrder& order) {
     std::vector<std::string> parts;
     for (const auto& [machine, events] : order.first)

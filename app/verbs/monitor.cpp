@@ -48,8 +48,7 @@ std::unique_ptr<conformance::MonitorBuild> build_monitor(driver::Project& projec
                                    {component.path, why});
         return nullptr;
     };
-    if (!event_order(project, component).drops.empty())
-        return refuse("its declared order drops events, and a monitor of the model does not know this");
+    if (const std::string why = why_unlike_model(project, component); !why.empty()) return refuse(why);
     const refine::Limits bounds = limits(options, "monitor of " + component.path);
     try {
         std::string error;

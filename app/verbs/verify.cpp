@@ -673,19 +673,17 @@ Exit print_phases(const std::vector<driver::Part>& parts, const Options& options
     return exit;
 }
 
-/// Reports an error if a declared order drops events: logs are compared with the model, which does not know this.
-void refuse_orders_that_drop(driver::Project& project) {
+/// Reports components with which logs cannot be compared.
+void refuse_unlike_models(driver::Project& project) {
     for (const ir::ComponentRef& component : driver::code_components(project.system, ""))
-        if (!event_order(project, component).drops.empty())
-            project.diagnostics.report(driver::rules::bad_option, {},
-                                       {fmt::format("--traces: the declared order of {} drops events, and logs are "
-                                                    "compared with the model, which does not know this",
-                                                    component.path)});
+        if (const std::string why = why_unlike_model(project, component); !why.empty())
+            project.diagnostics.report(rules::no_monitor, driver::declared_at(project.system, component),
+                                       {component.path, why});
 }
 
 /// Compares logs with the parts. A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
-    for (const driver::Part& part : parts) refuse_orders_that_drop(*part.project);
+    for (const driver::Part& part : parts) refuse_unlike_models(*part.project);
     const auto refused = std::ranges::find_if(
         parts, [&](const driver::Part& part) { return !is_acceptable(*part.project, options.load); });
     if (refused != parts.end()) {
