@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "checker/refine/verdict/check.hpp"
+#include "claims/sleec/obligations/obligation.hpp"
 #include "conformance/check/result.hpp"
 #include "cpp_emit/plan/options.hpp"
 #include "driver/settings/search_context.hpp"
@@ -17,7 +18,6 @@
 #include "prism/sampling/method.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "simulation/tuning/race.hpp"
-#include "sleec/obligations/obligation.hpp"
 
 namespace robochart::app {
 

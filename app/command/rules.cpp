@@ -9,6 +9,8 @@
 #include "checker/cspm/syntax/rules.hpp"
 #include "checker/cspm/types/rules.hpp"
 #include "claims/checks/rules.hpp"
+#include "claims/sleec/checks/rules.hpp"
+#include "claims/sleec/syntax/rules.hpp"
 #include "claims/syntax/rules.hpp"
 #include "conformance/model/rules.hpp"
 #include "cpp_emit/plan/rules.hpp"
@@ -25,8 +27,6 @@
 #include "prism/syntax/rules.hpp"
 #include "semantics/rules.hpp"
 #include "simulation/scenario/rules.hpp"
-#include "sleec/checks/rules.hpp"
-#include "sleec/syntax/rules.hpp"
 
 namespace robochart::app {
 namespace {

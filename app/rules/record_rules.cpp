@@ -5,7 +5,7 @@
 
 #include "app/command/recording.hpp"
 #include "app/command/run.hpp"
-#include "sleec/syntax/printer.hpp"
+#include "claims/sleec/syntax/printer.hpp"
 
 namespace robochart::app {
 

@@ -20,10 +20,10 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/fixes.hpp"
 #include "base/diagnostics/render.hpp"
+#include "claims/sleec/syntax/format.hpp"
 #include "claims/syntax/layout.hpp"
 #include "frontend/syntax/dialect.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
-#include "sleec/syntax/format.hpp"
 
 namespace robochart::app {
 namespace {

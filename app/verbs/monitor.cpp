@@ -26,14 +26,14 @@
 #include "app/verbs/write_files.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "checker/process/term.hpp"
+#include "claims/sleec/emit/monitor_file.hpp"
+#include "claims/sleec/obligations/samples.hpp"
 #include "conformance/monitor/cycle_cache.hpp"
 #include "conformance/monitor/monitor.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "driver/model/places.hpp"
 #include "driver/settings/rules.hpp"
 #include "simulation/trial/kind_traces.hpp"
-#include "sleec/emit/monitor_file.hpp"
-#include "sleec/obligations/samples.hpp"
 
 namespace robochart::app {
 namespace {

@@ -18,12 +18,12 @@
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
+#include "claims/sleec/obligations/samples.hpp"
+#include "claims/sleec/syntax/rules.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "driver/model/claim_files.hpp"
 #include "driver/rules/rule_claims.hpp"
 #include "driver/rules/rule_run.hpp"
-#include "sleec/obligations/samples.hpp"
-#include "sleec/syntax/rules.hpp"
 
 namespace robochart::app {
 namespace {

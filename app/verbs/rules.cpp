@@ -17,14 +17,14 @@
 #include "app/rules/show_findings.hpp"
 #include "app/verbs/verbs.hpp"
 #include "checker/cspm/session.hpp"
+#include "claims/sleec/analysis/explain.hpp"
+#include "claims/sleec/analysis/properties.hpp"
+#include "claims/sleec/analysis/suggest.hpp"
+#include "claims/sleec/published/encoding.hpp"
 #include "driver/model/claim_files.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/rules/model_rules.hpp"
 #include "driver/rules/rule_claims.hpp"
-#include "sleec/analysis/explain.hpp"
-#include "sleec/analysis/properties.hpp"
-#include "sleec/analysis/suggest.hpp"
-#include "sleec/published/encoding.hpp"
 
 namespace robochart::app {
 namespace {

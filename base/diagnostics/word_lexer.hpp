@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part that the lexers of rules (sleec/syntax) and claims (claims/syntax) share: blanks, comments and words.
+// The part that the lexers of rules (claims/sleec/syntax) and claims (claims/syntax) share: blanks, comments and words.
 #pragma once
 
 #include <string_view>

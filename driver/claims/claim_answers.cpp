@@ -10,9 +10,9 @@
 #include "checker/lts/transition_system.hpp"
 #include "checker/refine/verdict/verdict.hpp"
 #include "claims/monitor/account.hpp"
+#include "claims/sleec/conformance/endless.hpp"
 #include "driver/model/project_claims.hpp"
 #include "driver/rules/endless_counterexample.hpp"
-#include "sleec/conformance/endless.hpp"
 
 namespace robochart::driver {
 namespace {

@@ -7,7 +7,7 @@
 #include "checker/lts/transition_system.hpp"
 #include "checker/refine/search/limits.hpp"
 #include "checker/refine/verdict/verdict.hpp"
-#include "sleec/conformance/endless.hpp"
+#include "claims/sleec/conformance/endless.hpp"
 
 namespace robochart::driver {
 

@@ -9,13 +9,13 @@
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/refine/verdict/verdict.hpp"
+#include "claims/sleec/analysis/explain.hpp"
+#include "claims/sleec/obligations/open.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/interpreter.hpp"
 #include "csp_emit/assertion_forms.hpp"
 #include "driver/rules/endless_counterexample.hpp"
 #include "driver/settings/search_context.hpp"
-#include "sleec/analysis/explain.hpp"
-#include "sleec/obligations/open.hpp"
 
 namespace robochart::driver {
 namespace {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "checker/cspm/session.hpp"
+#include "claims/sleec/conformance/endless.hpp"
+#include "claims/sleec/conformance/watch.hpp"
+#include "claims/sleec/model/linking.hpp"
 #include "counterexample/run.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/results/rule_verdict.hpp"
 #include "driver/settings/search_context.hpp"
-#include "sleec/conformance/endless.hpp"
-#include "sleec/conformance/watch.hpp"
-#include "sleec/model/linking.hpp"
 
 namespace robochart::driver {
 

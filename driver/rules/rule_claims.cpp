@@ -11,11 +11,11 @@
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/spelling.hpp"
+#include "claims/sleec/checks/check.hpp"
+#include "claims/sleec/syntax/reader.hpp"
+#include "claims/sleec/syntax/rules.hpp"
 #include "driver/rules/model_rules.hpp"
 #include "driver/settings/search_context.hpp"
-#include "sleec/checks/check.hpp"
-#include "sleec/syntax/reader.hpp"
-#include "sleec/syntax/rules.hpp"
 
 namespace robochart::driver {
 namespace {

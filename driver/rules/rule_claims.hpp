@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "claims/sleec/checks/checked.hpp"
 #include "driver/model/pipeline.hpp"
 #include "driver/results/results.hpp"
 #include "driver/results/rule_verdict.hpp"
 #include "driver/rules/model_rules.hpp"
 #include "driver/settings/search_context.hpp"
-#include "sleec/checks/checked.hpp"
 
 namespace robochart::driver {
 

@@ -6,7 +6,7 @@
 
 #include <charconv>
 
-#include "sleec/analysis/explain.hpp"
+#include "claims/sleec/analysis/explain.hpp"
 
 namespace robochart::driver {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "claims/sleec/monitor/rule_monitor.hpp"
 #include "driver/rules/model_rules.hpp"
-#include "sleec/monitor/rule_monitor.hpp"
 
 namespace robochart::driver {
 

@@ -7,11 +7,11 @@
 #include "assertion_words.hpp"
 #include "checker/cspm/syntax/lexer.hpp"
 #include "checker/cspm/types/builtins.hpp"
+#include "claims/sleec/syntax/lexer.hpp"
 #include "extension.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/lexer.hpp"
 #include "frontend/syntax/parse.hpp"
-#include "sleec/syntax/lexer.hpp"
 
 namespace robochart::editors {
 namespace {

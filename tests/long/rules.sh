@@ -10,4 +10,4 @@ export ROBOCHART_RANDOM_CHECKS="${1:-10000}"
 export ROBOCHART_RANDOM_SEED="${2:-$(date +%s)}"
 cmake --build --preset release --target tests_sleec
 echo "seed $ROBOCHART_RANDOM_SEED"
-exec build/release/tests/sleec/tests_sleec --gtest_filter='RandomRules.*'
+exec build/release/tests/claims/sleec/tests_sleec --gtest_filter='RandomRules.*'

@@ -15,6 +15,8 @@
 #include "base/diagnostics/render.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/cspm/types/type_check.hpp"
+#include "claims/sleec/checks/check.hpp"
+#include "claims/sleec/syntax/reader.hpp"
 #include "conformance/model/rules.hpp"
 #include "driver/model/claim_files.hpp"
 #include "driver/model/pipeline.hpp"
@@ -23,8 +25,6 @@
 #include "prism/session/session.hpp"
 #include "prism/syntax/reader.hpp"
 #include "simulation/chain/chain.hpp"
-#include "sleec/checks/check.hpp"
-#include "sleec/syntax/reader.hpp"
 #include "tests/temporary_folder.hpp"
 
 namespace robochart::testing {

@@ -174,7 +174,7 @@ TEST(Sanity, SourcesAreLaidOutByClangFormat) {
 /// Paths in documentation and comments that are relative to the root or to tests/ must exist.
 TEST(Sanity, PathsInTextsExist) {
     const std::regex path(
-        R"((?:^|[^\w/.-])((?:app|base|benchmarks|checker|claims|conformance|corpus|counterexample|cpp_emit|csp_emit|docs|driver|editors|frontend|prism|scripts|semantics|simulation|sleec|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
+        R"((?:^|[^\w/.-])((?:app|base|benchmarks|checker|claims|conformance|corpus|counterexample|cpp_emit|csp_emit|docs|driver|editors|frontend|prism|scripts|semantics|simulation|tests)/[a-zA-Z0-9_/-]+\.(?:cpp|hpp|h|md|sh|py|txt|rct)\b))");
     const std::set<std::string> examples = {"docs/rules/CODE.md"};
     std::size_t found = 0;
     for (const fs::path& file : files(root(), {".md", ".cpp", ".hpp", ".sh", ".txt", ".cmake"})) {

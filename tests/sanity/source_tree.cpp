@@ -32,8 +32,8 @@ std::vector<fs::path> files(const fs::path& folder, const std::set<std::string>&
 }
 
 std::vector<std::string> components() {
-    return {"app",    "base",    "checker",  "claims", "conformance", "counterexample", "cpp_emit", "csp_emit",
-            "driver", "editors", "frontend", "prism",  "semantics",   "simulation",     "sleec"};
+    return {"app",      "base",   "checker", "claims",   "conformance", "counterexample", "cpp_emit",
+            "csp_emit", "driver", "editors", "frontend", "prism",       "semantics",      "simulation"};
 }
 
 std::vector<std::string> program_files() {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The findings about rule files, and the answers to requests.
+#include "claims/sleec/syntax/format.hpp"
 #include "editors/server/documents/text_difference.hpp"
 #include "editors/server/sleec/rule_completion.hpp"
 #include "editors/server/sleec/rule_names.hpp"
-#include "sleec/syntax/format.hpp"
 
 namespace robochart::lsp {
 

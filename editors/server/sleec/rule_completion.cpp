@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <set>
 
-#include "sleec/syntax/lexer.hpp"
+#include "claims/sleec/syntax/lexer.hpp"
 
 namespace robochart::lsp {
 

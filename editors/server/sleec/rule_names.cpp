@@ -7,8 +7,8 @@
 #include <array>
 #include <functional>
 
-#include "sleec/syntax/lexer.hpp"
-#include "sleec/syntax/printer.hpp"
+#include "claims/sleec/syntax/lexer.hpp"
+#include "claims/sleec/syntax/printer.hpp"
 
 namespace robochart::lsp {
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "base/diagnostics/files.hpp"
-#include "sleec/checks/check.hpp"
-#include "sleec/syntax/reader.hpp"
+#include "claims/sleec/checks/check.hpp"
+#include "claims/sleec/syntax/reader.hpp"
 
 namespace robochart::lsp {
 

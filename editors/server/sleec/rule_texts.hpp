@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "claims/sleec/syntax/syntax.hpp"
 #include "editors/server/documents/open_texts.hpp"
-#include "sleec/syntax/syntax.hpp"
 
 namespace robochart::lsp {
 

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// See checked.hpp.
+#include "claims/sleec/checks/checked.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace robochart::sleec {
+namespace {
+
+/// The bound on values. Sums and products of numbers in a text are far below it.
+constexpr std::int64_t largest = 4'000'000'000'000'000'000;
+
+std::int64_t saturate_overflow(std::int64_t value, bool overflow, bool negative) {
+    if (overflow) return negative ? -largest : largest;
+    return std::clamp(value, -largest, largest);
+}
+
+std::int64_t saturating_sum(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    const bool overflow = __builtin_add_overflow(a, b, &result);
+    return saturate_overflow(result, overflow, a < 0);
+}
+
+std::int64_t saturating_product(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    const bool overflow = __builtin_mul_overflow(a, b, &result);
+    return saturate_overflow(result, overflow, (a < 0) != (b < 0));
+}
+
+}  // namespace
+
+std::int64_t evaluate_condition(const Condition& condition, const Valuation& values) {
+    const auto part = [&](std::size_t i) { return evaluate_condition(condition.parts[i], values); };
+    switch (condition.op) {
+        case Op::truth:
+        case Op::number:
+            return condition.value;
+        case Op::name:
+            return values[condition.measure];
+        case Op::disjunction:
+            return static_cast<std::int64_t>(part(0) != 0 || part(1) != 0);
+        case Op::conjunction:
+            return static_cast<std::int64_t>(part(0) != 0 && part(1) != 0);
+        case Op::negation:
+            return static_cast<std::int64_t>(part(0) == 0);
+        case Op::less:
+            return static_cast<std::int64_t>(part(0) < part(1));
+        case Op::less_equal:
+            return static_cast<std::int64_t>(part(0) <= part(1));
+        case Op::greater:
+            return static_cast<std::int64_t>(part(0) > part(1));
+        case Op::greater_equal:
+            return static_cast<std::int64_t>(part(0) >= part(1));
+        case Op::equal:
+            return static_cast<std::int64_t>(part(0) == part(1));
+        case Op::unequal:
+            return static_cast<std::int64_t>(part(0) != part(1));
+        case Op::add:
+            return saturating_sum(part(0), part(1));
+        case Op::subtract:
+            return saturating_sum(part(0), saturating_product(-1, part(1)));
+        case Op::multiply:
+            return saturating_product(part(0), part(1));
+    }
+    return 0;
+}
+
+std::string instant_text(const CheckedRules& rules, std::int64_t step) {
+    return rules.unit ? durations::time_text(step, rules.unit) : fmt::format("second {}", step);
+}
+
+std::string steps_text(const CheckedRules& rules, std::int64_t steps) {
+    if (rules.unit) return durations::units_text(steps, rules.unit);
+    return fmt::format("{} second{}", steps, steps == 1 ? "" : "s");
+}
+
+std::string value_text(const Measure& measure, std::int64_t value) {
+    if (measure.type == MeasureType::boolean)
+        return value != 0 ? measure.name.text : fmt::format("not {}", measure.name.text);
+    if (measure.type == MeasureType::numeric) return fmt::format("{} = {}", measure.name.text, value);
+    return fmt::format("{} = {}", measure.name.text, measure.literals[static_cast<std::size_t>(value)].text);
+}
+
+}  // namespace robochart::sleec

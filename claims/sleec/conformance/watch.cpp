@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: Apache-2.0
+// See watch.hpp. docs/rules-language.md, "Whether a model obeys".
+#include "claims/sleec/conformance/watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "checker/cspm/syntax/build.hpp"
+#include "claims/sleec/obligations/open.hpp"
+
+namespace robochart::sleec {
+namespace {
+
+namespace build = cspm::build;
+using build::Exprs;
+using cspm::DeclPtr;
+using cspm::ExprKind;
+using Tree = cspm::ExprPtr;
+
+constexpr const char* broken_event = "sleec_broken";
+constexpr const char* asked_event = "sleec_asked";
+constexpr const char* free_process = "sleec_Free";
+constexpr const char* idle_process = "sleec_Idle";
+constexpr const char* wrong_process = "sleec_Wrong";
+constexpr const char* all_events = "sleec_events";
+constexpr std::size_t most_ways = 4096;
+
+/// Special values of a measure at an instant, in addition to its classes.
+constexpr std::int64_t unknown = -1;
+constexpr std::int64_t changing = -2;
+
+Tree time_variable() {
+    return build::name("t");
+}
+
+Tree at_most(std::int64_t second) {
+    return build::binary(ExprKind::less_equal, time_variable(), build::number(second));
+}
+
+/// True if the second is in the demand's window.
+Tree within_window(const Demand& demand) {
+    Exprs conditions;
+    if (demand.begin > 0)
+        conditions.push_back(build::binary(ExprKind::greater_equal, time_variable(), build::number(demand.begin)));
+    if (demand.end != forever) conditions.push_back(at_most(demand.end));
+    return build::all_of(std::move(conditions));
+}
+
+/// True if a demand for an event can still be fulfilled.
+Tree can_still_be_met(const Obligation& obligation) {
+    Exprs conditions;
+    for (const Demand& demand : obligation.any) {
+        if (demand.forbids) continue;
+        if (demand.end == forever) return build::boolean(true);
+        conditions.push_back(at_most(demand.end));
+    }
+    return build::any_of(std::move(conditions));
+}
+
+bool waits_forever(const Obligation& obligation) {
+    return std::ranges::any_of(obligation.any,
+                               [](const Demand& demand) { return !demand.forbids && demand.end == forever; });
+}
+
+const Demand* find_prohibition(const Obligation& obligation) {
+    for (const Demand& demand : obligation.any)
+        if (demand.forbids) return &demand;
+    return nullptr;
+}
+
+/// After this second, only windows without end are open.
+std::int64_t last_second(const Obligation& obligation) {
+    std::int64_t last = 0;
+    for (const Demand& demand : obligation.any)
+        last = std::max(last, demand.end == forever ? demand.begin : demand.end + 1);
+    return last;
+}
+
+std::string open_process(std::size_t obligation, bool broken) {
+    return fmt::format("sleec_Open{}{}", obligation, broken ? "b" : "");
+}
+
+std::string class_variable(std::size_t place) {
+    return fmt::format("k{}", place);
+}
+
+Tree break_process() {
+    return build::prefix(build::name(broken_event), build::stop());
+}
+
+}  // namespace
+
+Watch::Watch(const CheckedRules& rules, std::size_t rule, const Linking& linking, cspm::ExprPtr process,
+             Readings readings)
+    : rules_(rules), rule_(rule), linking_(linking), process_(std::move(process)), readings_(readings) {
+    find_classes();
+    find_ways();
+}
+
+std::optional<std::size_t> Watch::way_of(const std::string& event) {
+    const std::string prefix = std::string(asked_event) + ".";
+    if (!event.starts_with(prefix)) return std::nullopt;
+    std::size_t way = 0;
+    const auto [end, error] = std::from_chars(event.data() + prefix.size(), event.data() + event.size(), way);
+    return error == std::errc() ? std::optional(way) : std::nullopt;
+}
+
+// ---------------------------------------------------------------- values
+
+/// Finds the classes of a number: below, at and between the constants with which it is compared. The rule does not
+/// distinguish values of one class.
+void Watch::find_classes() {
+    const CheckedRule& rule = rules_.rules[rule_];
+    const auto values = representative_values(rules_, {rule_});
+    if (compares_measures(rule)) throw NotDecided("a condition compares two measures of the model");
+    for (const std::size_t measure : measures_of(rule)) {
+        Followed followed;
+        followed.measure = measure;
+        if (rules_.measure(measure).type != MeasureType::numeric) {
+            followed.representatives = followed.classes = values[measure];
+            followed_.push_back(std::move(followed));
+            continue;
+        }
+        followed.constants = constants_of(rule, measure);
+        for (std::size_t i = 0; i <= followed.constants.size(); ++i) {
+            const bool first = i == 0, last = i == followed.constants.size();
+            std::int64_t between = 0;
+            if (!first)
+                between = followed.constants[i - 1] + 1;
+            else if (!last)
+                between = followed.constants[0] - 1;
+            if (first || last || between < followed.constants[i]) {
+                followed.classes.push_back(static_cast<std::int64_t>(2 * i));
+                followed.representatives.push_back(between);
+            }
+            if (last) continue;
+            followed.classes.push_back(static_cast<std::int64_t>(2 * i + 1));
+            followed.representatives.push_back(followed.constants[i]);
+        }
+        followed_.push_back(std::move(followed));
+    }
+}
+
+Tree Watch::class_of(const Followed& followed, const Tree& value) const {
+    const Measure& measure = rules_.measure(followed.measure);
+    if (measure.type == MeasureType::boolean) return build::if_(value, build::number(1), build::number(0));
+    Tree result;
+    if (measure.type == MeasureType::scale) {
+        const auto& literals = linking_.measures[followed.measure]->literals;
+        result = build::number(static_cast<std::int64_t>(literals.size()) - 1);
+        for (std::size_t i = literals.size() - 1; i > 0; --i)
+            result = build::if_(build::binary(ExprKind::equal, value, build::name(literals[i - 1])),
+                                build::number(static_cast<std::int64_t>(i) - 1), result);
+        return result;
+    }
+    result = build::number(static_cast<std::int64_t>(2 * followed.constants.size()));
+    for (std::size_t i = followed.constants.size(); i > 0; --i) {
+        const Tree constant = build::number(followed.constants[i - 1]);
+        const auto place = static_cast<std::int64_t>(2 * i);
+        result = build::if_(build::binary(ExprKind::equal, value, constant), build::number(place - 1), result);
+        result = build::if_(build::binary(ExprKind::less, value, constant), build::number(place - 2), result);
+    }
+    return result;
+}
+
+std::size_t Watch::number_obligation(const Obligation& obligation) {
+    const auto found = std::ranges::find(obligations_, obligation);
+    if (found != obligations_.end()) return static_cast<std::size_t>(found - obligations_.begin());
+    if (std::ranges::count_if(obligation.any, [](const Demand& demand) { return demand.forbids; }) > 1)
+        throw NotDecided("a rule with several prohibitions behind each other");
+    obligations_.push_back(obligation);
+    return obligations_.size() - 1;
+}
+
+/// Lists all combinations of classes, in the order in which the script tests them.
+void Watch::find_ways() {
+    std::vector<std::size_t> at(followed_.size(), 0);
+    for (;;) {
+        Valuation values(rules_.file->measures.size(), 0);
+        for (std::size_t i = 0; i < at.size(); ++i) values[followed_[i].measure] = followed_[i].representatives[at[i]];
+        const auto obligation = obligation_of(rules_.rules[rule_], values, WithoutLimit::eventually);
+        ways_.push_back({values, obligation ? number_obligation(*obligation) : obligations_.max_size()});
+        if (ways_.size() > most_ways)
+            throw NotDecided(fmt::format("the measures have more than {} combinations of values", most_ways));
+        std::size_t i = at.size();
+        while (i > 0 && ++at[i - 1] == followed_[i - 1].classes.size()) at[--i] = 0;
+        if (i == 0) return;
+    }
+}
+
+// ---------------------------------------------------------------- processes
+
+std::vector<std::size_t> Watch::event_indices() const {
+    std::set<std::size_t> events{rules_.rules[rule_].trigger};
+    for (const Obligation& obligation : obligations_) {
+        for (const Demand& demand : obligation.any) events.insert(demand.event);
+        events.insert(obligation.ended_by.begin(), obligation.ended_by.end());
+    }
+    return {events.begin(), events.end()};
+}
+
+Tree Watch::named_events() const {
+    Exprs items;
+    for (const std::size_t event : event_indices()) items.push_back(build::name(linking_.events[event].value()));
+    for (const Followed& followed : followed_)
+        if (const auto& linked = linking_.measures[followed.measure]) items.push_back(build::name(linked->channel));
+    items.push_back(build::name("tock"));
+    return build::productions(std::move(items));
+}
+
+/// A measure that the component has not read at this instant may have any value. If it reads the measure later at this
+/// instant, the value must be the assumed one; otherwise the run is discarded. The measures before `from` are decided.
+Tree Watch::start_call(std::size_t from, Valuation classes) const {
+    if (from == followed_.size()) {
+        std::size_t way = 0;
+        for (std::size_t i = 0; i < followed_.size(); ++i) {
+            const auto& known = followed_[i].classes;
+            const auto place = std::ranges::find(known, classes[i]) - known.begin();
+            way = way * known.size() + static_cast<std::size_t>(place);
+        }
+        if (ways_[way].obligation >= obligations_.size()) return build::name(free_process);
+        Exprs arguments{build::number(0)};
+        for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::name(fmt::format("a{}", i)));
+        return build::prefix(build::dot({build::name(asked_event), build::number(static_cast<std::int64_t>(way))}),
+                             build::call(open_process(ways_[way].obligation, false), std::move(arguments)));
+    }
+    Tree result;
+    const auto& known = followed_[from].classes;
+    for (auto at = known.rbegin(); at != known.rend(); ++at) {
+        classes.push_back(*at);
+        const Tree then = start_call(from + 1, classes);
+        classes.pop_back();
+        result = result
+                     ? build::if_(build::binary(ExprKind::equal, build::name(class_variable(from)), build::number(*at)),
+                                  then, result)
+                     : then;
+    }
+    return result;
+}
+
+/// sleec_Start0(k..) assumes values for unknown measures. a.. are the assumed values, which are compared with later
+/// readings at this instant.
+std::vector<DeclPtr> Watch::start_definitions() const {
+    std::vector<DeclPtr> result;
+    const std::size_t count = followed_.size();
+    const auto named = [](std::size_t place) { return fmt::format("sleec_Start{}", place); };
+    for (std::size_t i = 0; i <= count; ++i) {
+        std::vector<std::string> parameters;
+        for (std::size_t k = 0; k < count; ++k) parameters.push_back(class_variable(k));
+        for (std::size_t k = 0; k < i; ++k) parameters.push_back(fmt::format("a{}", k));
+        const auto with = [&](const Tree& value, const Tree& assumed) {
+            Exprs arguments;
+            for (const std::string& parameter : parameters) arguments.push_back(build::name(parameter));
+            if (i < count) arguments[i] = value;
+            arguments.push_back(assumed);
+            return build::call(named(i + 1), std::move(arguments));
+        };
+        Tree body;
+        if (i == count) {
+            body = start_call(0, {});
+        } else {
+            Exprs assumed;
+            for (const std::int64_t class_value : followed_[i].classes)
+                assumed.push_back(with(build::number(class_value), build::number(class_value)));
+            const Tree value = build::name(class_variable(i));
+            const bool compared = readings_ == Readings::one_value;
+            body = build::if_(build::binary(ExprKind::equal, value, build::number(unknown)),
+                              build::internal_choice(std::move(assumed)),
+                              with(value, compared ? value : build::number(unknown)));
+        }
+        result.push_back(build::function_decl(named(i), build::variables(parameters), body));
+    }
+    return result;
+}
+
+/// The value of a measure at this instant, after a reading `v`.
+Tree Watch::class_of_reading(std::size_t place) const {
+    const Tree read = class_of(followed_[place], build::name("v"));
+    if (readings_ == Readings::any) return read;
+    const Tree before = build::name(class_variable(place));
+    return build::if_(build::any_of({build::binary(ExprKind::equal, before, build::number(unknown)),
+                                     build::binary(ExprKind::equal, before, read)}),
+                      read, build::number(changing));
+}
+
+/// Defines the process before a trigger is selected. The process may select any trigger and follow its obligation.
+std::vector<DeclPtr> Watch::idle_definitions() const {
+    Exprs measures, not_read, changes;
+    std::vector<std::string> parameters;
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        parameters.push_back(class_variable(i));
+        measures.push_back(build::name(class_variable(i)));
+        not_read.push_back(build::number(unknown));
+        changes.push_back(build::binary(ExprKind::equal, measures.back(), build::number(changing)));
+    }
+    const auto any_of_channel = [](const std::string& channel, const Tree& then) {
+        return build::replicated(ExprKind::replicated_external,
+                                 {build::generator("x", build::productions({build::name(channel)}))},
+                                 build::prefix(build::name("x"), then));
+    };
+    Exprs choices;
+    const std::string trigger = linking_.events[rules_.rules[rule_].trigger].value();
+    for (const std::size_t event : event_indices())
+        choices.push_back(any_of_channel(linking_.events[event].value(), build::call(idle_process, measures)));
+    const Tree start = build::call("sleec_Start0", measures);
+    const bool guarded = readings_ == Readings::one_value && !changes.empty();
+    choices.push_back(any_of_channel(
+        trigger,
+        guarded ? build::if_(build::any_of(std::move(changes)), build::call(idle_process, measures), start) : start));
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        const auto& linked = linking_.measures[followed_[i].measure];
+        if (!linked) continue;
+        Exprs arguments = measures;
+        arguments[i] = class_of_reading(i);
+        choices.push_back(build::prefix(build::name(linked->channel), {build::input("d"), build::input("v")},
+                                        build::call(idle_process, std::move(arguments))));
+    }
+    choices.push_back(build::prefix(build::name("tock"), build::call(idle_process, not_read)));
+    return {build::function_decl(idle_process, build::variables(parameters), build::choice(std::move(choices)))};
+}
+
+/// An event breaks the obligation, unless a later reading at the trigger's instant shows a value other than the assumed
+/// one.
+Tree Watch::violation_process() const {
+    if (!reads_measures()) return break_process();
+    Exprs same;
+    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(class_variable(i)));
+    return build::if_(build::binary(ExprKind::greater, time_variable(), build::number(0)), break_process(),
+                      build::call(wrong_process, std::move(same)));
+}
+
+/// Reads a measure while an obligation is open. A value other than the assumed one discards the run.
+Tree Watch::compare_reading(std::size_t place, const Tree& then) const {
+    const Tree assumed = build::name(class_variable(place));
+    const Tree other =
+        build::all_of({build::binary(ExprKind::greater_equal, assumed, build::number(0)),
+                       build::binary(ExprKind::not_equal, assumed, class_of(followed_[place], build::name("v")))});
+    return build::prefix(build::name(linking_.measures[followed_[place].measure]->channel),
+                         {build::input("d"), build::input("v")}, build::if_(other, build::name(free_process), then));
+}
+
+/// The values of the measures after a reading that agreed with the assumed value.
+Exprs Watch::arguments_after_reading(std::size_t place) const {
+    Exprs result;
+    for (std::size_t k = 0; k < followed_.size(); ++k)
+        result.push_back(k == place && readings_ == Readings::any ? build::number(unknown)
+                                                                  : build::name(class_variable(k)));
+    return result;
+}
+
+std::vector<DeclPtr> Watch::wrong_definitions() const {
+    if (!reads_measures()) return {};
+    Exprs choices, same;
+    std::vector<std::string> parameters;
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        parameters.push_back(class_variable(i));
+        same.push_back(build::name(class_variable(i)));
+    }
+    for (const std::size_t event : event_indices())
+        choices.push_back(build::replicated(
+            ExprKind::replicated_external,
+            {build::generator("x", build::productions({build::name(linking_.events[event].value())}))},
+            build::prefix(build::name("x"), build::call(wrong_process, same))));
+    for (std::size_t i = 0; i < followed_.size(); ++i)
+        if (linking_.measures[followed_[i].measure])
+            choices.push_back(compare_reading(i, build::call(wrong_process, arguments_after_reading(i))));
+    choices.push_back(build::prefix(build::name("tock"), break_process()));
+    return {build::function_decl(wrong_process, build::variables(parameters), build::choice(std::move(choices)))};
+}
+
+/// Corresponds to take_event (obligations/open.hpp).
+Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
+    const Obligation& obligation = obligations_[index];
+    const auto& ended_by = obligation.ended_by;
+    if (std::ranges::find(ended_by, event) != ended_by.end()) return build::name(free_process);
+    Exprs same{time_variable()};
+    for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(class_variable(i)));
+    Tree result = build::call(open_process(index, broken), same);
+    const Demand* forbidden = find_prohibition(obligation);
+    if (forbidden != nullptr && forbidden->event == event && !broken)
+        result = build::if_(
+            within_window(*forbidden),
+            build::if_(can_still_be_met(obligation), build::call(open_process(index, true), same), violation_process()),
+            result);
+    Exprs fulfilled;
+    for (const Demand& demand : obligation.any)
+        if (!demand.forbids && demand.event == event) fulfilled.push_back(within_window(demand));
+    return fulfilled.empty() ? result
+                             : build::if_(build::any_of(std::move(fulfilled)), build::name(free_process), result);
+}
+
+/// Corresponds to take_tock: `t` is the second that ends.
+Tree Watch::on_tock(std::size_t index, bool broken) const {
+    const Obligation& obligation = obligations_[index];
+    const std::int64_t last = last_second(obligation);
+    const Tree next = build::binary(ExprKind::plus, time_variable(), build::number(1));
+    Exprs arguments{
+        build::if_(build::binary(ExprKind::less, time_variable(), build::number(last)), next, time_variable())};
+    for (std::size_t i = 0; i < followed_.size(); ++i) arguments.push_back(build::number(unknown));
+    Tree result = build::call(open_process(index, broken), std::move(arguments));
+    const auto ends_now = [&](const Demand& demand) {
+        return build::binary(ExprKind::less_equal, build::number(demand.end), time_variable());
+    };
+    const Demand* forbidden = find_prohibition(obligation);
+    if (forbidden != nullptr && !broken)
+        return forbidden->end == forever ? result : build::if_(ends_now(*forbidden), build::name(free_process), result);
+    Exprs over;
+    for (const Demand& demand : obligation.any) {
+        if (demand.forbids) continue;
+        if (demand.end == forever) return result;
+        over.push_back(ends_now(demand));
+    }
+    return build::if_(build::all_of(std::move(over)), break_process(), result);
+}
+
+/// The event for the passing of a second while this obligation is open.
+Tree Watch::time_event(std::size_t index) const {
+    return build::name(waits_forever(obligations_[index]) ? waiting : "tock");
+}
+
+std::vector<DeclPtr> Watch::open_definitions(std::size_t index) const {
+    std::vector<DeclPtr> result;
+    std::vector<std::string> parameters{"t"};
+    for (std::size_t i = 0; i < followed_.size(); ++i) parameters.push_back(class_variable(i));
+    for (const bool broken : {false, true}) {
+        if (broken && find_prohibition(obligations_[index]) == nullptr) continue;
+        Exprs choices;
+        for (const std::size_t event : event_indices())
+            choices.push_back(build::replicated(
+                ExprKind::replicated_external,
+                {build::generator("x", build::productions({build::name(linking_.events[event].value())}))},
+                build::prefix(build::name("x"), on_event(index, broken, event))));
+        for (std::size_t i = 0; i < followed_.size(); ++i) {
+            if (!linking_.measures[followed_[i].measure]) continue;
+            Exprs arguments = arguments_after_reading(i);
+            arguments.insert(arguments.begin(), time_variable());
+            choices.push_back(compare_reading(i, build::call(open_process(index, broken), std::move(arguments))));
+        }
+        choices.push_back(build::prefix(time_event(index), on_tock(index, broken)));
+        result.push_back(build::function_decl(open_process(index, broken), build::variables(parameters),
+                                              build::choice(std::move(choices))));
+    }
+    return result;
+}
+
+std::vector<DeclPtr> Watch::declarations() const {
+    std::vector<DeclPtr> result{
+        build::channel({broken_event, waiting}),
+        build::channel({asked_event},
+                       build::set_range(build::number(0), build::number(static_cast<std::int64_t>(ways_.size()) - 1))),
+        build::value(all_events, named_events()),
+        build::value(free_process,
+                     build::replicated(ExprKind::replicated_external, {build::generator("x", build::name(all_events))},
+                                       build::prefix(build::name("x"), build::name(free_process)))),
+        build::value("sleec_Seconds",
+                     build::choice({build::prefix(build::name("tock"), build::name("sleec_Seconds")),
+                                    build::prefix(build::name(waiting), build::name("sleec_Seconds"))})),
+        build::value("sleec_Over", build::prefix(build::name("tock"), build::name("sleec_Over")))};
+    const auto add = [&](std::vector<DeclPtr> more) { result.insert(result.end(), more.begin(), more.end()); };
+    add(idle_definitions());
+    add(start_definitions());
+    add(wrong_definitions());
+    for (std::size_t i = 0; i < obligations_.size(); ++i) add(open_definitions(i));
+    return result;
+}
+
+bool Watch::has_demand_without_limit() const {
+    return std::ranges::any_of(obligations_, waits_forever);
+}
+
+bool Watch::reads_measures() const {
+    return std::ranges::any_of(
+        followed_, [&](const Followed& followed) { return linking_.measures[followed.measure].has_value(); });
+}
+
+/// A terminated component has no further steps, but time continues.
+Tree Watch::parallel_process() const {
+    Exprs not_read;
+    for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(unknown));
+    Tree component = build::sequential({process_, build::name("sleec_Over")});
+    Tree shared = build::name(all_events);
+    if (has_demand_without_limit()) {
+        const Tree tock = build::name("tock"), wait = build::name(waiting);
+        component = build::rename(component, {{tock, tock}, {tock, wait}});
+        shared = build::call("union", {shared, build::set({wait})});
+    }
+    return build::parallel(component, shared, build::call(idle_process, std::move(not_read)));
+}
+
+Tree Watch::waiting_process() const {
+    return both_showing(build::set({build::name(waiting)}));
+}
+
+Tree Watch::both_showing(const Tree& events) const {
+    return build::hide(parallel_process(), build::call("diff", {build::name("Events"), events}));
+}
+
+DeclPtr Watch::obeyed_assertion() const {
+    const Tree events = build::set({build::name(broken_event), build::name("tock"), build::name(waiting)});
+    return build::assert_refines(build::name("sleec_Seconds"), cspm::Model::traces, both_showing(events));
+}
+
+DeclPtr Watch::never_asked_assertion(const std::vector<std::size_t>& ways) const {
+    Exprs events;
+    for (const std::size_t way : ways)
+        events.push_back(build::dot({build::name(asked_event), build::number(static_cast<std::int64_t>(way))}));
+    return build::assert_refines(build::stop(), cspm::Model::traces, both_showing(build::set(std::move(events))));
+}
+
+}  // namespace robochart::sleec

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// See obligation.hpp.
+#include "claims/sleec/obligations/obligation.hpp"
+
+#include <algorithm>
+
+namespace robochart::sleec {
+namespace {
+
+/// Collects demands from the response in force and from the responses after each `otherwise`.
+class Collector {
+public:
+    Collector(const Valuation& values, WithoutLimit without) : values_(values), without_(without) {}
+
+    std::optional<Obligation> collect_demands(const DutyPtr& duty) {
+        DutyPtr at = in_force(duty);
+        std::int64_t begin = 0;
+        while (at) {
+            if (at->measured) throw NotDecided("a measure decides a limit of time");
+            if (at->to && *at->to < at->from) return std::nullopt;  // a demand with at least 0 seconds is no demand
+            const bool open = !at->to && without_ == WithoutLimit::eventually;
+            const std::int64_t length = at->to.value_or(0);
+            result_.any.push_back(
+                {at->forbids, at->event, begin + at->from, open ? forever : begin + length, at->written});
+            if (!at->otherwise || open) return std::move(result_);
+            begin += length;
+            at = in_force(at->otherwise);
+        }
+        return std::nullopt;  // no demand is left in the end, so the obligation is always fulfilled
+    }
+
+private:
+    /// Returns the response in force. The last defeater whose condition is true decides; then the defeaters of its
+    /// response are evaluated in the same way.
+    DutyPtr in_force(DutyPtr duty) {
+        while (duty) {
+            const CheckedDefeater* last = nullptr;
+            for (const CheckedDefeater& defeater : duty->defeaters) {
+                if (defeater.event)
+                    result_.ended_by.push_back(*defeater.event);
+                else if (evaluate_condition(defeater.condition, values_) != 0)
+                    last = &defeater;
+            }
+            if (last == nullptr) return duty;
+            duty = last->duty;
+        }
+        return nullptr;
+    }
+
+    const Valuation& values_;
+    WithoutLimit without_;
+    Obligation result_;
+};
+
+struct Window {
+    std::int64_t begin, end;
+};
+
+/// True if these windows together cover `window`.
+bool is_covered(Window window, std::vector<Window> by) {
+    std::ranges::sort(by, [](const Window& a, const Window& b) { return a.begin < b.begin; });
+    for (const Window& covering : by) {
+        if (covering.begin > window.begin) return false;
+        if (covering.end == forever || covering.end >= window.end) return true;
+        window.begin = std::max(window.begin, covering.end + 1);
+    }
+    return window.begin > window.end;
+}
+
+/// The windows of the demands of one kind for an event.
+std::vector<Window> demand_windows(const Obligation& obligation, bool forbids, std::size_t event) {
+    std::vector<Window> result;
+    for (const Demand& demand : obligation.any)
+        if (demand.forbids == forbids && demand.event == event) result.push_back({demand.begin, demand.end});
+    return result;
+}
+
+/// True if some prohibition in `of` cannot be broken without violating what is assumed. Outside of the assumed windows,
+/// the event would fulfil a positive demand of the same obligation.
+bool some_prohibition_within(const Obligation& of, std::size_t event, const std::vector<Window>& assumed) {
+    std::vector<Window> closed = demand_windows(of, false, event);
+    closed.insert(closed.end(), assumed.begin(), assumed.end());
+    const std::vector<Window> prohibitions = demand_windows(of, true, event);
+    return std::ranges::any_of(prohibitions, [&](Window prohibition) { return is_covered(prohibition, closed); });
+}
+
+}  // namespace
+
+bool always_fulfilled(const Obligation& obligation) {
+    return std::ranges::any_of(obligation.any, [&](const Demand& demand) {
+        return demand.forbids && some_prohibition_within(obligation, demand.event, {});
+    });
+}
+
+std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit without) {
+    return Collector(values, without).collect_demands(duty);
+}
+
+std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation& values, WithoutLimit without) {
+    if (rule.condition && evaluate_condition(*rule.condition, values) == 0) return std::nullopt;
+    return obligation_of(rule.duty, values, without);
+}
+
+/// A disjunction implies another iff each of its parts does. "E occurs at a second of W" implies the other iff each
+/// second of W is in a window in which the other demands E. "E does not occur in W" implies the other iff the other
+/// forbids E in a window that is covered by W and the windows in which the other demands E. (Otherwise there is a
+/// history in which the part is true, no demanded event of the other occurs in its window, and each forbidden one
+/// does.)
+bool implies(const Obligation& stronger, const Obligation& weaker) {
+    if (always_fulfilled(weaker)) return true;
+    for (const std::size_t event : stronger.ended_by)
+        if (std::ranges::find(weaker.ended_by, event) == weaker.ended_by.end()) return false;
+    return std::ranges::all_of(stronger.any, [&](const Demand& demand) {
+        if (!demand.forbids) return is_covered({demand.begin, demand.end}, demand_windows(weaker, false, demand.event));
+        return some_prohibition_within(weaker, demand.event, {{demand.begin, demand.end}});
+    });
+}
+
+}  // namespace robochart::sleec

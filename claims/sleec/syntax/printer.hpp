@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prints parts of SLEEC trees in the notation of SLEEC-TK, as text that parses to the same tree.
+#pragma once
+
+#include <string>
+
+#include "claims/sleec/syntax/syntax.hpp"
+
+namespace robochart::sleec {
+
+/// A rule on one line, without its name.
+[[nodiscard]] std::string print(const Rule& rule);
+/// A condition; if it contains both `and` and `or`, parentheses show their order.
+[[nodiscard]] std::string print(const ExprPtr& expr);
+/// A response on one line.
+[[nodiscard]] std::string print(const ResponsePtr& response);
+
+}  // namespace robochart::sleec

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Findings of the SLEEC parser, as a table.
+#pragma once
+
+#include "base/diagnostics/diagnostic.hpp"
+
+namespace robochart::sleec::rules {
+
+using diagnostics::Rule;
+
+#define RULE(name, code, severity, message) inline constexpr Rule name{code, diagnostics::Severity::severity, message};
+#include "claims/sleec/syntax/rules.def"
+#undef RULE
+
+/// All rules of the table, in its order.
+inline constexpr const Rule* syntax[] = {
+#define RULE(name, code, severity, message) &name,
+#include "claims/sleec/syntax/rules.def"
+#undef RULE
+};
+
+}  // namespace robochart::sleec::rules
