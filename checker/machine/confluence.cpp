@@ -250,21 +250,17 @@ std::uint32_t Confluence::rarest_component(const WholeRule& rule, const std::vec
     return rarest->slot;
 }
 
-/// Returns the rules in which tracked components perform an event.
-const Confluence::Asking& Confluence::rules_by_event(const Tracked& tracked) {
-    const auto [known, fresh] = asking_.try_emplace(tracked.slots);
-    Asking& made = known->second;
-    if (!fresh) return made;
-    for (const std::uint32_t slot : tracked.slots) {
-        std::vector<ByEvent>& listed = made.emplace_back();
-        for (std::uint32_t event = 0; event < component(slot).alphabet().size(); ++event) {
-            std::vector<RuleNumber> rules;
-            for (const RuleNumber rule : rules_->asking[slot][event])
-                if (rarest_component(rules_->rules[rule], tracked.has) == slot) rules.push_back(rule);
-            if (!rules.empty()) listed.push_back({event, std::move(rules)});
-        }
-    }
-    return made;
+/// Returns the rules in which the tracked component at this place performs the event, unless another tracked component
+/// is rarer in them.
+const std::vector<Confluence::RuleNumber>& Confluence::rules_asking(const Tracked& tracked, std::size_t place,
+                                                                    std::uint32_t event) const {
+    assert(tracked.asking != nullptr && tracked.asking->size() == tracked.slots.size());
+    const auto [known, fresh] = (*tracked.asking)[place].try_emplace(event);
+    if (!fresh) return known->second;
+    const std::uint32_t slot = tracked.slots[place];
+    for (const RuleNumber rule : rules_->asking[slot][event])
+        if (rarest_component(rules_->rules[rule], tracked.has) == slot) known->second.push_back(rule);
+    return known->second;
 }
 
 /// Returns the set that also tracks the parts of another rule. It is the first rule with some untracked parts, but not
@@ -402,7 +398,11 @@ std::uint32_t Confluence::find_answer(std::uint32_t number, Locals state) {
 /// state in which a condition fails is searched breadth first, and no shorter path leads to it. So all states on the
 /// path have the same answer. They have no next query if this one is due to a rule that comes before them.
 std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here, Locals state) {
-    if (tracked_[number].asking == nullptr) tracked_[number].asking = &rules_by_event(tracked_[number]);
+    if (tracked_[number].asking == nullptr) {
+        Asking& asking = asking_[tracked_[number].slots];
+        asking.resize(tracked_[number].slots.size());
+        tracked_[number].asking = &asking;
+    }
     if (!closure_) closure_ = std::make_unique<Closure>(*this);
     Closure& closure = *closure_;
     const bool proved = closure.prove(tracked_[number], state);
@@ -430,7 +430,6 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
 bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
-    assert(tracked.asking != nullptr && tracked.asking->size() == tracked.slots.size());
     if (!is_deterministic(rule, state)) return false;
     const auto leave_it_possible = [&](const std::vector<RuleNumber>& others) {
         return std::ranges::all_of(others, [&](RuleNumber by) {
@@ -449,11 +448,9 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
         const std::uint32_t slot = tracked.slots[place];
         const Local local = state[slot];
         const Component::Edges edges = component(slot).edges(local);
-        auto edge = edges.begin();
-        for (const ByEvent& by_event : (*tracked.asking)[place]) {
-            while (edge != edges.end() && edge->event < by_event.event) ++edge;
-            if (edge == edges.end()) break;
-            if (edge->event == by_event.event && !leave_it_possible(by_event.rules)) return false;
+        for (auto edge = edges.begin(); edge != edges.end(); ++edge) {
+            const bool first_of_event = edge == edges.begin() || std::prev(edge)->event != edge->event;
+            if (first_of_event && !leave_it_possible(rules_asking(tracked, place, edge->event))) return false;
         }
         if (!leave_it_possible(rules_->assigning[slot])) return false;
         const Part* const part = rule.find_part(slot);

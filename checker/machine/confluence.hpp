@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -81,22 +82,17 @@ private:
     using RuleNumber = std::uint32_t;
     /// The states of all components. Only the states of tracked components are read.
     using Locals = std::span<const Local>;
-    /// Rules in which a component performs this event.
-    struct ByEvent {
-        std::uint32_t event = 0;
-        std::vector<RuleNumber> rules;
-    };
     /// The rules in which tracked components perform an event, each rule once. A rule is listed at one of these
-    /// components, by the index of the component and by the event, ascending. The rule can fire only if that component
-    /// can perform the event.
-    using Asking = std::vector<std::vector<ByEvent>>;
+    /// components, by the index of the component and by the event. The rule can fire only if that component can perform
+    /// the event. The rules of an event are listed when a proof first reads a state with this event.
+    using Asking = std::vector<std::unordered_map<std::uint32_t, std::vector<RuleNumber>>>;
     /// A query: a rule and the components whose current states its proofs read, with the statistics of these proofs.
     struct Tracked {
         RuleNumber rule = 0;
         Slots slots;                         ///< ascending: the rule's parts, and further components
         std::vector<std::uint64_t> weights;  ///< weight of each component's state in keys
         std::vector<char> has;               ///< for each slot: whether it is in `slots`
-        const Asking* asking = nullptr;      ///< for the slots; computed for the first proof
+        Asking* asking = nullptr;            ///< for the slots; null before the first proof
         std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
         std::map<std::uint32_t, std::uint64_t> next;  ///< how often each other query followed a failed proof
     };
@@ -126,7 +122,7 @@ private:
     };
     Next find_larger_tracked_set(std::uint32_t number, const std::vector<RuleNumber>& others);
     [[nodiscard]] Slots parts_of(RuleNumber rule) const;
-    const Asking& rules_by_event(const Tracked& tracked);
+    const std::vector<RuleNumber>& rules_asking(const Tracked& tracked, std::size_t place, std::uint32_t event) const;
     [[nodiscard]] std::uint32_t rarest_component(const WholeRule& rule, const std::vector<char>& has) const;
     [[nodiscard]] static std::uint64_t state_key(const Tracked& tracked, Locals state);
 
