@@ -204,7 +204,7 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
     if (assertion.run) shown = fmt::format("<a href=\"#a{}\">{}</a>", number, shown);
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
     if (const std::string_view reason = proof_reason(assertion.statistics.decided_by); !reason.empty())
-        shown += fmt::format("<br>no search was necessary: {}", xml_text(std::string(reason)));
+        shown += fmt::format("<br>{}", xml_text(std::string(reason)));
     shown += basis_list(assertion.basis);
     if (assertion.certificate)
         shown += fmt::format("<br>{}", xml_text(driver::certificate_text(*assertion.certificate)));

@@ -202,7 +202,7 @@ std::string refines_plain(const ScriptAssertion& a, const process::EventTable& e
             "{}:\n    Result: {}\n    Visited States: {}\n    Visited Transitions: {}\n    Visited Plys: {}\n", a.text,
             sentence_of(a.answer), s.states, s.transitions, s.depth);
         if (const std::string_view reason = proof_reason(s.decided_by); !reason.empty())
-            out += fmt::format("    No Search: {}\n", reason);
+            out += fmt::format("    Decided By: {}\n", reason);
         if (a.result.verdict.counterexample) out += plain_counterexample(a, names, options);
     }
     if (a.certificate) out += fmt::format("    {}\n", driver::certificate_text(*a.certificate));

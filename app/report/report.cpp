@@ -72,7 +72,7 @@ std::string symmetry_text(const refine::Statistics& size) {
 
 std::string proof_text(const refine::Statistics& size) {
     const std::string_view reason = proof_reason(size.decided_by);
-    return reason.empty() ? "" : fmt::format("               no search was necessary: {}\n", reason);
+    return reason.empty() ? "" : fmt::format("               {}\n", reason);
 }
 
 /// The assertion whose run is printed, and the other components with the same run.
@@ -405,6 +405,8 @@ std::string_view proof_name(refine::DecidedBy decided_by) {
             return "no tau cycle";
         case refine::DecidedBy::choice_free:
             return "no choice";
+        case refine::DecidedBy::compressed_parts:
+            return "compressed parts";
     }
     return "";
 }
@@ -414,9 +416,11 @@ std::string_view proof_reason(refine::DecidedBy decided_by) {
         case refine::DecidedBy::search:
             return "";
         case refine::DecidedBy::tau_acyclic:
-            return "no cycle of hidden events is possible";
+            return "no search was necessary: no cycle of hidden events is possible";
         case refine::DecidedBy::choice_free:
-            return "no event is hidden, and each event has only one way to happen";
+            return "no search was necessary: no event is hidden, and each event has only one way to happen";
+        case refine::DecidedBy::compressed_parts:
+            return "the parts of the process were compressed before the search";
     }
     return "";
 }

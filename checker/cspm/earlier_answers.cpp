@@ -135,7 +135,9 @@ refine::Verdict check_with_memory(const Question& question, const QuestionKey& k
         }
     }
     refine::Verdict verdict = ask(&findings);
-    if (findings && findings->statistics.states >= memory.fewest_states && all_named(*findings, key.named))
+    const bool long_search = findings && (findings->statistics.states >= memory.fewest_states ||
+                                          findings->statistics.decided_by == refine::DecidedBy::compressed_parts);
+    if (long_search && all_named(*findings, key.named))
         memory.cache->store_entry(key.digest, refine::encode(*findings, key.named));
     return verdict;
 }

@@ -122,6 +122,10 @@ private:
     std::uint64_t most_states_;
 };
 
+/// The number of states after which an assertion is decided with compressed parts, before the other states are
+/// searched.
+constexpr std::uint64_t first_states = 500'000;
+
 /// Truncates a description to one line, without splitting characters.
 std::string truncate_description(std::string text) {
     constexpr std::size_t longest = 80;
@@ -153,6 +157,13 @@ struct Session::Impl {
           loaded(script, &compressor, budget, whole_states),
           compiler(loaded.semantics) {
         compressor.set_compiler(compiler);
+    }
+
+    static machine::Bounds bounds_of_parts() {
+        machine::Bounds bounds;
+        bounds.compressed_states = 20'000;
+        bounds.compress_parts = true;
+        return bounds;
     }
 
     std::unique_ptr<SessionSystem> term_system(process::TermId term, Span span) {
@@ -354,7 +365,7 @@ struct Session::Impl {
     refine::Verdict decide_once(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                 refine::Budget& evaluation) {
         const refine::Model in = model(assertion);
-        const auto ask = [&](refine::Earlier earlier) { return ask_of(both, assertion, in, limits, earlier); };
+        const auto ask = [&](refine::Earlier earlier) { return ask_in_turns(both, assertion, in, limits, earlier); };
         if (limits.by_levels != nullptr) return decide_by_levels(both, assertion, limits, evaluation, ask);
         if (memory.cache == nullptr || assertion.assertion.kind == AssertionKind::has_trace) return ask(nullptr);
         const Question question = question_of(both, assertion, limits);
@@ -508,6 +519,56 @@ struct Session::Impl {
     static std::size_t most_kept_in(std::uint64_t memory_bytes) {
         constexpr std::uint64_t fewest = 20'000, most = 400'000;
         return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
+    }
+
+    /// Asks for an answer. If the first states do not give it, the assertion is decided with compressed parts, which
+    /// preserve T, F and FD; such an answer counts only if it is `holds`, because a violation needs a run of the whole
+    /// process. Otherwise all states are searched (docs/search.md, "Compressed parts").
+    refine::Verdict ask_in_turns(const Sides& both, const Decl& assertion, refine::Model in,
+                                 const refine::Limits& limits, refine::Earlier earlier) {
+        const bool known = earlier != nullptr && *earlier;
+        if (known || !limits.reduction || limits.by_levels != nullptr || limits.max_states <= first_states ||
+            assertion.assertion.kind == AssertionKind::has_trace)
+            return ask_of(both, assertion, in, limits, earlier);
+        refine::Limits first = limits;
+        first.max_states = first_states;
+        first.first_of_two = true;
+        refine::Verdict verdict = ask_of(both, assertion, in, first, earlier);
+        if (verdict.outcome != refine::Outcome::inconclusive) return verdict;
+        if (auto found = ask_of_parts(assertion, in, first)) {
+            found->statistics.seconds += verdict.statistics.seconds;
+            if (earlier != nullptr) *earlier = refine::Findings{found->statistics, std::nullopt};
+            return *found;
+        }
+        return ask_of(both, assertion, in, limits, earlier);
+    }
+
+    /// The assertion with compressed parts. No value if it does not hold, if compression makes the parts hardly
+    /// smaller, or if a limit is reached.
+    std::optional<refine::Verdict> ask_of_parts(const Decl& assertion, refine::Model in, refine::Limits limits) {
+        constexpr double least_shrinkage = 16;
+        limits.progress = {};
+        refine::Budget budget(limits);
+        machine::Compiler parts(loaded.semantics, bounds_of_parts());
+        parts.add_components_of(compiler);
+        CompilationBudget compilation_budget(parts, budget);
+        const auto side = [&](const ExprPtr& expr) -> std::unique_ptr<lts::TransitionSystem> {
+            if (!expr) return nullptr;
+            const process::TermId term = loaded.term_of(loaded.compile_side(expr, assertion));
+            if (auto compiled = parts.compile(term, compilation_budget)) return compiled;
+            return system(term, expr->span, compilation_budget);
+        };
+        try {
+            const Sides both{side(assertion.assertion.specification), side(assertion.assertion.implementation)};
+            if (parts.shrinkage() < least_shrinkage) return std::nullopt;
+            refine::Verdict verdict = ask_of(both, assertion, in, limits, nullptr);
+            if (verdict.outcome != refine::Outcome::holds) return std::nullopt;
+            verdict.statistics.decided_by = refine::DecidedBy::compressed_parts;
+            verdict.statistics.seconds = budget.seconds();
+            return verdict;
+        } catch (const process::Interrupted&) {
+            return std::nullopt;  // if it was a limit of the whole check, the next search meets it again
+        }
     }
 
     refine::Verdict ask_of(const Sides& both, const Decl& assertion, refine::Model in, const refine::Limits& limits,

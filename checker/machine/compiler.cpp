@@ -11,6 +11,7 @@
 #include "checker/machine/explicit_machine.hpp"
 #include "checker/machine/not_compiled.hpp"
 #include "checker/machine/unminimised_system.hpp"
+#include "checker/process/operators.hpp"
 #include "checker/process/refusal.hpp"
 
 namespace robochart::machine {
@@ -117,6 +118,52 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
                     use(region.participants[who], event);
     }
     return used;
+}
+
+/// Counts the calls of a function that are under way.
+class DepthGuard {
+public:
+    explicit DepthGuard(std::size_t& depth) : depth_(depth) { ++depth_; }
+    DepthGuard(const DepthGuard&) = delete;
+    DepthGuard& operator=(const DepthGuard&) = delete;
+    ~DepthGuard() { --depth_; }
+
+private:
+    std::size_t& depth_;
+};
+
+ComponentPtr component_of(process::Machine machine) {
+    std::vector<std::vector<Component::RawEdge>> rows;
+    for (const auto& edges : machine.edges) {
+        auto& row = rows.emplace_back();
+        for (const process::Machine::Edge& edge : edges) row.push_back({edge.event, edge.event, edge.target});
+    }
+    return std::make_shared<const Component>(rows, std::move(machine.meaning));
+}
+
+/// Returns the outermost operands of parallel operators that hide events.
+std::vector<TermId> hiding_operands(const Skeleton& skeleton) {
+    std::vector<bool> hides(skeleton.nodes.size());
+    for (std::size_t id = skeleton.nodes.size(); id-- > 0;) {  // children follow their parents
+        const Node& node = skeleton.nodes[id];
+        hides[id] = node.kind == Node::Kind::operation &&
+                    (node.op == Op::hide || std::ranges::any_of(node.children, [&](NodeId i) { return hides[i]; }));
+    }
+    std::vector<TermId> result;
+    std::vector<NodeId> open{0};
+    while (!open.empty()) {
+        const Node& node = skeleton.nodes[open.back()];
+        open.pop_back();
+        const bool parallel = process::properties_of(node.op).group == process::OpGroup::parallel;
+        for (const NodeId child : node.children) {
+            if (!hides[child]) continue;
+            if (parallel)
+                result.push_back(skeleton.nodes[child].term);
+            else
+                open.push_back(child);
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -242,6 +289,52 @@ ComponentPtr Compiler::region(TermId term, diagnostics::Pollable& budget) {
                minimise_component(RowCollector(*system, term, bounds_.compressed_states).run(budget), budget);
 }
 
+/// Adds the largest parts of the process that can be compressed: operands of parallel operators that hide events. An
+/// operand with too many states is searched for smaller parts.
+void Compiler::find_parts(TermId term, std::set<TermId>& parts, diagnostics::Pollable& budget) {
+    constexpr std::size_t deepest_part = 50;
+    const DepthGuard guard(depth_of_parts_);
+    if (depth_of_parts_ > deepest_part) return;
+    const std::optional<Skeleton> skeleton = this->skeleton(term, parts, budget);
+    if (!skeleton) return;
+    for (const TermId operand : hiding_operands(*skeleton)) {
+        if (compress_part(operand, budget))
+            parts.insert(operand);
+        else
+            find_parts(operand, parts, budget);
+    }
+}
+
+/// Makes a component of the part: its quotient under branching bisimilarity that respects divergence, which is a
+/// congruence for all operators above it (bisimulation.hpp). Returns false if the part has too many states, or the
+/// parts before it have, or if it is one component already.
+bool Compiler::compress_part(TermId term, diagnostics::Pollable& budget) {
+    if (const auto known = parts_.find(term); known != parts_.end()) return known->second;
+    if (states_of_parts_ > bounds_.part_states || components_.contains(term)) return false;
+    parts_[term] = false;
+    try {
+        const auto explored = explore(term, lts::Equivalence::branching_with_divergence, budget);
+        if (!explored) return false;
+        states_of_parts_ += explored->meaning.size();
+        components_[term] =
+            component_of(process::BisimulationCompressor().compress(*explored, process::Compression::dbisim, budget));
+        shrinkage_ *= static_cast<double>(explored->meaning.size()) / static_cast<double>(components_[term]->size());
+    } catch (const process::TooManyStates&) {
+        states_of_parts_ += bounds_.compressed_states;
+        return false;
+    }
+    return parts_[term] = true;
+}
+
+void Compiler::add_components_of(const Compiler& other) {
+    for (const auto& [term, component] : other.components_)
+        if (!other.regions_.contains(term)) components_.emplace(term, component);
+}
+
+bool Compiler::has_compressed_parts() const {
+    return std::ranges::any_of(parts_, [](const auto& part) { return part.second; });
+}
+
 /// Returns the component before its minimisation. The components of a region are not minimised either.
 ComponentPtr Compiler::unminimised_component(const Node& node, diagnostics::Pollable& budget) {
     if (node.kind == Node::Kind::gate) return make_gate(node);
@@ -280,12 +373,15 @@ std::unique_ptr<lts::FinerSystem> Compiler::finer_system(const Skeleton& skeleto
 std::unique_ptr<SupercombinatorSystem> Compiler::compile(TermId term, diagnostics::Pollable& budget) {
     stage_ = {};
     return process::unless_refused([&]() -> std::unique_ptr<SupercombinatorSystem> {
-        std::optional<Skeleton> skeleton = this->skeleton(term, {}, budget);
+        std::set<TermId> leaves;
+        if (bounds_.compress_parts) find_parts(term, leaves, budget);
+        std::optional<Skeleton> skeleton = this->skeleton(term, leaves, budget);
         if (!skeleton || (skeleton->prefixes > few_prefixes && is_small(term, budget))) return nullptr;
         std::vector<ComponentPtr> components = this->components(*skeleton, budget);
         const std::set<TermId> regions = small_regions(*skeleton, components);
         for (const TermId prioritised : regions) region(prioritised, budget);
-        if (auto simpler = this->skeleton(term, regions, budget)) {
+        leaves.insert(regions.begin(), regions.end());
+        if (auto simpler = this->skeleton(term, leaves, budget)) {
             skeleton = std::move(simpler);
             components = this->components(*skeleton, budget);
         }
@@ -303,7 +399,7 @@ std::unique_ptr<SupercombinatorSystem> Compiler::combine_components(Skeleton ske
     list_leading(combined, budget);
     const auto minimised = std::make_shared<const Supercombinator>(std::move(combined));
     auto system = std::make_unique<SupercombinatorSystem>(minimised, terms);
-    if (bounds_.minimised_states == 0) return system;
+    if (bounds_.minimised_states == 0 || bounds_.compress_parts) return system;
     const auto operators = std::make_shared<const Skeleton>(std::move(skeleton));
     system->set_finer_system([this, operators, minimised](diagnostics::Pollable& polled) {
         return process::unless_refused([&] { return finer_system(*operators, minimised, polled); });

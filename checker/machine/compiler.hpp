@@ -31,6 +31,11 @@ struct Bounds {
     /// A compression is omitted if its operand has more states than this. States that the reduction by confluent taus
     /// removes do not count if the compression permits the reduction.
     std::size_t compressed_states = 2'000'000;
+    /// Whether the operands of parallel operators that hide events are compressed before they are combined (inductive
+    /// compression; docs/search.md, "Compressed parts"). Preserves T, F and FD, but not the steps of a run.
+    bool compress_parts = false;
+    /// With `compress_parts`: the most states of all parts together.
+    std::size_t part_states = 200'000;
 };
 
 /// Compiles terms of one store. Compiles processes. It stores their components, so that equal terms are explored once.
@@ -44,6 +49,12 @@ public:
     /// too many rules. The compiler must outlive the finer systems of the result. Polls the budget and passes on
     /// process::Interrupted.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, diagnostics::Pollable& budget);
+    /// Uses the components that another compiler of the same terms has explored, but not its compiled processes.
+    void add_components_of(const Compiler& other);
+    /// Whether a part of some compiled process was compressed (Bounds::compress_parts).
+    [[nodiscard]] bool has_compressed_parts() const;
+    /// The product, over these parts, of the number of their states divided by the number after compression.
+    [[nodiscard]] double shrinkage() const { return shrinkage_; }
     /// The current or last exploration; for progress and for the description of a limit.
     struct Stage {
         std::optional<TermId> component;
@@ -66,6 +77,8 @@ private:
     std::vector<ComponentPtr> components(const Skeleton& skeleton, diagnostics::Pollable& budget);
     std::set<TermId> small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const;
     ComponentPtr region(TermId term, diagnostics::Pollable& budget);
+    void find_parts(TermId term, std::set<TermId>& parts, diagnostics::Pollable& budget);
+    bool compress_part(TermId term, diagnostics::Pollable& budget);
     std::unique_ptr<SupercombinatorSystem> combine_components(Skeleton skeleton, std::vector<ComponentPtr> components,
                                                               diagnostics::Pollable& budget);
     ComponentPtr unminimised_component(const Node& node, diagnostics::Pollable& budget);
@@ -79,7 +92,11 @@ private:
     process::OperationalSemantics& semantics_;
     Bounds bounds_;
     std::map<TermId, ComponentPtr> components_;
-    std::set<TermId> regions_;  ///< the components that are compiled processes
+    std::set<TermId> regions_;         ///< the components that are compiled processes
+    std::map<TermId, bool> parts_;     ///< the parts that were tried: whether the component is the compressed part
+    std::size_t states_of_parts_ = 0;  ///< before compression
+    std::size_t depth_of_parts_ = 0;
+    double shrinkage_ = 1;
     Stage stage_;
 };
 

@@ -343,7 +343,7 @@ assert Ring :[deadlock free [F]]
                 AllOf(HasSubstr("no search was necessary: no cycle of hidden events is possible\n"),
                       HasSubstr("no search was necessary: no event is hidden, and each event has only one way")));
     EXPECT_THAT(run({"cspm", script.path(), "--format", "plain"}).out,
-                HasSubstr("No Search: no cycle of hidden events"));
+                HasSubstr("Decided By: no search was necessary: no cycle of hidden events"));
     for (const Json& result : refines(script.path(), {"--no-reduction"})["results"]) {
         EXPECT_EQ(result["decided_by"], "search");
         EXPECT_GT(result["visited_states"], 1);

@@ -39,6 +39,7 @@ struct Limits : diagnostics::Limits {
     /// Whether static proofs replace searches, and searches skip states by confluence and symmetry (docs/search.md).
     /// Verdicts do not depend on it.
     bool reduction = false;
+    bool first_of_two = false;  ///< another search follows if a limit ends this one, so no partial answer is looked for
     /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
     /// depend on it.
     LevelStrategy* by_levels = nullptr;
@@ -51,9 +52,10 @@ struct Limits : diagnostics::Limits {
 
 /// How an answer was found (docs/search.md, "Static proofs").
 enum class DecidedBy : std::uint8_t {
-    search,       ///< states were searched
-    tau_acyclic,  ///< the rules of the process exclude cycles of taus
-    choice_free,  ///< the rules of the process exclude taus and choices between transitions with the same event
+    search,            ///< states were searched
+    tau_acyclic,       ///< the rules of the process exclude cycles of taus
+    choice_free,       ///< the rules of the process exclude taus and choices between transitions with the same event
+    compressed_parts,  ///< states were searched after the parts of the processes were compressed
 };
 
 /// The size of a search.

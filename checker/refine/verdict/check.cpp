@@ -42,7 +42,7 @@ using Question = std::function<void(Budget&, Verdict&)>;
 
 void search_first_states(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                          const Question& question, Verdict& verdict) {
-    const bool open = verdict.statistics.divergence_open && limits.max_states > first_states;
+    const bool open = verdict.statistics.divergence_open && limits.max_states > first_states && !limits.first_of_two;
     if (!open || limits.by_levels != nullptr) return;
     Limits few = limits;
     few.max_states = first_states;

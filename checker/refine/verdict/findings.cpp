@@ -115,7 +115,7 @@ std::optional<Findings> decode(std::string_view bytes, const EventSet& named, st
     try {
         Findings findings;
         Statistics& size = findings.statistics;
-        constexpr auto ways = static_cast<std::uint64_t>(DecidedBy::choice_free) + 1;
+        constexpr auto ways = static_cast<std::uint64_t>(DecidedBy::compressed_parts) + 1;
         size.decided_by = static_cast<DecidedBy>(in.number_below(ways));
         for (std::uint64_t* value : {&size.states, &size.transitions, &size.depth, &size.spec_nodes, &size.chased,
                                      &size.replicas, &size.distinguished})

@@ -325,6 +325,38 @@ z = let v = 1/0 within v + v
         }
 }
 
+// Each part chooses a hidden event about 100 times between two visible ones, so the parts together have more than
+// 1,000,000 states. A compressed part has one state.
+TEST(SessionTest, PartsAreCompressedIfManyStatesGiveNoAnswer) {
+    const Reading reading(R"(channel h : {0..1}
+channel a, b, c
+Steps(n, k, most, e) = if n == most then e -> Steps(0, 0, most, e) else h?i -> Steps(n + 1, i, most, e)
+Echo = h?i -> Echo
+Part(most, e) = (Steps(0, 0, most, e) [| {|h|} |] Echo) \ {|h|}
+Parts = Part(100, a) ||| Part(101, b) ||| Part(99, c)
+Two = a -> Two [] b -> Two
+Three = a -> Three [] b -> Three [] c -> Three
+assert Three [FD= Parts
+assert Two [T= Parts
+)");
+    Session session(reading.script);
+    refine::Limits limits;
+    limits.reduction = true;
+    const auto assertions = session.assertions();
+    const refine::Verdict holds = session.check(*assertions.at(0), limits).verdict;
+    EXPECT_EQ(holds.outcome, refine::Outcome::holds) << holds.reason;
+    EXPECT_EQ(holds.statistics.decided_by, refine::DecidedBy::compressed_parts);
+    EXPECT_LT(holds.statistics.states, 10U);
+    // A violation has its run: c happens after 99 hidden steps.
+    const refine::Verdict fails = session.check(*assertions.at(1), limits).verdict;
+    ASSERT_EQ(fails.outcome, refine::Outcome::fails) << fails.reason;
+    EXPECT_EQ(fails.statistics.decided_by, refine::DecidedBy::search);
+    EXPECT_EQ(fails.counterexample->steps.size(), 100U);
+    limits.reduction = false;
+    limits.max_states = 100'000;
+    EXPECT_EQ(session.check(*assertions.at(0), limits).verdict.outcome, refine::Outcome::inconclusive);
+}
+
 TEST(SessionTest, RoboToolTimedAssertions) {
     const auto shared = shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
