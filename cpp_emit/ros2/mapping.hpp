@@ -111,10 +111,17 @@ struct Deadline {
     Word topic;  ///< or the operation
 };
 
+/// `parameter SPEED as "max_speed"`: the name of the ROS parameter of a constant.
+struct ParameterName {
+    Word constant;  ///< `SPEED` or `P::M::SPEED`
+    Word parameter;
+};
+
 struct Mapping {
     Word component;
     std::vector<Item> items;
     std::vector<Deadline> deadlines;
+    std::vector<ParameterName> parameters;
     /// `on deactivate publish geometry_msgs/Twist on "cmd_vel" { ... }`. The element has no name.
     std::vector<Item> farewells;
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names the parameters of constants whose values come from options of the generator and not from the model.
+#include "cpp_emit/ros2/node_constants.hpp"
+
 #include <map>
 
-#include "cpp_emit/ros2/node_files.hpp"
+#include "cpp_emit/ros2/mapping.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
@@ -21,12 +22,21 @@ std::string parameter_of(const std::string& path, const std::map<std::string, in
 
 }  // namespace
 
+bool names_constant(const std::string& name, const std::string& path) {
+    return path == name || (path.ends_with(name) && path.ends_with("::" + name));
+}
+
 std::vector<NodeConstant> node_constants(const Generation& generation) {
     const std::vector<OpenConstant> open = open_constants(generation);
     std::map<std::string, int> ends;
     for (const OpenConstant& constant : open) ++ends[constant.path.substr(constant.path.rfind(':') + 1)];
     std::vector<NodeConstant> result;
     for (const OpenConstant& constant : open) result.push_back({constant, parameter_of(constant.path, ends)});
+    const Mapping* const mapping = generation.options.mapping;
+    if (mapping == nullptr) return result;
+    for (const ParameterName& given : mapping->parameters)
+        for (NodeConstant& constant : result)
+            if (names_constant(given.constant.text, constant.path)) constant.parameter = given.parameter.text;
     return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include "cpp_emit/ros2/field_code.hpp"
 #include "cpp_emit/ros2/model_values.hpp"
+#include "cpp_emit/ros2/node_constants.hpp"
 
 namespace robochart::cpp_emit::ros2 {
 
@@ -141,6 +142,8 @@ private:
         out_.line("void cycle();");
         out_.line("void connect_outbox();");
         out_.line("void publish();");
+        out_.line("[[nodiscard]] ::robochart::ros2::Health::Facts facts() const;");
+        out_.line("void report_health(unsigned char level, const char* text) noexcept;");
         if (!plan_.farewells.empty()) out_.line("void say_farewell() noexcept;");
         out_.line("template <class Publisher, class Message>");
         out_.line("void send(const Publisher& publisher, const Message& message) noexcept;");
@@ -168,6 +171,9 @@ private:
         out_.line("double seconds_ = 0;");
         if (generation_.options.unit) out_.line("double scale_ = 1;");
         out_.line("::robochart::ros2::Pace pace_;");
+        out_.line("::robochart::ros2::Health health_;");
+        out_.line(
+            "::rclcpp_lifecycle::LifecyclePublisher<::diagnostic_msgs::msg::DiagnosticArray>::SharedPtr diagnostics_;");
         out_.line("std::string log_file_;");
         if (!constants_.empty())
             out_.line_with_doc("std::string changed_;", "constants that are not those of the generated code");
@@ -303,6 +309,9 @@ private:
         out_.line("robot_->reset();");
         out_.line("if (!open_log()) return CallbackReturn::FAILURE;");
         for (const Topic& topic : plan_.topics) write_connection(topic);
+        out_.line(
+            "diagnostics_ = create_publisher<::diagnostic_msgs::msg::DiagnosticArray>(\"/diagnostics\", "
+            "::rclcpp::QoS(10).reliable().durability_volatile());");
         out_.line("return CallbackReturn::SUCCESS;");
         out_.close();
     }
@@ -382,6 +391,7 @@ private:
         out_.line("active_ = false;");
         out_.line("timer_.reset();");
         if (!plan_.farewells.empty()) out_.line("say_farewell();");
+        out_.line("if (!ended_) report_health(::robochart::ros2::Health::Status::OK, \"inactive\");");
         out_.line("pace_.pause(now());");
         std::set<std::string> flags;
         for (const Incoming& incoming : plan_.incoming)
@@ -409,6 +419,8 @@ private:
         out_.line("ended_ = false;");
         out_.line("timer_.reset();");
         out_.line("pace_ = {};");
+        out_.line("health_ = {};");
+        out_.line("diagnostics_.reset();");
         for (const Topic& topic : plan_.topics) out_.line(fmt::format("{}_.reset();", topic.member));
         for (const std::string& last : last_)
             if (!last.empty()) out_.line(fmt::format("{}.reset();", last));
@@ -556,7 +568,9 @@ private:
         for (const Silence& silence : plan_.silences)
             out_.line(fmt::format("if ({}_.is_due(now(), {})) robot_->{}();", silence.member, silence.seconds,
                                   silence.event->method));
-        out_.open("if (const std::int64_t lost = pace_.count_lost(now(), seconds_); lost > 0) {");
+        out_.line("const std::int64_t lost = pace_.count_lost(now(), seconds_);");
+        out_.line("health_.count_cycle(lost);");
+        out_.open("if (lost > 0) {");
         out_.line("RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000,");
         out_.line("                     \"%s control cycles are lost: the model's clocks and deadlines are late\",");
         out_.line("                     std::to_string(lost).c_str());");
@@ -569,16 +583,38 @@ private:
         out_.line(
             "    RCLCPP_ERROR_THROTTLE(get_logger(), *get_clock(), 5000, \"cannot write %s\", log_file_.c_str());");
         out_.line("#endif");
-        out_.line("if (result == ::robochart::StepResult::quiescent) return;");
+        out_.open("if (result == ::robochart::StepResult::quiescent) {");
+        out_.line("if (health_.is_due(now())) send(diagnostics_, health_.report_cycles(now(), get_name(), facts()));");
+        out_.line("return;");
+        out_.close();
         out_.line("ended_ = true;");
         out_.line("timer_->cancel();");
         if (!plan_.farewells.empty()) out_.line("say_farewell();");
         out_.open("if (result == ::robochart::StepResult::terminated) {");
         out_.line("RCLCPP_INFO(get_logger(), \"the controller has terminated\");");
+        out_.line("report_health(::robochart::ros2::Health::Status::OK, \"terminated\");");
         out_.line("return;");
         out_.close();
         out_.line(
             "RCLCPP_ERROR(get_logger(), \"the controller cannot go on (StepResult %d)\", static_cast<int>(result));");
+        out_.line("report_health(::robochart::ros2::Health::Status::ERROR, \"the controller cannot go on\");");
+        out_.close();
+        write_health();
+    }
+
+    /// The node reports its health as the controller does its cycles.
+    void write_health() {
+        out_.gap();
+        out_.open(fmt::format("::robochart::ros2::Health::Facts {}::facts() const {{", node_));
+        std::vector<std::string> states;
+        for (const StateTopic& state : plan_.states)
+            states.push_back(
+                fmt::format("{{\"{0}\", {1}::name(robot_->{0}())}}", state.machine->method, api_.cpp_name));
+        out_.line(fmt::format("return {{{}}};", fmt::join(states, ", ")));
+        out_.close();
+        out_.gap();
+        out_.open(fmt::format("void {}::report_health(unsigned char level, const char* text) noexcept {{", node_));
+        out_.line("send(diagnostics_, health_.report(now(), get_name(), level, text, facts()));");
         out_.close();
     }
 

@@ -6,16 +6,9 @@
 #include <vector>
 
 #include "cpp_emit/api/class_api.hpp"
-#include "cpp_emit/files/open_constants.hpp"
 #include "cpp_emit/ros2/node_plan.hpp"
 
 namespace robochart::cpp_emit::ros2 {
-
-/// A constant without a value in the model. The generated code contains a value, and the node rejects any other value.
-struct NodeConstant : OpenConstant {
-    std::string parameter;  ///< name of the ROS parameter: "constants.SPEED"
-};
-[[nodiscard]] std::vector<NodeConstant> node_constants(const Generation&);
 
 [[nodiscard]] std::string messages_header(const Generation&, const Core&, const ClassApi&, const NodePlan&);
 [[nodiscard]] std::string node_header(const Generation&, const Core&, const ClassApi&, const NodePlan&);

@@ -13,6 +13,7 @@
 #include "cpp_emit/ros2/elements.hpp"
 #include "cpp_emit/ros2/messages.hpp"
 #include "cpp_emit/ros2/model_values.hpp"
+#include "cpp_emit/ros2/node_constants.hpp"
 #include "cpp_emit/ros2/ros_names.hpp"
 #include "cpp_emit/ros2/rules.hpp"
 
@@ -57,6 +58,7 @@ public:
         if (mapping != nullptr) {
             match_items(*mapping, elements);
             match_deadlines(*mapping, elements);
+            match_parameters(*mapping);
         }
         for (const ApiMachine& machine : api_.machines)
             plan_.states.push_back({&machine, topic_index({"~/" + topic_part(machine.method, style_),
@@ -134,6 +136,37 @@ private:
                 found->deadline = &deadline;
             }
         }
+    }
+
+    /// A parameter is the name of one constant, and a constant has one parameter.
+    void match_parameters(const Mapping& mapping) {
+        const std::vector<NodeConstant> constants = node_constants(generation_);
+        std::set<std::string> paths;
+        for (const ParameterName& given : mapping.parameters) {
+            std::vector<std::string> known, found;
+            for (const NodeConstant& constant : constants) {
+                known.push_back(constant.path.substr(constant.path.rfind(':') + 1));
+                if (names_constant(given.constant.text, constant.path)) found.push_back(constant.path);
+            }
+            if (found.empty()) {
+                diagnostics_.report(rules::unknown_name, given.constant.span,
+                                    {fmt::format("'{}'", generation_.component.name), "constant without a value",
+                                     given.constant.text, suggest_name(given.constant.text, known)});
+            } else if (found.size() > 1) {
+                diagnostics_.report(rules::unknown_name, given.constant.span,
+                                    {fmt::format("'{}'", generation_.component.name), "single constant",
+                                     given.constant.text, fmt::format("; write {}", fmt::join(found, " or "))});
+            } else if (!paths.insert(found.front()).second) {
+                diagnostics_.report(rules::said_twice, given.constant.span,
+                                    {fmt::format("constant '{}'", found.front())});
+            }
+        }
+        std::map<std::string, int> names;
+        for (const NodeConstant& constant : constants) ++names[constant.parameter];
+        for (const ParameterName& given : mapping.parameters)
+            if (const auto name = names.find(given.parameter.text); name != names.end() && name->second > 1)
+                diagnostics_.report(rules::said_twice, given.parameter.span,
+                                    {fmt::format("parameter '{}'", given.parameter.text)});
     }
 
     /// The topic of a deadline is one that another item receives.
@@ -601,7 +634,7 @@ private:
     }
 
     void collect_packages() {
-        std::set<std::string> names{"rcl_interfaces", "std_msgs"};
+        std::set<std::string> names{"diagnostic_msgs", "rcl_interfaces", "std_msgs"};
         for (const Topic& topic : plan_.topics) names.insert(topic.message.package);
         if (plan_.is_stamped()) names.insert("builtin_interfaces");
         plan_.packages.assign(names.begin(), names.end());

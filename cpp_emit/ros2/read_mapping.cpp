@@ -39,10 +39,12 @@ public:
 private:
     void read_item(Mapping& mapping) {
         if (take_word("on")) return mapping.farewells.push_back(read_farewell());
+        if (take_word("parameter")) return mapping.parameters.push_back(read_parameter());
         Item item;
         if (take_word("call")) item.transport = Transport::service;
         item.published = item.transport == Transport::service || take_word("publish");
-        if (!item.published && !take_word("receive")) fail_expecting("'publish', 'receive', 'call', 'on' or '}'");
+        if (!item.published && !take_word("receive"))
+            fail_expecting("'publish', 'receive', 'call', 'on', 'parameter' or '}'");
         read_element(item);
         if (!has_failed() && item.transport == Transport::service && item.kind != ElementKind::operation)
             report(rules::wrong_name, item.element.span,
@@ -72,6 +74,17 @@ private:
         item.message = read_message();
         read_rest(item);
         return item;
+    }
+
+    /// Parses `SPEED as "max_speed"`.
+    ParameterName read_parameter() {
+        ParameterName result;
+        result.constant = qualified_name("a constant of the model");
+        expect_word("as");
+        const Span begin = current_token().span;
+        result.parameter = {read_quoted("a parameter in quotes"), begin};
+        report_invalid("parameter", result.parameter, wrong_parameter(result.parameter.text));
+        return result;
     }
 
     /// Parses `0.5 on "scan"` or `5 of dock`.

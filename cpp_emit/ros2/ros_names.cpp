@@ -35,7 +35,7 @@ std::string wrong_small_name(std::string_view name) {
 
 /// Whether the topic belongs to ROS itself, so that a node must not publish on it.
 bool is_ros_topic(std::string_view topic) {
-    static constexpr std::array names = {"rosout", "parameter_events", "clock", "~/transition_event"};
+    static constexpr std::array names = {"rosout", "parameter_events", "clock", "diagnostics", "~/transition_event"};
     if (topic.starts_with('/')) topic.remove_prefix(1);
     return std::ranges::find(names, topic) != names.end();
 }
@@ -83,6 +83,21 @@ std::string wrong_topic(std::string_view name) {
         fresh = c == '/';
     }
     return rest.find("__") != std::string_view::npos ? "it must not contain a double underscore" : "";
+}
+
+std::string wrong_parameter(std::string_view name) {
+    static constexpr std::array names = {"cycle", "cycle_scale", "log", "use_sim_time"};
+    if (name.size() > longest_name) return "it is too long";
+    if (std::ranges::find(names, name) != names.end() || name.starts_with("qos_overrides."))
+        return "it is a parameter of the node itself";
+    bool fresh = true;
+    for (const char c : name) {
+        if (fresh && !is_small(c) && !is_large(c)) return "each part must begin with a letter";
+        if (!is_small(c) && !is_large(c) && !is_digit(c) && c != '_' && c != '.')
+            return "it may contain only letters, digits, underscores, and dots between its parts";
+        fresh = c == '.';
+    }
+    return fresh ? "it must end with a name" : "";
 }
 
 std::string topic_part(std::string_view name, NameStyle style) {

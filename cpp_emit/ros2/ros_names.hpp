@@ -13,6 +13,7 @@ namespace robochart::cpp_emit::ros2 {
 [[nodiscard]] std::string wrong_message(std::string_view name);
 [[nodiscard]] std::string wrong_field(std::string_view name);
 /// Topics such as `cmd_vel`, `/robot/cmd_vel`, `~/state`, without substitutions.
+[[nodiscard]] std::string wrong_parameter(std::string_view name);
 [[nodiscard]] std::string wrong_topic(std::string_view name);
 
 /// Names of nodes, topics and files.

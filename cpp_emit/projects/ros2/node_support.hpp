@@ -8,7 +8,10 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
+#include <diagnostic_msgs/msg/diagnostic_array.hpp>
 #include <rcl_interfaces/msg/parameter_descriptor.hpp>
 #include <rclcpp/rclcpp.hpp>
 
@@ -163,6 +166,58 @@ public:
 
 private:
     std::optional<::rclcpp::Time> last_, paused_;
+};
+
+/// What the node says of itself on /diagnostics: once in a second, and when its controller stops.
+class Health {
+public:
+    using Status = ::diagnostic_msgs::msg::DiagnosticStatus;
+    using Facts = std::vector<std::pair<const char*, std::string>>;
+
+    void count_cycle(std::int64_t lost) {
+        ++cycles_;
+        lost_ += lost;
+        late_ = late_ || lost > 0;
+    }
+    [[nodiscard]] bool is_due(const ::rclcpp::Time& now) const {
+        if (!last_) return true;
+        const double elapsed = (now - *last_).seconds();
+        return elapsed < 0 || elapsed >= 1;  // the clock of a simulation may go back
+    }
+    /// A report of the cycles since the last one.
+    [[nodiscard]] ::diagnostic_msgs::msg::DiagnosticArray report_cycles(const ::rclcpp::Time& now, const char* node,
+                                                                        const Facts& facts) {
+        const bool late = std::exchange(late_, false);
+        return report(now, node, late ? Status::WARN : Status::OK, late ? "lost control cycles" : "active", facts);
+    }
+    [[nodiscard]] ::diagnostic_msgs::msg::DiagnosticArray report(const ::rclcpp::Time& now, const char* node,
+                                                                 unsigned char level, const char* message,
+                                                                 const Facts& facts) {
+        last_ = now;
+        ::diagnostic_msgs::msg::DiagnosticArray array;
+        array.header.stamp = now;
+        array.status.resize(1);
+        Status& status = array.status.front();
+        status.level = level;
+        status.name = std::string(node) + ": controller";
+        status.message = message;
+        status.hardware_id = "none";
+        const auto add = [&status](const char* key, const std::string& value) {
+            status.values.emplace_back();
+            status.values.back().key = key;
+            status.values.back().value = value;
+        };
+        for (const auto& [key, value] : facts) add(key, value);
+        add("cycles", std::to_string(cycles_));
+        add("lost cycles", std::to_string(lost_));
+        return array;
+    }
+
+private:
+    std::optional<::rclcpp::Time> last_;
+    std::int64_t cycles_ = 0;
+    std::int64_t lost_ = 0;
+    bool late_ = false;  ///< cycles have been lost since the last report
 };
 
 /// A topic from which a message must arrive from time to time.

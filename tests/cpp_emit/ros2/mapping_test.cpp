@@ -65,7 +65,7 @@ TEST_P(WrongMapping, IsSaidWithItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Syntax, WrongMapping,
     ::testing::Values(
-        Row{"move", "RC-R01 2:1 expected 'publish', 'receive', 'call', 'on' or '}', found 'move'\n"},
+        Row{"move", "RC-R01 2:1 expected 'publish', 'receive', 'call', 'on', 'parameter' or '}', found 'move'\n"},
         Row{"publish move", "RC-R01 2:9 expected 'operation', 'event' or 'variable', found 'move'\n"},
         Row{"publish operation move on", "RC-R01 2:24 expected 'as', found 'on'\n"},
         Row{"publish operation stop as Twist on \"t\"", "RC-R01 2:33 expected '/', found 'on'\n"},

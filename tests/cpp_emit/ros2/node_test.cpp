@@ -601,7 +601,8 @@ int main() {
     EXPECT(network.quality["/mod/in/bump"] == "reliable, volatile, 10");
     EXPECT(network.quality["/mod/seen"] == "best_effort, volatile, 1");
     EXPECT(network.quality["/done"] == "reliable, transient_local, 10");
-    EXPECT(network.policies.size() == network.quality.size());
+    EXPECT(network.quality["/diagnostics"] == "reliable, volatile, 10");  // which no parameter changes
+    EXPECT(network.policies.size() + 1 == network.quality.size());
     for (const auto& [topic, policies] : network.policies) EXPECT(policies == 4);
     // Parameters override it, also when the node is configured a second time.
     network.parameters["qos_overrides./cmd_vel.publisher.depth"] = std::int64_t{3};
@@ -768,6 +769,85 @@ int main() {
         EXPECT(node.configure().label() == "unconfigured");
         EXPECT(logged("constants.SPEED"));
     }
+    return 0;
+})");
+}
+
+/// A mapping gives the parameter of a constant another name.
+TEST_F(Package, HasParametersOfTheMapping) {
+    emit(testing::load_model(wheeled), "Mod",
+         std::string(wheels).replace(std::string(wheels).rfind('}'), 1,
+                                     "parameter SPEED as \"limits.max_speed\" parameter p::C::m::ON as \"enabled\" }"),
+         chosen_constants());
+    drive("M_node.hpp", R"(
+int main() {
+    Network& network = Network::get();
+    {
+        p::MNode node;
+        EXPECT(started(node));
+        for (const char* name : {"limits.max_speed", "enabled", "constants.LIMIT", "constants.MODE"})
+            EXPECT(network.declared.count(name) == 1);
+        EXPECT(network.declared.size() == 6 && network.declared.count("constants.SPEED") == 0);
+    }
+    network.parameters = {{"limits.max_speed", 1.0}};
+    p::MNode node;
+    EXPECT(node.configure().label() == "unconfigured" && logged("limits.max_speed"));
+    return 0;
+})");
+    folder_.run("grep -q '^    # limits.max_speed: 1.5$' config/mod.yaml");
+}
+
+/// The node reports on /diagnostics once in a second, when cycles are lost, and when the controller stops.
+TEST_F(Package, ReportsItsHealth) {
+    emit(testing::load_model(testing::typed_model), "Mod");
+    drive("M_node.hpp", R"(
+using diagnostic_msgs::msg::DiagnosticArray;
+using diagnostic_msgs::msg::DiagnosticStatus;
+/// The only report since the last call; an empty status without one.
+DiagnosticStatus report() {
+    const auto reports = taken<DiagnosticArray>("/diagnostics");
+    return reports.size() == 1 && reports[0].status.size() == 1 ? reports[0].status[0] : DiagnosticStatus{};
+}
+std::string value_of(const DiagnosticStatus& status, const std::string& key) {
+    for (const auto& fact : status.values)
+        if (fact.key == key) return fact.value;
+    return "";
+}
+void wait_for(std::int64_t milliseconds) { Network::get().nanoseconds += milliseconds * 1'000'000; }
+int main() {
+    Network& network = Network::get();
+    p::MNode node;
+    EXPECT(node.configure().label() == "inactive" && report().name.empty());
+    EXPECT(node.activate().label() == "active");
+    network.tick();
+    DiagnosticStatus status = report();
+    EXPECT(status.level == DiagnosticStatus::OK && status.name == "mod: controller" && status.message == "active");
+    EXPECT(value_of(status, "state") == "A" && value_of(status, "cycles") == "1");
+    EXPECT(value_of(status, "lost cycles") == "0");
+    for (int i = 0; i < 9; ++i) wait_for(100), network.tick();
+    EXPECT(network.published["/diagnostics"].empty());
+    wait_for(100);
+    network.tick();
+    EXPECT(value_of(report(), "cycles") == "11");
+    wait_for(500);
+    network.tick();
+    EXPECT(network.published["/diagnostics"].empty());
+    wait_for(500);
+    network.tick();
+    status = report();
+    EXPECT(status.level == DiagnosticStatus::WARN && status.message == "lost control cycles");
+    EXPECT(value_of(status, "cycles") == "13" && value_of(status, "lost cycles") == "8");
+    for (int i = 0; i < 10; ++i) wait_for(100), network.tick();
+    EXPECT(report().level == DiagnosticStatus::OK);
+    EXPECT(node.deactivate().label() == "inactive" && report().message == "inactive");
+    EXPECT(node.activate().label() == "active");
+    wait_for(100);
+    network.send("/mod/in/see", std_msgs::msg::Int64{1});
+    network.tick();
+    network.send("/mod/in/count", std_msgs::msg::Int64{4});
+    network.tick();
+    EXPECT(report().message == "terminated");
+    EXPECT(node.deactivate().label() == "inactive" && network.published["/diagnostics"].empty());
     return 0;
 })");
 }
@@ -971,7 +1051,8 @@ TEST_F(Package, MayHaveTheNamesOfTheModel) {
 TEST_F(Package, NamesWhatItNeeds) {
     emit(testing::load_model(wheeled), "Mod", wheels, chosen_constants());
     folder_.run("grep -q '^    cycle: 0.1$' config/mod.yaml && grep -q '^    # constants.SPEED: 1.5$' config/mod.yaml");
-    for (const char* const name : {"builtin_interfaces", "geometry_msgs", "rcl_interfaces", "sensor_msgs", "std_msgs"})
+    for (const char* const name :
+         {"builtin_interfaces", "diagnostic_msgs", "geometry_msgs", "rcl_interfaces", "sensor_msgs", "std_msgs"})
         folder_.run(
             fmt::format("grep -q '<depend>{0}</depend>' package.xml && "
                         "grep -q '^find_package({0} REQUIRED)$' CMakeLists.txt && "

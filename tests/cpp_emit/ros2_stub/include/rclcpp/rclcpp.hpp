@@ -63,7 +63,7 @@ private:
 struct Network {
     std::map<std::string, std::vector<std::function<void(const std::any&)>>> listeners;
     std::map<std::string, std::vector<std::any>> published;
-    std::vector<std::string> order;               ///< the topic of each published message
+    std::vector<std::string> order;               ///< the topic of each published message, but for diagnostics
     std::map<std::string, std::string> quality;   ///< of publishers and subscriptions
     std::map<std::string, std::size_t> policies;  ///< number of policies that parameters may override
     std::map<std::string, std::any> parameters;   ///< as given on the command line
@@ -163,7 +163,7 @@ public:
     [[nodiscard]] QoS get_actual_qos() const { return qos_; }
     virtual void publish(const Message& message) {
         if (Network::get().broken.count(topic_) != 0) throw std::runtime_error("the publisher is broken");
-        Network::get().order.push_back(topic_);
+        if (topic_ != "/diagnostics") Network::get().order.push_back(topic_);
         Network::get().published[topic_].push_back(message);
     }
     [[nodiscard]] const char* get_topic_name() const { return topic_.c_str(); }

@@ -99,6 +99,7 @@ public:
     }
     [[nodiscard]] rclcpp::Clock::SharedPtr get_clock() { return std::make_shared<rclcpp::Clock>(); }
     [[nodiscard]] rclcpp::Time now() const { return {}; }
+    [[nodiscard]] const char* get_name() const { return name_.c_str(); }
     [[nodiscard]] rclcpp::Logger get_logger() const { return {}; }
 
     const State& configure() { return move("unconfigured", "inactive", &LifecycleNode::on_configure); }
