@@ -130,6 +130,7 @@ private:
         files_.back().keep = true;
         const std::string headers = "include/" + node_->package + "/";
         add_file(headers + "node_support.hpp", "ros2/node_support.hpp");
+        if (node_->calls(ros2::Transport::action)) add_file(headers + "action_support.hpp", "ros2/action_support.hpp");
         files_.push_back(
             {headers + api_.cpp_name + "_messages.hpp", messages_header(generation_, core_, api_, *node_)});
         files_.push_back({headers + api_.cpp_name + "_node.hpp", node_header(generation_, core_, api_, *node_)});

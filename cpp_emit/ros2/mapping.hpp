@@ -85,25 +85,44 @@ struct Delivery {
 enum class Transport {
     topic,
     service,  ///< `call operation dock as std_srvs/Trigger on "dock"`
-    answer,   ///< `receive event docked as answer of dock when success == true`
+    action,   ///< `call operation goTo as action nav2_msgs/NavigateToPose on "navigate_to_pose" { ... }`
+    reply,    ///< `receive event docked as answer of dock when success == true`
+    cancel,   ///< `call operation stop as cancel of goTo`
 };
+
+/// What a called service or action sends back.
+enum class Reply {
+    answer,  ///< of a service
+    accepted,
+    rejected,
+    feedback,
+    succeeded,
+    aborted,
+    canceled,
+};
+
+/// "answer", "accepted" and so on.
+[[nodiscard]] std::string_view describe_reply(Reply);
+/// Whether a call has ended with this reply.
+[[nodiscard]] bool ends_call(Reply);
 
 /// An item: `publish operation move as geometry_msgs/Twist on "cmd_vel" with reliable { linear.x = speed }`.
 struct Item {
     bool published = false;
     Transport transport = Transport::topic;
+    Reply reply = Reply::answer;
     ElementKind kind = ElementKind::operation;
     Word element;
-    MessageName message;  ///< or service; none for answers
-    Word topic;           ///< or the name of the service; for answers the operation that calls it
+    MessageName message;  ///< or service or action; none for replies and cancellations
+    Word topic;  ///< or the name of the service or action; for replies and cancellations the operation that calls it
     Delivery delivery;
     std::vector<Condition> conditions;  ///< received elements only; all must be true
     std::vector<Assignment> assignments;
 };
 
 /// `receive event lost as deadline 0.5 on "scan"`: the event is raised if no message arrives on the topic for this
-/// time. `receive event lost as deadline 5 of dock`: the event is raised if the service that the operation `dock` calls
-/// does not answer for this time.
+/// time. `receive event lost as deadline 5 of dock`: the event is raised if the service or action that the
+/// operation `dock` calls does not answer for this time.
 struct Deadline {
     Word event;
     std::string seconds;  ///< as C++ text

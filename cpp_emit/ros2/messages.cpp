@@ -96,6 +96,10 @@ constexpr FieldRow rows[] = {
     {"nav_msgs/Odometry",
      "header : std_msgs/Header, child_frame_id : string, pose : geometry_msgs/PoseWithCovariance, "
      "twist : geometry_msgs/TwistWithCovariance"},
+    {"nav2_msgs/NavigateToPose_Feedback",
+     "current_pose : geometry_msgs/PoseStamped, navigation_time estimated_time_remaining : "
+     "builtin_interfaces/Duration, number_of_recoveries : int16, distance_remaining : float32"},
+    {"nav2_msgs/NavigateToPose_Goal", "pose : geometry_msgs/PoseStamped, behavior_tree : string"},
     {"ackermann_msgs/AckermannDrive", "steering_angle steering_angle_velocity speed acceleration jerk : float32"},
     {"ackermann_msgs/AckermannDriveStamped", "header : std_msgs/Header, drive : ackermann_msgs/AckermannDrive"},
 };
@@ -159,7 +163,7 @@ std::vector<std::string> fields_of(std::string_view message) {
 std::vector<std::string> known_messages() {
     std::vector<std::string> result;
     for (const FieldRow& row : rows)
-        if (!row.message.starts_with("std_srvs/")) result.emplace_back(row.message);
+        if (row.message.find('_', row.message.find('/')) == std::string_view::npos) result.emplace_back(row.message);
     return result;
 }
 

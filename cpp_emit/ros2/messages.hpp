@@ -40,7 +40,7 @@ struct Leaf {
     std::string path;
     FieldType type;
 };
-/// The messages in the table, services excluded: "geometry_msgs/Vector3".
+/// The messages in the table, without those of services and actions: "geometry_msgs/Vector3".
 [[nodiscard]] std::vector<std::string> known_messages();
 /// The leaves of a message in the table, except those of its header. Recursion depth: the depth of messages.
 [[nodiscard]] std::vector<Leaf> leaves_of(std::string_view message);

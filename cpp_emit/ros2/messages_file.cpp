@@ -32,8 +32,8 @@ public:
         out_.gap();
         std::set<std::string> headers;
         for (const Topic& topic : plan_.topics)
-            headers.insert(fmt::format("#include <{}/{}/{}.hpp>", topic.message.package, topic.service ? "srv" : "msg",
-                                       header_of_message(topic.message.type)));
+            headers.insert(fmt::format("#include <{}/{}/{}.hpp>", topic.message.package,
+                                       interface_folder(topic.transport), header_of_message(topic.message.type)));
         if (plan_.is_stamped()) headers.insert("#include <builtin_interfaces/msg/time.hpp>");
         for (const std::string& header : headers) out_.line(header);
         out_.gap();
@@ -58,10 +58,14 @@ private:
         out_.open(fmt::format("struct {}Outbox {{", api_.cpp_name));
         std::set<std::size_t> topics;
         for (const Outgoing& outgoing : plan_.outgoing)
-            if (outgoing.variable == nullptr) topics.insert(outgoing.topic);
+            if (outgoing.variable == nullptr && !outgoing.cancels) topics.insert(outgoing.topic);
         for (const std::size_t topic : topics)
             out_.line(fmt::format("std::function<void(const {}&)> {};", sent_type(plan_.topics[topic]),
                                   plan_.topics[topic].member));
+        for (const std::size_t topic : topics)
+            if (plan_.topics[topic].transport == Transport::action)
+                out_.line_with_doc(fmt::format("std::function<void()> cancel_{};", plan_.topics[topic].member),
+                                   "cancels the last goal");
         out_.line_with_doc("std::function<void(const char*)> unfit;",
                            "called instead if a message cannot hold a value, with the name of the operation or event");
         if (plan_.is_stamped()) out_.line_with_doc("::builtin_interfaces::msg::Time now{};", "of the cycle");
@@ -96,6 +100,10 @@ private:
         out_.open(fmt::format("void {}({}) override {{",
                               outgoing.operation != nullptr ? outgoing.operation->method : outgoing.event->method,
                               fmt::join(parameters, ", ")));
+        if (outgoing.cancels) {
+            out_.line(fmt::format("if ({0}.cancel_{1}) {0}.cancel_{1}();", outbox_, topic.member));
+            return out_.close();
+        }
         out_.line(fmt::format("{} {};", sent_type(topic), message_));
         const std::string fits = fill_message(out_, outgoing, message_, outbox_ + ".now");
         const std::string send = fmt::format("::robochart::ros2::send({}.{}, {});", outbox_, topic.member, message_);
@@ -126,16 +134,33 @@ std::string message_type(const MessageName& message) {
     return fmt::format("::{}::msg::{}", message.package, message.type);
 }
 
-std::string service_type(const Topic& topic) {
-    return fmt::format("::{}::srv::{}", topic.message.package, topic.message.type);
+const char* interface_folder(Transport transport) {
+    switch (transport) {
+        case Transport::service:
+            return "srv";
+        case Transport::action:
+            return "action";
+        case Transport::topic:
+        case Transport::reply:
+        case Transport::cancel:
+            break;
+    }
+    return "msg";
+}
+
+std::string interface_type(const Topic& topic) {
+    return fmt::format("::{}::{}::{}", topic.message.package, interface_folder(topic.transport), topic.message.type);
 }
 
 std::string sent_type(const Topic& topic) {
-    return topic.service ? service_type(topic) + "::Request" : message_type(topic.message);
+    if (!topic.is_called()) return interface_type(topic);
+    return interface_type(topic) + (topic.transport == Transport::action ? "::Goal" : "::Request");
 }
 
-std::string received_type(const Topic& topic) {
-    return topic.service ? service_type(topic) + "::Response" : message_type(topic.message);
+std::string received_type(const Topic& topic, Reply reply) {
+    if (!topic.is_called()) return interface_type(topic);
+    if (reply == Reply::answer) return interface_type(topic) + "::Response";
+    return interface_type(topic) + (reply == Reply::feedback ? "::Feedback" : "::Result");
 }
 
 std::string messages_header(const Generation& generation, const Core& core, const ClassApi& api, const NodePlan& plan) {

@@ -37,6 +37,7 @@ public:
                 outgoing.variable == nullptr ? "" : names.unique_name("last_" + outgoing.variable->member) + "_");
         for (const StateTopic& state : plan.states)
             last_states_.push_back(names.unique_name("last_" + state.machine->method) + "_");
+        plan_receptions();
     }
 
     std::string write_header() {
@@ -53,6 +54,7 @@ public:
         out_.line("#include <rclcpp_lifecycle/lifecycle_publisher.hpp>");
         out_.gap();
         out_.line(fmt::format("#include \"{}/{}_messages.hpp\"", plan_.package, api_.cpp_name));
+        if (calls_actions()) out_.line(fmt::format("#include \"{}/action_support.hpp\"", plan_.package));
         out_.line("#if ROBOCHART_TRACE");
         out_.line("#include \"robochart/trace_file.hpp\"");
         out_.line("#endif");
@@ -83,8 +85,7 @@ public:
         write_activate();
         write_deactivate();
         write_release();
-        for (std::size_t i = 0; i < plan_.topics.size(); ++i)
-            if (!plan_.topics[i].published || plan_.topics[i].service) write_receive(i);
+        for (const Reception& reception : receptions_) write_receive(reception);
         write_cycle();
         write_publish();
         write_sending();
@@ -108,7 +109,7 @@ private:
                         api_.cpp_name));
         for (const Topic& topic : plan_.topics) {
             const char* verb = topic.published ? "publishes" : "receives";
-            if (topic.service) verb = "calls";
+            if (topic.is_called()) verb = "calls";
             out_.comment(fmt::format("{} {} on {}", verb, topic.message.full_name(), topic.name));
         }
     }
@@ -150,9 +151,15 @@ private:
         out_.line("void report_unfit(const char* name) noexcept;");
         out_.line("[[nodiscard]] bool open_log();");
         out_.line("void note(const std::string& text) noexcept;");
-        for (const Topic& topic : plan_.topics)
-            if (!topic.published || topic.service)
-                out_.line(fmt::format("void receive_{}(const {}& message);", topic.member, received_type(topic)));
+        for (const Reception& reception : receptions_)
+            out_.line(fmt::format("void {}({});", reception_name(reception), reception_parameter(reception, "")));
+        if (calls_actions()) {
+            out_.line("template <class Goal, class Message>");
+            out_.line("void send_goal(Goal& goal, const Message& message, const char* name) noexcept;");
+            out_.line("template <class Goal>");
+            out_.line("void cancel_goal(Goal& goal, const char* name) noexcept;");
+            out_.line("void cancel_goals() noexcept;");
+        }
         if (calls_services()) {
             out_.line("template <class Service, class Answer>");
             out_.line("void call(const std::shared_ptr<::rclcpp::Client<Service>>& client,");
@@ -186,10 +193,9 @@ private:
         for (const Silence& silence : plan_.silences)
             out_.line(fmt::format("::robochart::ros2::Watch {}_;", silence.member));
         out_.line_with_doc("bool ended_ = false;", "the controller has terminated or cannot go on");
+        for (const Topic& topic : plan_.topics) out_.line(fmt::format("{} {}_;", end_type(topic), topic.member));
         for (const Topic& topic : plan_.topics)
-            out_.line(fmt::format("{}::SharedPtr {}_;", end_type(topic), topic.member));
-        for (const Topic& topic : plan_.topics)
-            if (!topic.service)
+            if (!topic.is_called())
                 out_.line(fmt::format("::robochart::ros2::Quality quality_{}_{{{}}};", topic.member,
                                       quality_text(topic.quality)));
         for (std::size_t i = 0; i < plan_.outgoing.size(); ++i)
@@ -203,13 +209,58 @@ private:
 
     /// The type of the publisher, the subscription or the client.
     static std::string end_type(const Topic& topic) {
-        if (topic.service) return fmt::format("::rclcpp::Client<{}>", service_type(topic));
+        const std::string type = interface_type(topic);
+        if (topic.transport == Transport::action) return fmt::format("::robochart::ros2::Goal<{}>", type);
+        if (topic.is_called()) return fmt::format("::rclcpp::Client<{}>::SharedPtr", type);
         const char* const end = topic.published ? "::rclcpp_lifecycle::LifecyclePublisher" : "::rclcpp::Subscription";
-        return fmt::format("{}<{}>", end, message_type(topic.message));
+        return fmt::format("{}<{}>::SharedPtr", end, type);
     }
 
-    [[nodiscard]] bool calls_services() const {
-        return std::ranges::any_of(plan_.topics, [](const Topic& topic) { return topic.service; });
+    [[nodiscard]] bool calls_services() const { return plan_.calls(Transport::service); }
+    [[nodiscard]] bool calls_actions() const { return plan_.calls(Transport::action); }
+
+    // ------------------------------------------------------------ receptions
+
+    /// A method of the node that takes the messages of a topic, the answers of a service, or the replies of an action
+    /// of one kind.
+    struct Reception {
+        std::size_t topic = 0;
+        Reply reply = Reply::answer;
+        friend bool operator==(const Reception&, const Reception&) = default;
+    };
+
+    /// A topic and a service have one method. An action has one for each reply that raises an event or ends a deadline.
+    void plan_receptions() {
+        for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
+            const Topic& topic = plan_.topics[i];
+            if (topic.transport != Transport::action) {
+                if (!topic.published || topic.is_called()) receptions_.push_back({i, Reply::answer});
+                continue;
+            }
+            const bool watched =
+                std::ranges::any_of(plan_.silences, [i](const Silence& silence) { return silence.topic == i; });
+            for (const Reply reply :
+                 {Reply::accepted, Reply::rejected, Reply::feedback, Reply::succeeded, Reply::aborted, Reply::canceled})
+                if ((watched && ends_call(reply)) || std::ranges::any_of(plan_.incoming, [&](const Incoming& incoming) {
+                        return incoming.topic == i && incoming.reply == reply;
+                    }))
+                    receptions_.push_back({i, reply});
+        }
+    }
+
+    [[nodiscard]] std::string reception_name(const Reception& reception) const {
+        const Topic& topic = plan_.topics[reception.topic];
+        const std::string name = "receive_" + topic.member;
+        return topic.transport == Transport::action ? fmt::format("{}_{}", name, describe_reply(reception.reply))
+                                                    : name;
+    }
+
+    static bool has_message(Reply reply) { return reply != Reply::accepted && reply != Reply::rejected; }
+
+    [[nodiscard]] std::string reception_parameter(const Reception& reception, const char* attribute) const {
+        if (!has_message(reception.reply)) return "";
+        return fmt::format("{}const {}& message", attribute,
+                           received_type(plan_.topics[reception.topic], reception.reply));
     }
 
     // ------------------------------------------------------------ source
@@ -345,9 +396,12 @@ private:
     }
 
     void write_connection(const Topic& topic) {
-        if (topic.service)
+        if (topic.transport == Transport::action)
+            return out_.line(fmt::format("{}_.connect(::rclcpp_action::create_client<{}>(this, \"{}\"));", topic.member,
+                                         interface_type(topic), topic.name));
+        if (topic.is_called())
             return out_.line(
-                fmt::format("{}_ = create_client<{}>(\"{}\");", topic.member, service_type(topic), topic.name));
+                fmt::format("{}_ = create_client<{}>(\"{}\");", topic.member, interface_type(topic), topic.name));
         const std::string message = message_type(topic.message);
         const std::string quality = "quality_" + topic.member + "_";
         if (topic.published) {
@@ -371,7 +425,7 @@ private:
         out_.close();
         out_.line("active_ = true;");
         for (const Silence& silence : plan_.silences)
-            if (!plan_.topics[silence.topic].service) out_.line(silence.member + "_.hear(now());");
+            if (!plan_.topics[silence.topic].is_called()) out_.line(silence.member + "_.hear(now());");
         out_.line(
             "if (const double pause = pace_.resume(now()); pause > 0) note(\"pause of \" + std::to_string(pause) + \" "
             "s\");");
@@ -391,13 +445,14 @@ private:
         out_.line("active_ = false;");
         out_.line("timer_.reset();");
         if (!plan_.farewells.empty()) out_.line("say_farewell();");
+        if (calls_actions()) out_.line("cancel_goals();");
         out_.line("if (!ended_) report_health(::robochart::ros2::Health::Status::OK, \"inactive\");");
         out_.line("pace_.pause(now());");
         std::set<std::string> flags;
         for (const Incoming& incoming : plan_.incoming)
             if (incoming.event != nullptr) flags.insert(incoming.event->flag);
         for (const Silence& silence : plan_.silences)
-            if (plan_.topics[silence.topic].service) out_.line(silence.member + "_.rest();");
+            if (plan_.topics[silence.topic].is_called()) out_.line(silence.member + "_.rest();");
         if (!flags.empty()) out_.comment("What no cycle has seen yet would be late when it is activated again.");
         for (const std::string& flag : flags) out_.line(fmt::format("robot_->{} = false;", flag));
         out_.line("return ::rclcpp_lifecycle::LifecycleNode::on_deactivate(previous);");
@@ -409,6 +464,8 @@ private:
             open_transition(transition, "");
             if (!plan_.farewells.empty() && std::string_view(transition) == "shutdown")
                 out_.line("if (active_) say_farewell();");
+            if (calls_actions() && std::string_view(transition) == "shutdown")
+                out_.line("if (active_) cancel_goals();");
             out_.line("release();");
             out_.line("return CallbackReturn::SUCCESS;");
             out_.close();
@@ -421,7 +478,9 @@ private:
         out_.line("pace_ = {};");
         out_.line("health_ = {};");
         out_.line("diagnostics_.reset();");
-        for (const Topic& topic : plan_.topics) out_.line(fmt::format("{}_.reset();", topic.member));
+        for (const Topic& topic : plan_.topics)
+            out_.line(
+                fmt::format("{}_.{}();", topic.member, topic.transport == Transport::action ? "release" : "reset"));
         for (const std::string& last : last_)
             if (!last.empty()) out_.line(fmt::format("{}.reset();", last));
         for (const std::string& last : last_states_) out_.line(fmt::format("{}.reset();", last));
@@ -429,17 +488,19 @@ private:
         out_.close();
     }
 
-    void write_receive(std::size_t topic) {
+    void write_receive(const Reception& reception) {
+        const std::size_t topic = reception.topic;
+        const bool called = plan_.topics[topic].is_called();
         out_.gap();
-        out_.open(fmt::format("void {}::receive_{}([[maybe_unused]] const {}& message) {{", node_,
-                              plan_.topics[topic].member, received_type(plan_.topics[topic])));
+        out_.open(fmt::format("void {}::{}({}) {{", node_, reception_name(reception),
+                              reception_parameter(reception, "[[maybe_unused]] ")));
         for (const Silence& silence : plan_.silences)
-            if (silence.topic == topic)
-                out_.line(silence.member + (plan_.topics[topic].service ? "_.rest();" : "_.hear(now());"));
+            if (silence.topic == topic && (!called || ends_call(reception.reply)))
+                out_.line(silence.member + (called ? "_.rest();" : "_.hear(now());"));
         for (const Incoming& incoming : plan_.incoming)
             if (incoming.topic == topic && incoming.variable != nullptr) write_tested(incoming);
-        const auto raises = [topic](const Incoming& incoming) {
-            return incoming.topic == topic && incoming.event != nullptr;
+        const auto raises = [&](const Incoming& incoming) {
+            return incoming.topic == topic && incoming.reply == reception.reply && incoming.event != nullptr;
         };
         if (std::ranges::any_of(plan_.incoming, raises)) {
             out_.line("if (!active_) return;");
@@ -590,6 +651,7 @@ private:
         out_.line("ended_ = true;");
         out_.line("timer_->cancel();");
         if (!plan_.farewells.empty()) out_.line("say_farewell();");
+        if (calls_actions()) out_.line("cancel_goals();");
         out_.open("if (result == ::robochart::StepResult::terminated) {");
         out_.line("RCLCPP_INFO(get_logger(), \"the controller has terminated\");");
         out_.line("report_health(::robochart::ros2::Health::Status::OK, \"terminated\");");
@@ -633,7 +695,8 @@ private:
         out_.open(fmt::format("void {}::connect_outbox() {{", node_));
         std::set<std::size_t> connected;
         for (const Outgoing& outgoing : plan_.outgoing)
-            if (outgoing.variable == nullptr && connected.insert(outgoing.topic).second) connect_topic(outgoing);
+            if (outgoing.variable == nullptr && !outgoing.cancels && connected.insert(outgoing.topic).second)
+                connect_topic(outgoing);
         out_.line(fmt::format("{}.unfit = [this](const char* name) {{ report_unfit(name); }};", outbox_));
         out_.close();
     }
@@ -641,11 +704,16 @@ private:
     void connect_topic(const Outgoing& outgoing) {
         const Topic& topic = plan_.topics[outgoing.topic];
         out_.open(fmt::format("{}.{} = [this](const {}& message) {{", outbox_, topic.member, sent_type(topic)));
-        if (topic.service) {
+        if (topic.is_called()) {
             for (const Silence& silence : plan_.silences)
                 if (silence.topic == outgoing.topic) out_.line(silence.member + "_.hear(now());");
+            if (topic.transport == Transport::action) {
+                out_.line(fmt::format("send_goal({0}_, message, \"{1}\");", topic.member, topic.name));
+                out_.close("};");
+                return connect_action(outgoing.topic);
+            }
             out_.line(fmt::format("call<{0}>({1}_, message, [this](const {2}& answer) {{ receive_{1}(answer); }});",
-                                  service_type(topic), topic.member, received_type(topic)));
+                                  interface_type(topic), topic.member, received_type(topic, Reply::answer)));
             return out_.close("};");
         }
         if (outgoing.kind == ElementKind::operation && !outgoing.mapped) {
@@ -657,6 +725,19 @@ private:
         }
         out_.line(fmt::format("send({}_, message);", topic.member));
         out_.close("};");
+    }
+
+    void connect_action(std::size_t index) {
+        const Topic& topic = plan_.topics[index];
+        out_.line(fmt::format("{0}.cancel_{1} = [this] {{ cancel_goal({1}_, \"{2}\"); }};", outbox_, topic.member,
+                              topic.name));
+        for (const Reception& reception : receptions_) {
+            if (reception.topic != index) continue;
+            const std::string parameter = reception_parameter(reception, "");
+            out_.line(fmt::format("{}_.events.{} = [this]{} {{ {}({}); }};", topic.member,
+                                  describe_reply(reception.reply), parameter.empty() ? "" : "(" + parameter + ")",
+                                  reception_name(reception), parameter.empty() ? "" : "message"));
+        }
     }
 
     /// An exception must not leave the controller's cycle, which is noexcept.
@@ -673,6 +754,7 @@ private:
         out_.close();
         out_.close();
         if (calls_services()) write_calling();
+        if (calls_actions()) write_goals();
         out_.gap();
         out_.open(fmt::format("void {}::report_unfit(const char* name) noexcept {{", node_));
         out_.line("RCLCPP_ERROR(get_logger(), \"%s has a value that its message cannot hold: not published\", name);");
@@ -701,6 +783,47 @@ private:
         out_.reopen_block("} catch (const std::exception& error) {");
         out_.line("RCLCPP_ERROR(get_logger(), \"%s: not called: %s\", client->get_service_name(), error.what());");
         out_.line("note(std::string(\"not called: \") + client->get_service_name());");
+        out_.close();
+        out_.close();
+    }
+
+    /// The replies come in the node's callback group, too. Without a server, the earlier goal has been given up as
+    /// well.
+    void write_goals() {
+        out_.gap();
+        out_.line("template <class Goal, class Message>");
+        out_.open(
+            fmt::format("void {}::send_goal(Goal& goal, const Message& message, const char* name) noexcept {{", node_));
+        out_.line("if (!goal.is_connected()) return;");
+        out_.open("try {");
+        out_.line("goal.forget();");
+        out_.open("if (!goal.has_server()) {");
+        out_.line(
+            "RCLCPP_WARN_THROTTLE(get_logger(), *get_clock(), 5000, \"%s: no action server, not called\", name);");
+        out_.line("note(std::string(\"not called: \") + name);");
+        out_.line("return;");
+        out_.close();
+        out_.line("goal.send(message);");
+        close_call("not called");
+        out_.gap();
+        out_.line("template <class Goal>");
+        out_.open(fmt::format("void {}::cancel_goal(Goal& goal, const char* name) noexcept {{", node_));
+        out_.line("if (!goal.is_connected()) return;");
+        out_.open("try {");
+        out_.line("goal.cancel();");
+        close_call("not canceled");
+        out_.gap();
+        out_.open(fmt::format("void {}::cancel_goals() noexcept {{", node_));
+        for (const Topic& topic : plan_.topics)
+            if (topic.transport == Transport::action)
+                out_.line(fmt::format("cancel_goal({}_, \"{}\");", topic.member, topic.name));
+        out_.close();
+    }
+
+    void close_call(const char* failure) {
+        out_.reopen_block("} catch (const std::exception& error) {");
+        out_.line(fmt::format("RCLCPP_ERROR(get_logger(), \"%s: {}: %s\", name, error.what());", failure));
+        out_.line(fmt::format("note(std::string(\"{}: \") + name);", failure));
         out_.close();
         out_.close();
     }
@@ -775,6 +898,7 @@ private:
     std::vector<NodeConstant> constants_;
     std::string node_, outbox_;
     std::vector<std::string> last_, last_states_;
+    std::vector<Reception> receptions_;
     CodeWriter out_;
 };
 

@@ -71,9 +71,9 @@ public:
         for (const Element& element : elements)
             if (!element.is_mapped()) add_default(element);
         for (const Element& element : elements)
-            if (element.item != nullptr && element.item->transport != Transport::answer) add_mapped(element);
+            if (element.item != nullptr && !names_call(*element.item)) add_mapped(element);
         for (const Element& element : elements)
-            if (element.item != nullptr && element.item->transport == Transport::answer) add_answer(element);
+            if (element.item != nullptr && names_call(*element.item)) add_to_call(element);
         for (const Element& element : elements)
             if (element.deadline != nullptr) add_silence(element);
         if (mapping != nullptr)
@@ -104,14 +104,24 @@ private:
             } else {
                 found->item = &item;
             }
-            if (item.transport != Transport::answer) note_unchecked(data_of(item, item.message));
+            if (!names_call(item)) note_unchecked(data_of(item, item.message));
         }
     }
 
-    /// The message that has the fields of an item: the request or the answer of a service.
+    /// Whether the item belongs to a call of another item.
+    static bool names_call(const Item& item) {
+        return item.transport == Transport::reply || item.transport == Transport::cancel;
+    }
+
+    /// The message that has the fields of an item: a part of a service or an action.
     static MessageName data_of(const Item& item, MessageName message) {
         if (item.transport == Transport::service) message.type += "_Request";
-        if (item.transport == Transport::answer) message.type += "_Response";
+        if (item.transport == Transport::action) message.type += "_Goal";
+        if (item.transport != Transport::reply) return message;
+        if (item.reply == Reply::answer)
+            message.type += "_Response";
+        else
+            message.type += item.reply == Reply::feedback ? "_Feedback" : "_Result";
         return message;
     }
 
@@ -174,7 +184,7 @@ private:
         const Word& topic = element.deadline->topic;
         const std::string member = members_.unique_name("watch_" + element.event->method);
         if (element.deadline->transport == Transport::service) {
-            if (const auto service = service_of(topic))
+            if (const auto service = call_of(topic, {Transport::service, Transport::action}))
                 plan_.silences.push_back({element.event, element.deadline->seconds, *service, member});
             return;
         }
@@ -190,28 +200,35 @@ private:
                             {"the mapping", "received topic", topic.text, suggest_name(topic.text, known)});
     }
 
-    /// The service that the operation calls; no value, with a finding, if it calls none.
-    std::optional<std::size_t> service_of(const Word& operation) {
+    /// The service or action that the operation calls; no value, with a finding, if it calls none.
+    std::optional<std::size_t> call_of(const Word& operation, const std::set<Transport>& transports) {
         std::vector<std::string> known;
         for (const Outgoing& out : plan_.outgoing) {
-            if (!plan_.topics[out.topic].service) continue;
+            if (out.cancels || !transports.contains(plan_.topics[out.topic].transport)) continue;
             if (out.name == operation.text) return out.topic;
             known.push_back(out.name);
         }
         diagnostics_.report(
             rules::unknown_name, operation.span,
-            {"the mapping", "operation that calls a service", operation.text, suggest_name(operation.text, known)});
+            {"the mapping", describe_call(transports), operation.text, suggest_name(operation.text, known)});
         return std::nullopt;
+    }
+
+    static const char* describe_call(const std::set<Transport>& transports) {
+        if (transports.size() > 1) return "operation that calls a service or an action";
+        return transports.contains(Transport::action) ? "operation that calls an action"
+                                                      : "operation that calls a service";
     }
 
     /// Two operations that call one service would get each other's answers.
     std::size_t add_service(const Element& element) {
         const Item& item = *element.item;
-        Topic service{item.topic.text, item.message, {}, true, "", element.name, true};
+        Topic service{item.topic.text, item.message, {}, true, "", element.name, item.transport};
         for (const Topic& other : plan_.topics)
-            if (other.service && resolve_name(other.name) == resolve_name(service.name))
+            if (other.transport == service.transport && resolve_name(other.name) == resolve_name(service.name))
                 diagnostics_.report(rules::shared_topic, item.topic.span,
-                                    {element.name, service.name, other.user, "it is a service"});
+                                    {element.name, service.name, other.user,
+                                     item.transport == Transport::action ? "it is an action" : "it is a service"});
         std::string stem = service.name;
         std::ranges::replace(stem, '/', '_');
         service.member = members_.unique_name("call_" + to_identifier(stem));
@@ -280,7 +297,7 @@ private:
 
     std::size_t topic_index(Topic topic, Span span) {
         for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
-            if (plan_.topics[i].service || resolve_name(plan_.topics[i].name) != resolve_name(topic.name)) continue;
+            if (plan_.topics[i].is_called() || resolve_name(plan_.topics[i].name) != resolve_name(topic.name)) continue;
             const std::string why = describe_conflict(plan_.topics[i], topic);
             if (!why.empty())
                 diagnostics_.report(rules::shared_topic, span, {topic.user, topic.name, plan_.topics[i].user, why});
@@ -383,14 +400,25 @@ private:
 
     // ------------------------------------------------------------ with one
 
-    void add_answer(const Element& element) {
-        if (const auto service = service_of(element.item->topic))
-            plan_reception(element, make_incoming(element, *service));
+    /// A reply of a service or an action, or a cancellation.
+    void add_to_call(const Element& element) {
+        const Item& item = *element.item;
+        const bool service = item.transport == Transport::reply && item.reply == Reply::answer;
+        const auto call = call_of(item.topic, {service ? Transport::service : Transport::action});
+        if (!call) return;
+        if (item.transport == Transport::cancel) {
+            plan_.outgoing.push_back(make_outgoing(element, *call));
+            plan_.outgoing.back().cancels = true;
+            return plan_fields(element, plan_.outgoing.back());
+        }
+        Incoming in = make_incoming(element, *call);
+        in.reply = item.reply;
+        plan_reception(element, std::move(in));
     }
 
     void add_mapped(const Element& element) {
         const Item& item = *element.item;
-        if (item.transport == Transport::service) {
+        if (item.transport != Transport::topic) {
             plan_.outgoing.push_back(make_outgoing(element, add_service(element)));
             return plan_fields(element, plan_.outgoing.back());
         }
@@ -544,9 +572,9 @@ private:
     /// The field's type; no value, with a finding, if the message does not have the field.
     std::optional<FieldType> field_of(const Item& item, const Path& path) {
         MessageName message = item.message;
-        if (item.transport == Transport::answer)
+        if (item.transport == Transport::reply)
             for (const Outgoing& out : plan_.outgoing)
-                if (plan_.topics[out.topic].service && out.name == item.topic.text)
+                if (plan_.topics[out.topic].is_called() && !out.cancels && out.name == item.topic.text)
                     message = plan_.topics[out.topic].message;
         const FoundField found = find_field(data_of(item, message), path);
         if (found.missing == path.words.size()) return found.type;
@@ -637,6 +665,7 @@ private:
         std::set<std::string> names{"diagnostic_msgs", "rcl_interfaces", "std_msgs"};
         for (const Topic& topic : plan_.topics) names.insert(topic.message.package);
         if (plan_.is_stamped()) names.insert("builtin_interfaces");
+        if (plan_.calls(Transport::action)) names.insert("rclcpp_action");
         plan_.packages.assign(names.begin(), names.end());
         names.insert({"ament_cmake", "ament_index_python", "launch", "launch_ros", "lifecycle_msgs", "rclcpp",
                       "rclcpp_components", "rclcpp_lifecycle"});
@@ -655,6 +684,10 @@ private:
 };
 
 }  // namespace
+
+bool NodePlan::calls(Transport transport) const {
+    return std::ranges::any_of(topics, [transport](const Topic& topic) { return topic.transport == transport; });
+}
 
 bool NodePlan::is_stamped() const {
     return std::ranges::any_of(outgoing, [](const Outgoing& out) {

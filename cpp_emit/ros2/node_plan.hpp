@@ -29,9 +29,13 @@ struct Topic {
     MessageName message;
     QualityOfService quality;
     bool published = false;
-    std::string member;    ///< member of the node and of the class that sends messages
-    std::string user;      ///< the first element on the topic, for messages to the user
-    bool service = false;  ///< a service, which an operation calls; its requests are published, its answers received
+    std::string member;  ///< member of the node and of the class that sends messages
+    std::string user;    ///< the first element on the topic, for messages to the user
+    /// Topic, service or action. An operation calls a service or an action, whose requests and goals count as
+    /// published.
+    Transport transport = Transport::topic;
+
+    [[nodiscard]] bool is_called() const { return transport != Transport::topic; }
 };
 
 /// A field that is filled with a scalar or a literal.
@@ -51,8 +55,9 @@ struct Outgoing {
     const ApiVariable* variable = nullptr;
     std::size_t topic = 0;
     std::vector<Filled> fields;
-    bool array = false;   ///< several numbers in the `data` of a Float64MultiArray
-    bool mapped = false;  ///< true if the mapping contains the element; otherwise it has a separate topic
+    bool array = false;    ///< several numbers in the `data` of a Float64MultiArray
+    bool cancels = false;  ///< cancels the goal of the action instead of sending one
+    bool mapped = false;   ///< true if the mapping contains the element; otherwise it has a separate topic
 };
 
 struct Taken {
@@ -76,6 +81,7 @@ struct Incoming {
     std::size_t topic = 0;
     std::vector<Taken> fields;
     std::vector<Test> tests = {};
+    Reply reply = Reply::answer;  ///< of a called service or action
 };
 
 /// An event that is raised if no message arrives on a topic.
@@ -104,7 +110,8 @@ struct NodePlan {
     std::vector<StateTopic> states;
     std::vector<std::string> packages;  ///< packages of messages, including those of parameters, sorted
 
-    [[nodiscard]] bool is_stamped() const;  ///< Whether some field contains the time of the cycle.
+    [[nodiscard]] bool calls(Transport) const;  ///< Whether operations call services or actions.
+    [[nodiscard]] bool is_stamped() const;      ///< Whether some field contains the time of the cycle.
 };
 
 /// Makes the plan. Binds Options::mapping, if there is one. Reports items that do not fit, and elements without a

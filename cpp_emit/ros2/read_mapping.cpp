@@ -48,20 +48,40 @@ private:
         read_element(item);
         if (!has_failed() && item.transport == Transport::service && item.kind != ElementKind::operation)
             report(rules::wrong_name, item.element.span,
-                   {item.element.text, "called element", "only an operation calls a service"});
+                   {item.element.text, "called element", "only an operation calls a service or an action"});
         expect_word("as");
+        if (item.transport == Transport::service && take_keyword("cancel")) {
+            item.transport = Transport::cancel;
+            expect_word("of");
+            item.topic = name("the operation that calls an action");
+            return mapping.items.push_back(std::move(item));
+        }
+        if (item.transport == Transport::service && take_keyword("action")) item.transport = Transport::action;
         const bool silence = !item.published && item.kind == ElementKind::event && take_word("deadline");
         if (silence) return mapping.deadlines.push_back(read_deadline(item));
-        if (!item.published && item.kind == ElementKind::event && take_word("answer")) {
-            item.transport = Transport::answer;
+        if (!item.published && item.kind == ElementKind::event && take_reply(item)) {
             expect_word("of");
-            item.topic = name("the operation that calls a service");
-            read_tests_and_fields(item);
+            item.topic = name("the operation that calls a service or an action");
+            if (item.reply != Reply::accepted && item.reply != Reply::rejected) read_tests_and_fields(item);
         } else {
-            item.message = read_message();
+            item.message = read_message(&item.transport);
             read_rest(item);
         }
         mapping.items.push_back(std::move(item));
+    }
+
+    /// A word of this notation, and not the name of a package.
+    bool take_keyword(std::string_view word) { return token_behind().text != "/" && take_word(word); }
+
+    bool take_reply(Item& item) {
+        for (const Reply reply : {Reply::answer, Reply::accepted, Reply::rejected, Reply::feedback, Reply::succeeded,
+                                  Reply::aborted, Reply::canceled})
+            if (take_keyword(describe_reply(reply))) {
+                item.transport = Transport::reply;
+                item.reply = reply;
+                return true;
+            }
+        return false;
     }
 
     /// Parses `deactivate publish geometry_msgs/Twist on "cmd_vel" { ... }`.
@@ -100,7 +120,7 @@ private:
         deadline.seconds = time.number;
         if (take_word("of")) {
             deadline.transport = Transport::service;
-            deadline.topic = name("the operation that calls a service");
+            deadline.topic = name("the operation that calls a service or an action");
         } else {
             deadline.topic = read_topic();
         }
@@ -165,12 +185,16 @@ private:
                    {item.element.text, "received element", "the controller calls its operations itself"});
     }
 
-    /// Parses `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`; also the name of a service.
-    MessageName read_message() {
+    /// Parses `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`; also the name of a service or an action. The
+    /// full name of an action, `nav2_msgs/action/NavigateToPose`, makes a call one of an action.
+    MessageName read_message(Transport* transport = nullptr) {
         const Word package = name("the package of a message");
         expect_word("/");
         Word type = name("the type of a message");
-        if ((type.text == "msg" || type.text == "srv") && take_word("/")) type = name("the type of a message");
+        if (transport != nullptr && *transport == Transport::service && type.text == "action")
+            *transport = Transport::action;
+        if ((type.text == "msg" || type.text == "action" || type.text == "srv") && take_word("/"))
+            type = name("the type of a message");
         report_invalid("package", package, wrong_package(package.text));
         report_invalid("message", type, wrong_message(type.text));
         return {package.text, type.text, diagnostics::join_spans(package.span, type.span)};
@@ -302,6 +326,30 @@ std::string_view describe_kind(ElementKind kind) {
             break;
     }
     return "variable";
+}
+
+std::string_view describe_reply(Reply reply) {
+    switch (reply) {
+        case Reply::answer:
+            return "answer";
+        case Reply::accepted:
+            return "accepted";
+        case Reply::rejected:
+            return "rejected";
+        case Reply::feedback:
+            return "feedback";
+        case Reply::succeeded:
+            return "succeeded";
+        case Reply::aborted:
+            return "aborted";
+        case Reply::canceled:
+            break;
+    }
+    return "canceled";
+}
+
+bool ends_call(Reply reply) {
+    return reply != Reply::accepted && reply != Reply::feedback;
 }
 
 std::string Path::path_text() const {

@@ -92,6 +92,40 @@ INSTANTIATE_TEST_SUITE_P(
             "RC-R01 2:67 expected a number from 1 to 65536, found 'many'\n"}));
 
 INSTANTIATE_TEST_SUITE_P(
+    Calls, WrongMapping,
+    ::testing::Values(
+        Row{"call event bump as action nav2_msgs/NavigateToPose on \"n\"",
+            "RC-R04 2:12 'bump' is not a valid name of a called element: only an operation calls a service or an "
+            "action\n"},
+        Row{"call operation stop as cancel goal", "RC-R01 2:31 expected 'of', found 'goal'\n"},
+        Row{"call operation stop as cancel of move",
+            "RC-R02 2:34 the mapping has no operation that calls an action 'move'\n"},
+        Row{"call operation turn as std_srvs/Trigger on \"t\"",
+            "RC-R02 2:16 'C' has no operation to publish 'turn'; the model defines it, so it runs as modelled\n"},
+        Row{"call operation stop as action nav2_msgs/NavigateToPose on \"n\" { pose.position.x = 1.0 }",
+            "RC-R05 2:70 the message geometry_msgs/PoseStamped has no field 'position'\n"},
+        Row{"call operation stop as nav2_msgs/action/NavigateToPose on \"n\" receive event bump as answer of stop",
+            "RC-R02 2:95 the mapping has no operation that calls a service 'stop'\n"},
+        Row{"call operation stop as std_srvs/Trigger on \"n\" receive event bump as succeeded of stop",
+            "RC-R02 2:83 the mapping has no operation that calls an action 'stop'\n"},
+        Row{"call operation stop as action nav2_msgs/NavigateToPose on \"n\" receive event bump as accepted of stop "
+            "when "
+            "x == 1",
+            "RC-R01 2:102 expected 'publish', 'receive', 'call', 'on', 'parameter' or '}', found 'when'\n"},
+        Row{"call operation stop as action nav2_msgs/NavigateToPose on \"n\" receive event obstacle as feedback of "
+            "stop "
+            "{ value = remaining }",
+            "RC-R07 2:77 no field of the message provides 'value' of event 'obstacle'\n"
+            "RC-R05 2:116 the message nav2_msgs/NavigateToPose_Feedback has no field 'remaining'\n"},
+        Row{"parameter SPEED as \"speed\"", "RC-R02 2:11 'C' has no constant without a value 'SPEED'\n"},
+        Row{"parameter SPEED as \"a b\"",
+            "RC-R04 2:20 'a b' is not a valid name of a parameter: it may contain only letters, digits, underscores, "
+            "and "
+            "dots between its parts\n"},
+        Row{"parameter SPEED as \"cycle\"",
+            "RC-R04 2:20 'cycle' is not a valid name of a parameter: it is a parameter of the node itself\n"}));
+
+INSTANTIATE_TEST_SUITE_P(
     Names, WrongMapping,
     ::testing::Values(
         Row{"publish operation mvoe as std_msgs/Empty on \"t\"",
@@ -234,7 +268,8 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"call operation stop as std_srvs/Trigger on \"t\"\nreceive event bump as answer of stop when done == true",
             "RC-R05 3:43 the message std_srvs/Trigger_Response has no field 'done'\n"},
         Row{"call event bump as std_srvs/Trigger on \"t\"",
-            "RC-R04 2:12 'bump' is not a valid name of a called element: only an operation calls a service\n"},
+            "RC-R04 2:12 'bump' is not a valid name of a called element: only an operation calls a service or an "
+            "action\n"},
         Row{"call operation stop as std_srvs/Trigger on \"t\"\ncall operation flag as std_srvs/SetBool on \"/t\" { "
             "data = "
             "b }",

@@ -332,6 +332,132 @@ int main() {
 })");
 }
 
+/// Operations send and cancel a goal of an action, and its replies raise events, in one order whatever the server does.
+TEST_F(Package, CallsActions) {
+    emit(testing::load_model(R"(package p
+datatype Goal { x : real y : real }
+interface Acts { goTo(at : Goal) stop() note(left : real) }
+interface Ins { event go : real event halt event taken event refused event left : real event arrived event failed
+    event stopped event lost }
+stm M { requires Acts uses Ins var g : Goal var d : real initial i
+    state Idle { } state Asked { } state Driving { } state Arrived { } state Failed { } state Stopped { } state Lost { }
+    transition t0 { from i to Idle }
+    transition t1 { from Idle to Asked trigger go?d action g.x = d ; goTo(g) }
+    transition t2 { from Asked to Driving trigger taken } transition t3 { from Asked to Failed trigger refused }
+    transition t4 { from Driving to Driving trigger left?d action note(d) }
+    transition t5 { from Driving to Arrived trigger arrived } transition t6 { from Driving to Failed trigger failed }
+    transition t7 { from Driving to Stopped trigger stopped }
+    transition t8 { from Driving to Driving trigger halt action stop() }
+    transition h { from Asked to Asked trigger halt action stop() }
+    transition t9 { from Asked to Lost trigger lost } transition l { from Driving to Lost trigger lost }
+    transition a { from Arrived to Asked trigger go?d action g.x = d ; goTo(g) }
+    transition b { from Failed to Asked trigger go?d action g.x = d ; goTo(g) }
+    transition c { from Stopped to Asked trigger go?d action g.x = d ; goTo(g) }
+    transition d { from Lost to Asked trigger go?d action g.x = d ; goTo(g) }
+    transition e { from Driving to Asked trigger go?d action g.x = d ; goTo(g) } }
+)"),
+         "M", R"(ros2 for M {
+    call operation goTo as action nav2_msgs/NavigateToPose on "navigate_to_pose" {
+        pose.header.stamp = now pose.header.frame_id = "map" pose.pose.position.x = at.x pose.pose.position.y = at.y }
+    call operation stop as cancel of goTo
+    receive event taken as accepted of goTo
+    receive event refused as rejected of goTo
+    receive event left as feedback of goTo when number_of_recoveries < 3 { value = distance_remaining }
+    receive event arrived as succeeded of goTo
+    receive event failed as aborted of goTo when error_code == 0
+    receive event stopped as canceled of goTo
+    receive event lost as deadline 60 of goTo
+    receive event go as std_msgs/Float64 on "go" { value = data }
+    receive event halt as std_msgs/Empty on "halt"
+})");
+    folder_.run(
+        "grep -q '<depend>rclcpp_action</depend>' package.xml && grep -q '<depend>nav2_msgs</depend>' package.xml");
+    drive("M_node.hpp", R"(
+using nav2_msgs::action::NavigateToPose;
+using rclcpp_action::ResultCode;
+using Client = rclcpp_action::Client<NavigateToPose>;
+std::string state() {
+    Network::get().tick();
+    const auto states = taken<std_msgs::msg::String>("/m/state");
+    return states.empty() ? "" : states.back().data;
+}
+std::string go(double x) {
+    Network::get().send("/go", std_msgs::msg::Float64{x});
+    return state();
+}
+void wait_for(std::int64_t seconds) { Network::get().nanoseconds += seconds * 1'000'000'000; }
+NavigateToPose::Feedback distance(float left, std::int16_t recoveries = 0) {
+    NavigateToPose::Feedback feedback;
+    feedback.distance_remaining = left;
+    feedback.number_of_recoveries = recoveries;
+    return feedback;
+}
+int main() {
+    Network& network = Network::get();
+    auto& goals = Client::goals()["/navigate_to_pose"];
+    p::MNode node;
+    EXPECT(started(node));
+    EXPECT(state() == "Idle");
+    // Without a server, only the deadline raises an event.
+    EXPECT(go(1) == "Asked" && goals.empty() && logged("navigate_to_pose: no action server, not called"));
+    wait_for(60);
+    EXPECT(state() == "Lost");
+    network.servers.insert("/navigate_to_pose");
+    network.seconds = 7;
+    EXPECT(go(2.5) == "Asked" && goals.size() == 1);
+    EXPECT(goals[0].goal.pose.pose.position.x == 2.5 && goals[0].goal.pose.header.frame_id == "map");
+    // Replies before the goal has been accepted are dropped.
+    goals[0].feed(distance(9));
+    goals[0].end(ResultCode::SUCCEEDED);
+    EXPECT(state().empty());
+    goals[0].accept();
+    EXPECT(state() == "Driving");
+    goals[0].feed(distance(1.5));
+    EXPECT(state().empty() && taken<std_msgs::msg::Float64>("/m/out/note").back().data == 1.5);
+    goals[0].feed(distance(1.0, 3));
+    EXPECT(state().empty() && taken<std_msgs::msg::Float64>("/m/out/note").empty());
+    goals[0].end(ResultCode::SUCCEEDED);
+    EXPECT(state() == "Arrived");
+    wait_for(90);
+    EXPECT(state().empty());  // the deadline has ended
+    // A rejection.
+    EXPECT(go(3) == "Asked" && goals.size() == 2);
+    goals[1].reject();
+    EXPECT(state() == "Failed");
+    // A cancellation before the server has accepted the goal waits until then.
+    EXPECT(go(4) == "Asked");
+    network.send("/halt", std_msgs::msg::Empty{});
+    EXPECT(state().empty() && !goals[2].handle->canceled);
+    goals[2].accept();
+    EXPECT(goals[2].handle->canceled && state() == "Driving");
+    goals[2].end(ResultCode::CANCELED);
+    goals[2].feed(distance(9));  // late
+    EXPECT(state() == "Stopped" && taken<std_msgs::msg::Float64>("/m/out/note").empty());
+    // A later goal replaces the earlier one, whose result raises no event.
+    EXPECT(go(5) == "Asked");
+    goals[3].accept();
+    EXPECT(state() == "Driving" && go(6) == "Asked");
+    goals[3].end(ResultCode::ABORTED);
+    EXPECT(state().empty());
+    goals[4].accept();
+    EXPECT(state() == "Driving");
+    network.send("/halt", std_msgs::msg::Empty{});
+    EXPECT(state().empty() && goals[4].handle->canceled && !goals[3].handle->canceled);
+    goals[4].end(ResultCode::ABORTED);
+    EXPECT(state() == "Failed");
+    // A pause cancels the goal, and its result raises no event.
+    EXPECT(go(7) == "Asked");
+    goals[5].accept();
+    EXPECT(state() == "Driving" && node.deactivate().label() == "inactive" && goals[5].handle->canceled);
+    goals[5].end(ResultCode::CANCELED);
+    EXPECT(node.activate().label() == "active" && state().empty());
+    // After cleanup, nothing is left of the goals.
+    EXPECT(node.deactivate().label() == "inactive" && node.cleanup().label() == "unconfigured");
+    goals[5].accept();
+    return 0;
+})");
+}
+
 /// A list is received whole or not at all: a message with more items than the capacity, or with an item that is not a
 /// value of the model, is logged and raises no event. The controller goes on.
 TEST_F(Package, RefusesArraysThatDoNotFit) {
