@@ -20,6 +20,7 @@
 #include "cpp_emit/project.hpp"
 #include "cpp_emit/ros2/mapping.hpp"
 #include "cpp_emit/ros2/mapping_draft.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -97,7 +98,7 @@ void report_large_state(const Generation& generation, diagnostics::Diagnostics& 
     std::string text = "its state takes more than 64 KiB (long lists, or operations that call operations)";
     if (largest != nullptr)
         text += fmt::format("; the lists of '{0}' take {1} bytes: --capacity {0}=N sets a smaller capacity",
-                            largest->variable->name, size_of(*largest));
+                            largest->name(), size_of(*largest));
     diagnostics.report(rules::too_large, largest == nullptr ? component.origin.span : largest->variable->origin.span,
                        {component.name, text});
 }
@@ -119,9 +120,11 @@ Options with_mapped_capacities(const Options& options) {
 
 Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir::ComponentRef& ref,
               const Options& given, diagnostics::Diagnostics& diagnostics) {
-    const Options options = with_mapped_capacities(given);
+    Options options = with_mapped_capacities(given);
     Emission emission;
     const std::optional<Component> component = resolve_component(system, inst, ref, diagnostics);
+    if (component && component->robosim)
+        options.cycle_length = static_cast<std::uint32_t>(ir::cycle_of(system, inst, ref));
     if (!component || !check_support(system, inst, *component, diagnostics)) return emission;
     Mutation mutation(options.fault, options.fault_site);
     const std::optional<ir::System> sized = with_capacities(system, *component, options);

@@ -123,9 +123,8 @@ private:
                                                to_list(event.type)));
         for (const StoredVariable& variable : generation_.component.variables)
             if (!variable.input.empty() && !variable.copy)
-                inputs_.push_back(make_channel(Port::Kind::variable, variable.variable->name,
-                                               "set_EXT_" + variable.variable->name, variable.input,
-                                               {variable.variable->type}));
+                inputs_.push_back(make_channel(Port::Kind::variable, variable.name(), "set_EXT_" + variable.name(),
+                                               variable.input, {variable.variable->type}));
     }
 
     void collect_machine(std::size_t part) {
@@ -149,9 +148,8 @@ private:
                                                 to_list(event.type)));
         for (const StoredVariable& variable : generation_.component.variables) {
             if (!variable.visible || variable.copy) continue;
-            outputs_.push_back(make_channel(Port::Kind::variable, variable.variable->name,
-                                            "set_" + variable.variable->name, variable.output,
-                                            {variable.variable->type}));
+            outputs_.push_back(make_channel(Port::Kind::variable, variable.name(), "set_" + variable.name(),
+                                            variable.output, {variable.variable->type}));
             outputs_.back().port.initial = initial_number(variable);
         }
     }
@@ -451,7 +449,7 @@ bool carries_numbers(const Component& component, const ir::System& system, diagn
     for (const PlatformCall& call : component.calls)
         for (const ir::TypeId type : call.signature->parameters) check(type, call.signature->name);
     for (const StoredVariable& variable : component.variables)
-        if (variable.visible || !variable.input.empty()) check(variable.variable->type, variable.variable->name);
+        if (variable.visible || !variable.input.empty()) check(variable.variable->type, variable.name());
     return diagnostics.error_count() == before;
 }
 

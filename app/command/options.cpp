@@ -38,6 +38,7 @@ driver::ClaimUse claim_use(Verb verb) {
 void set_verb(Options& options, Verb verb) {
     options.verb = verb;
     options.load.claims = claim_use(verb);
+    options.load.robosim_code = verb == Verb::emit_cpp || verb == Verb::conform;
 }
 
 }  // namespace robochart::app

@@ -305,15 +305,25 @@ void check_capacities(const Options& options, const std::vector<cpp_emit::Emissi
     }
 }
 
+/// RoboSim: --cycle sets the cycles of the components in place of their `cycleDef`.
+void set_cycles(driver::Project& project, const std::vector<ir::ComponentRef>& components, const Options& options) {
+    if (!options.code.cycle_given) return;
+    for (const ir::ComponentRef& component : components)
+        if (ir::is_robosim(project.system, component))
+            project.instantiation.constants[ir::constant_name(component.package, component.path, ir::cycle_length)] = {
+                static_cast<std::int64_t>(options.code.cycle), {}};
+}
+
 }  // namespace
 
 bool write_cpp(driver::Project& project, const Options& options, Report& report) {
-    auto components = driver::code_components(project.system, options.load.component);
+    auto components = driver::code_components(project.system, options.load.component, options.load.robosim_code);
     if (components.empty()) {
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.load.component.empty() ? "the model" : options.load.component});
         return false;
     }
+    set_cycles(project, components, options);
     cpp_emit::Options generator;
     generator.cycle_length = options.code.cycle;
     generator.unit = project.unit;
@@ -361,7 +371,7 @@ const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& co
 bool write_prism(driver::Project& project, const Options& options, Report& report) {
     const auto preferences = read_preferences(project, options.probability);
     if (!preferences) return false;
-    const auto components = driver::code_components(project.system, options.load.component);
+    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim_code);
     if (components.empty())
         project.diagnostics.report(prism_emit::rules::no_module, model_place(project), {project.name});
     for (const ir::ComponentRef& component : components) {
@@ -427,7 +437,7 @@ bool allows_rounding(const Options& options) {
 }  // namespace
 
 void check_conformance(driver::Project& project, const Options& options, Report& report) {
-    const auto components = driver::code_components(project.system, options.load.component);
+    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim_code);
     if (components.empty())
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.load.component.empty() ? "the model" : options.load.component});
@@ -441,6 +451,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
             report.conformance.back().result.reason = driver::undecided_at_limit;
         }
     }
+    set_cycles(project, components, options);
     std::optional<conformance::TimedModel> model;  // built for the first component and used for all
     std::string unlike_blocks;
     for (std::size_t i = 0; i < components.size(); ++i) {
@@ -507,7 +518,8 @@ bool has_components(const driver::Part& part, const std::vector<driver::Part>& p
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
                       options.verb == Verb::conform;
-    const bool some = !driver::code_components(part.project->system, options.load.component).empty();
+    const bool some =
+        !driver::code_components(part.project->system, options.load.component, options.load.robosim_code).empty();
     return some || (options.load.component.empty() && (!code || parts.size() == 1));
 }
 
@@ -598,7 +610,7 @@ Exit refuse_parts(const driver::Project& stopped, const std::vector<driver::Part
     return refusal_code(stopped);
 }
 
-/// Whether all components are of RoboSim, for which no code is generated.
+/// Whether all components are of RoboSim.
 bool has_only_robosim(const ir::System& system) {
     const auto chart = [](const auto& component) { return !component.robosim; };
     return !ir::robosim_components(system).empty() && std::ranges::none_of(system.machines, chart) &&
@@ -620,8 +632,9 @@ Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, R
         Options part_options = options;
         part_options.claims.core = core_wanted(part, options);
         const bool code =
-            !part.again && !has_only_robosim(part.project->system) &&
-            (parts.size() == 1 || !driver::code_components(part.project->system, options.load.component).empty());
+            !part.again && (options.load.robosim_code || !has_only_robosim(part.project->system)) &&
+            (parts.size() == 1 ||
+             !driver::code_components(part.project->system, options.load.component, options.load.robosim_code).empty());
         (void)run_phases(*part.project, part_options, code, report);
     }
     if (!some)
@@ -703,6 +716,7 @@ Options with_buffers(Options options) {
 
 Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
+    if (!options.conform.traces.empty()) options.load.robosim_code = false;  // no logs of RoboSim
     parts = driver::load_parts(options, options.run->budget());
     if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor)
         for (const driver::Part& part : parts) driver::read_ignored_claims(*part.project, options.load);

@@ -35,7 +35,9 @@
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
 #include "csp_emit/emit.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/number_parts.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::conformance {
 
@@ -135,7 +137,8 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
     }
     const bool interrupted = options.limits.interrupted && options.limits.interrupted();
     // The other searches do not know the filter of dropped inputs.
-    if (result.outcome != Outcome::inconclusive || interrupted || !interface.drops.empty()) return result;
+    if (result.outcome != Outcome::inconclusive || interrupted || !interface.drops.empty() || interface.robosim)
+        return result;
     if (model && options.relation == Relation::failures_divergences && options.inputs != InputSearch::on_demand)
         try_partial_readings(result, *model, session, interface, code, options, places);
     if (result.outcome != Outcome::inconclusive) return result;
@@ -272,6 +275,11 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
         cspm::Session session(script.definitions);
         Result result = check_process(session, process, interface, code, options, places, failure_text);
         const Alphabet alphabet(interface, session.event_table());
+        if (interface.robosim) {
+            if (sources != nullptr) name_model_places(result, script.provenance, *sources);
+            report_large_inputs(result, interface);
+            return result;
+        }
         refuse_choices(result, session, process, alphabet, represented, options);
         add_cycle_claims(result, session, process, alphabet, code, {system, script.provenance}, represented, options);
         if (sources != nullptr) {
@@ -600,12 +608,26 @@ Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& comp
 
 }  // namespace
 
+namespace {
+
+/// RoboSim: for the values of the carriers.
+Result conform_robosim(const TimedModel& timed, const ir::ComponentRef& component, const Options& given,
+                       diagnostics::Diagnostics& diagnostics) {
+    const RenamedSystem& model = timed.model;
+    Options options = given;
+    options.cycle_length = static_cast<std::uint32_t>(ir::cycle_of(model.system, model.instantiation, component));
+    return judge_values(timed, component, model.instantiation, timed.script, options, diagnostics);
+}
+
+}  // namespace
+
 Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
                diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;
     const ir::ComponentRef component = renamed_component(model, named);
     if (!timed.sound || !component_process(timed.script.definitions, component))
         return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
+    if (ir::is_robosim(model.system, component)) return conform_robosim(timed, component, options, diagnostics);
     ForAllValues all = conform_for_all_values(timed, component, options, diagnostics);
     const bool differs = all.result && all.result->outcome == Outcome::differs;
     if (all.result && !differs) return std::move(*all.result);

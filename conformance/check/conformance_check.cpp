@@ -16,6 +16,7 @@
 #include "conformance/check/violated_precondition.hpp"
 #include "conformance/code/cycle_graph.hpp"
 #include "conformance/model/normal_form_system.hpp"
+#include "conformance/model/register_system.hpp"
 #include "conformance/model/rules.hpp"
 #include "conformance/model/tick_tock.hpp"
 
@@ -251,10 +252,13 @@ Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::ui
     return result;
 }
 
-Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled, std::uint32_t cycle_length,
-                  const refine::Limits& limits, Relation relation, const EventPlaces& places) {
+namespace {
+
+/// The comparison of the code with the specification.
+Result compare(ModelGraph& model, lts::TransitionSystem& specification, const Alphabet& alphabet,
+               const rc_interface& compiled, std::uint32_t cycle_length, const refine::Limits& limits,
+               Relation relation, const EventPlaces& places) {
     Result result;
-    NormalFormSystem specification(model, alphabet, cycle_length);
     CodeSystem code(compiled, alphabet, cycle_length);
     const refine::Verdict verdict = check_relation(specification, code, alphabet, limits, relation);
     result.product = verdict.statistics;
@@ -267,10 +271,20 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
         result.outcome = verdict.outcome == refine::Outcome::holds ? Outcome::conforms : Outcome::inconclusive;
         result.reason = verdict.reason;
     }
-    compare_event_api(result, compiled, code, alphabet, limits);
-    add_lost_events(result, code, alphabet, places);
+    if (!alphabet.interface().robosim) {
+        compare_event_api(result, compiled, code, alphabet, limits);
+        add_lost_events(result, code, alphabet, places);
+    }
     record_counts(result, model, code);
     return result;
+}
+
+}  // namespace
+
+Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interface& compiled, std::uint32_t cycle_length,
+                  const refine::Limits& limits, Relation relation, const EventPlaces& places) {
+    NormalFormSystem specification(model, alphabet, cycle_length);
+    return compare(model, specification, alphabet, compiled, cycle_length, limits, relation, places);
 }
 
 namespace {
@@ -311,6 +325,43 @@ Result judged_on_demand(ModelGraph& graph, const Alphabet& alphabet, const rc_in
 
 }  // namespace
 
+namespace {
+
+/// RoboSim: the component itself is the specification. It may stop time in a cycle that it cannot end; code reports
+/// this as a missed deadline. No cycle writes an output twice, because the component cannot either.
+Result judge_registers(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
+                       std::uint32_t cycle_length, const refine::Limits& limits, Relation relation,
+                       const EventPlaces& places) {
+    RegisterSystem idle(model, alphabet, AfterEnd::idle);
+    const refine::Verdict endless = refine::divergence_free(idle, limits);
+    Result result;
+    result.schedulability = endless.statistics;
+    result.model_states = model.size();
+    result.reason = endless.reason;
+    if (endless.outcome == refine::Outcome::fails && endless.counterexample)
+        report_not_schedulable(result, *endless.counterexample, model, alphabet, cycle_length, limits);
+    if (endless.outcome != refine::Outcome::holds) return result;
+    const refine::Verdict stops = refine::deadlock_free(idle, refine::Model::failures_divergences, limits);
+    RegisterSystem specification(model, alphabet, AfterEnd::stop);
+    result = compare(model, specification, alphabet, code, cycle_length, limits, relation, places);
+    result.schedulability = stops.statistics;
+    result.register_cycles.emplace();
+    if (stops.outcome == refine::Outcome::holds) result.deadlines.emplace();
+    if (stops.outcome == refine::Outcome::fails && stops.counterexample) {
+        Witness run = make_witness(stops.counterexample->steps, alphabet, cycle_length);
+        result.deadlines = {
+            false,
+            "the component can neither go on nor end its cycle, at " + last_state(*stops.counterexample),
+            std::move(run.cycles),
+            &rules::time_stops,
+            {},
+            {}};
+    }
+    return result;
+}
+
+}  // namespace
+
 Result judge_component(lts::TransitionSystem& model, process::EventTable& events, const Interface& interface,
                        const rc_interface& code, std::uint32_t cycle_length, const refine::Limits& limits,
                        Relation relation, const EventPlaces& places, InputSearch inputs) {
@@ -318,6 +369,7 @@ Result judge_component(lts::TransitionSystem& model, process::EventTable& events
     try {
         const Alphabet alphabet(interface, events);
         ModelGraph graph(model, alphabet);
+        if (interface.robosim) return judge_registers(graph, alphabet, code, cycle_length, limits, relation, places);
         if (relation == Relation::failures_divergences && on_demand(inputs, interface, code)) {
             try {
                 return judged_on_demand(graph, alphabet, code, cycle_length, limits, places);

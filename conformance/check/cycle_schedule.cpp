@@ -149,6 +149,8 @@ private:
                     make(at, next);
                     break;
                 case Kind::tock:
+                case Kind::read:
+                case Kind::hidden:
                 case Kind::blocked:
                 case Kind::foreign:
                     break;

@@ -97,6 +97,10 @@ std::string input_name(const Register& input) {
     return starts_with(input.name, written) ? input.name.substr(written.size()) : short_name(input.name);
 }
 
+std::string output_name(const Output& output) {
+    return starts_with(output.name, "set_") ? output.name.substr(4) : short_name(output.name);
+}
+
 std::string cspm_text(const Carrier& carrier, std::int64_t value) {
     if (carrier.kind == Carrier::Kind::boolean) return value != 0 ? "true" : "false";
     if (carrier.kind == Carrier::Kind::enumeration && value >= 0 &&
@@ -150,6 +154,10 @@ ModelRole Alphabet::find_role(const std::string& name) const {
     if (!starts_with(name, prefix)) return {ModelRole::Kind::foreign};
     const std::string_view local = std::string_view(name).substr(prefix.size());
     if (local == "terminate") return {ModelRole::Kind::terminate};
+    if (interface_.robosim) {
+        const ModelRole role = register_role(local);
+        if (role.kind != ModelRole::Kind::foreign) return role;
+    }
     for (std::uint32_t i = 0; i < interface_.inputs.size(); ++i) {
         const Register& input = interface_.inputs[i];
         const auto rest = arguments_after(local, input.name);
@@ -161,14 +169,49 @@ ModelRole Alphabet::find_role(const std::string& name) const {
     }
     for (std::uint32_t o = 0; o < interface_.outputs.size(); ++o) {
         const auto rest = arguments_after(local, interface_.outputs[o].name);
-        if (!rest) continue;
-        const process::Event write = events_->intern(fmt::format("registerWrite.wrote__{}{}", output_names_[o], *rest));
-        return {ModelRole::Kind::output, o, 0, write};
+        if (rest) return output_role(o, *rest);
     }
     for (const std::string& channel : interface_.blocked) {
         if (arguments_after(local, channel)) return {ModelRole::Kind::blocked};
     }
     return {ModelRole::Kind::foreign};
+}
+
+/// RoboSim: registerRead.P::S::i_e.true.v, registerWrite.P::S::o_e.v, endexec (docs/robosim.md, "Names").
+ModelRole Alphabet::register_role(std::string_view local) const {
+    if (local == "endexec") return {ModelRole::Kind::hidden};
+    const std::string read = "registerRead." + interface_.component + "::i_";
+    const std::string write = "registerWrite." + interface_.component + "::o_";
+    if (starts_with(local, read))
+        for (std::uint32_t i = 0; i < interface_.inputs.size(); ++i)
+            if (const auto rest = arguments_after(local.substr(read.size()), input_name(interface_.inputs[i])))
+                return read_role(i, *rest);
+    if (starts_with(local, write))
+        for (std::uint32_t o = 0; o < interface_.outputs.size(); ++o)
+            if (const auto rest = arguments_after(local.substr(write.size()), output_name(interface_.outputs[o])))
+                return output_role(o, *rest);
+    return {ModelRole::Kind::foreign};
+}
+
+/// The content of an event's register is `.true.v`, or `.false.v` with any v; that of a variable's is `.v`.
+ModelRole Alphabet::read_role(std::uint32_t input, std::string_view content) const {
+    const Register& read = interface_.inputs[input];
+    if (read.kept == 0) {
+        if (arguments_after(content, ".false")) return {ModelRole::Kind::read, input, 0};
+        const auto value = arguments_after(content, ".true");
+        if (!value) return {ModelRole::Kind::foreign};
+        if (value->empty()) return {ModelRole::Kind::read, input, 1};
+        content = *value;
+    }
+    const auto found = std::ranges::find(read.texts, content.empty() ? content : content.substr(1));
+    if (found == read.texts.end()) return {ModelRole::Kind::foreign};
+    return {ModelRole::Kind::read, input, 1 + static_cast<std::uint32_t>(found - read.texts.begin())};
+}
+
+ModelRole Alphabet::output_role(std::uint32_t output, std::string_view arguments) const {
+    const process::Event write =
+        events_->intern(fmt::format("registerWrite.wrote__{}{}", output_names_[output], arguments));
+    return {ModelRole::Kind::output, output, 0, write};
 }
 
 CycleRole Alphabet::cycle_role(process::Event event) const {

@@ -29,6 +29,9 @@ struct Register {
     std::vector<std::int64_t> values;  ///< empty: it carries no value
     std::vector<std::string> texts;    ///< the values as CSPM text
     Carrier carrier;
+    /// RoboSim, variables: the reading before the first cycle. A variable that is absent has its last value. Otherwise
+    /// 0.
+    std::uint32_t kept = 0;
 
     /// The number of possible readings in one cycle: one for "absent", and one for each value, or one for "present" if
     /// the register carries no value.
@@ -54,11 +57,15 @@ struct Interface {
     std::vector<Register> inputs;
     std::vector<Output> outputs;
     std::vector<DroppedInput> drops = {};  ///< by both sides, in this order
+    bool robosim = false;                  ///< M has registers itself (register_system.hpp)
     std::vector<std::string> blocked;      ///< channels of M that the environment does not use: "set_EXT_x"
 };
 
 /// The name of an input for readers: "seeRobot", "reached".
 [[nodiscard]] std::string input_name(const Register& input);
+
+/// The name of an output for readers: "Move", "out", "x".
+[[nodiscard]] std::string output_name(const Output& output);
 
 /// The value in CSPM's notation, and in RoboChart's (reals as exact decimals).
 [[nodiscard]] std::string cspm_text(const Carrier&, std::int64_t value);
@@ -72,10 +79,21 @@ public:
 
 /// The role of an event of the model M.
 struct ModelRole {
-    enum class Kind { tau, tick, tock, terminate, input, output, blocked, foreign };
+    enum class Kind {
+        tau,
+        tick,
+        tock,
+        terminate,
+        input,
+        output,
+        read,    ///< RoboSim: a register is read
+        hidden,  ///< RoboSim: endexec
+        blocked,
+        foreign
+    };
     Kind kind = Kind::foreign;
-    std::uint32_t index = 0;              ///< input, output
-    std::uint32_t reading = 0;            ///< input: 1 + index of the value
+    std::uint32_t index = 0;              ///< input, output, read
+    std::uint32_t reading = 0;            ///< input, read: 1 + index of the value; 0: an empty register
     process::Event write = process::tau;  ///< output: the event of NF that reports it
 };
 
@@ -113,6 +131,9 @@ public:
 
 private:
     [[nodiscard]] ModelRole find_role(const std::string& name) const;
+    [[nodiscard]] ModelRole register_role(std::string_view local) const;
+    [[nodiscard]] ModelRole read_role(std::uint32_t input, std::string_view content) const;
+    [[nodiscard]] ModelRole output_role(std::uint32_t output, std::string_view arguments) const;
     [[nodiscard]] std::string describe_write(std::uint32_t output, process::Event write) const;
 
     Interface interface_;

@@ -2,7 +2,10 @@
 // Looks up the data about one component in the IR and the emitted script; see component.hpp.
 #include "conformance/model/component.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <utility>
 
@@ -193,9 +196,39 @@ std::vector<std::string> unread_variables(const ir::System& system, const ir::Co
     return unread;
 }
 
+namespace {
+
+/// RoboSim: the carriers of the registers, and the readings of variables before the first cycle.
+void complete_registers(Interface& interface, const ir::System& system, const ir::Instantiation& instantiation,
+                        const csp_emit::Provenance& provenance) {
+    const auto types_of_register = [&](const std::string& channel, const std::string& name) {
+        return types_of(provenance, fmt::format("{0}::{1}.{0}::{2}", interface.component, channel, name));
+    };
+    for (Register& input : interface.inputs) {
+        const auto* types = types_of_register("registerRead", "i_" + input_name(input));
+        if (types == nullptr || types->empty()) continue;
+        input.carrier = carrier_of(system, instantiation, types->back());
+        if (!input.name.starts_with("set_EXT_")) continue;
+        const ir::Value first = ir::default_value(system, instantiation, types->back());
+        const std::string text = cpp_emit::cspm_value(system, types->back(), first);
+        const auto found = std::ranges::find(input.texts, text);
+        assert(found != input.texts.end());
+        input.kept = 1 + static_cast<std::uint32_t>(found - input.texts.begin());
+    }
+    for (Output& output : interface.outputs) {
+        const auto* types = types_of_register("registerWrite", "o_" + output_name(output));
+        for (std::size_t a = 0; types != nullptr && a < types->size() && a < output.arguments.size(); ++a)
+            output.arguments[a] = carrier_of(system, instantiation, (*types)[a]);
+    }
+}
+
+}  // namespace
+
 void complete_interface(Interface& interface, const ir::System& system, const ir::Instantiation& instantiation,
                         const ir::ComponentRef& ref, const csp_emit::Provenance& provenance) {
     interface.component = component_prefix(ref);
+    interface.robosim = ir::is_robosim(system, ref);
+    if (interface.robosim) complete_registers(interface, system, instantiation, provenance);
     for (Register& input : interface.inputs) {
         const auto* types = types_of(provenance, interface.component + "::" + input.name);
         if (types != nullptr && !types->empty()) input.carrier = carrier_of(system, instantiation, types->front());

@@ -228,6 +228,8 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
         case ModelRole::Kind::output:
             return store_output(move, edge);
         case ModelRole::Kind::tock:
+        case ModelRole::Kind::read:
+        case ModelRole::Kind::hidden:
         case ModelRole::Kind::blocked:
         case ModelRole::Kind::foreign:
             return;

@@ -108,8 +108,7 @@ private:
         for (const StoredVariable& stored : component_.variables)
             if (!stored.copy && !stored.local)
                 class_of_interface(stored.variable->interface)
-                    .variables.push_back(
-                        {&stored, unique_member(stored.variable->name, "_variable"), copy_paths(stored)});
+                    .variables.push_back({&stored, unique_member(stored.name(), "_variable"), copy_paths(stored)});
     }
 
     /// The members of the other machines that store copies of the variable.

@@ -110,6 +110,7 @@ bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent&
 /// The comment on the member that stores whether the event is raised.
 const char* describe_flag(const Generation& generation, const Core& core, const ApiEvent& event) {
     if (event.sent) return "sent in the last cycle";
+    if (generation.component.robosim) return "raise it before a cycle, whose register it fills";
     if (may_be_lost(generation, core, event))
         return "raise it before a cycle, which lowers it again; lost in a cycle spent in an action";
     return "raise it before a cycle, which lowers it again";

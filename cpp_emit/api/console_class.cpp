@@ -163,8 +163,8 @@ private:
             out_.line(fmt::format("std::cout << \"  {} \" << name({}());", machine.method, machine.method));
         each_class(api_, [&](const ApiClass& part) {
             for (const ApiVariable& variable : part.variables)
-                out_.line(fmt::format("std::cout << \" {} = \" << robochart::show_value({});",
-                                      variable.stored->variable->name, variable.member));
+                out_.line(fmt::format("std::cout << \" {} = \" << robochart::show_value({});", variable.stored->name(),
+                                      variable.member));
             for (const ApiEvent& event : part.events)
                 if (event.sent)
                     out_.line(

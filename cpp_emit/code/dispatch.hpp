@@ -10,7 +10,7 @@
 
 namespace robochart::cpp_emit {
 
-/// The events that the platform raises, in the order of Inputs.
+/// The events that the platform may raise one at a time, in the order of Inputs; none in RoboSim.
 [[nodiscard]] std::vector<const EventPort*> input_events(const Component&);
 /// The name of the enumeration of these events: `Event`, unless the model has a type with that name.
 [[nodiscard]] std::string event_type(const Generation&);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "cpp_emit/code/cycles.hpp"
 #include "cpp_emit/code/suspension.hpp"
 #include "cpp_emit/plan/walk.hpp"
 
@@ -62,13 +63,22 @@ bool MachinePlan::in_loop(NodeId id) const {
 
 bool MachinePlan::enters_straight(NodeId id) const {
     if (node(id).kind == NodeKind::probabilistic) return false;
+    if (is_choice(id) && awaits_registers()) return false;
     return is_choice(id) ? !in_loop(id) : !may_wait(node(id).entry);
 }
 
 bool MachinePlan::is_passed_through(NodeId id) const {
-    if (node(id).kind != NodeKind::initial || node(id).outgoing.size() != 1) return false;
+    if (node(id).kind != NodeKind::initial || node(id).outgoing.size() != 1 || awaits_registers()) return false;
     const ir::Transition& only = machine().transitions[node(id).outgoing.front().index];
     return !only.guard && only.resets.empty();
+}
+
+bool MachinePlan::awaits_registers() const {
+    return generation_.component.robosim && has_parallel_actions(generation_.component, unit_);
+}
+
+bool MachinePlan::has_exec() const {
+    return std::ranges::any_of(machine().transitions, &ir::Transition::exec);
 }
 
 bool MachinePlan::exits_below(NodeId id) const {

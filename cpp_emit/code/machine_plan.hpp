@@ -43,6 +43,11 @@ public:
     /// node then takes the transition.
     [[nodiscard]] bool is_passed_through(ir::NodeId) const;
 
+    /// RoboSim: whether transitions from junctions may have to wait, because a during action has ended the cycle.
+    [[nodiscard]] bool awaits_registers() const;
+    /// RoboSim: whether some transition ends the cycle. Frame::next stores it until the next cycle.
+    [[nodiscard]] bool has_exec() const;
+
     /// Whether control rests in the node between transitions.
     [[nodiscard]] bool is_resting_place(ir::NodeId id) const {
         return node(id).kind == ir::NodeKind::final ||

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/cycles.hpp"
 #include "cpp_emit/code/machine_plan.hpp"
 #include "cpp_emit/code/reception.hpp"
 #include "cpp_emit/code/suspension.hpp"
@@ -112,6 +113,7 @@ const std::string& ProgramWriter::stuck_place() {
 void ProgramWriter::write_statement(const ir::StmtPtr& stmt, const std::string& stem) {
     if (!stmt) return;
     test_preconditions(*stmt);
+    await_cycle(*stmt, stem);
     switch (stmt->kind) {
         case StmtKind::sequence:
             return write_sequence(stmt->body, stem);
@@ -130,11 +132,34 @@ void ProgramWriter::write_statement(const ir::StmtPtr& stmt, const std::string& 
             return write_line(clock_reset(generation_, unit_, stmt->clock));
         case StmtKind::deadline:
             return write_deadline(*stmt, stem);
+        case StmtKind::exec:
+            return end_cycle(stem);
         case StmtKind::skip:
-        case StmtKind::exec:    // RoboSim: no code is generated
         case StmtKind::choose:  // only in models that are decided
             return;
     }
+}
+
+/// RoboSim: a statement that touches registers waits if the cycle has ended, and a write waits if the cycle has already
+/// written its output.
+void ProgramWriter::await_cycle(const ir::Stmt& stmt, const std::string& stem) {
+    const std::string waits = awaits_cycle(generation_, unit_, stmt);
+    if (!waits.empty()) {
+        resume_here(stem, "needs the registers of a cycle");
+        return_if(waits);
+    }
+    const std::string written = written_member(generation_, unit_, stmt);
+    if (!written.empty() && !generation_.mutation.hits(Fault::cycle_output_again))
+        current_code().line(written + " = true;");
+}
+
+/// RoboSim: `exec` ends the cycle; the thread goes on in the next one.
+void ProgramWriter::end_cycle(const std::string& stem) {
+    if (generation_.mutation.hits(Fault::cycle_exec_dropped)) return;
+    const std::string ended = ended_member(generation_.component, unit_);
+    current_code().line(ended + " = true;");
+    resume_at(fresh_label(stem), "waits for the next cycle");
+    return_if(ended);
 }
 
 void ProgramWriter::write_sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem) {

@@ -96,11 +96,13 @@ public:
 
 private:
     void resume_at(const std::string& label, const diagnostics::ForeignText& comment);
-    [[nodiscard]] std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
+    std::string resume_here(const std::string& stem, const diagnostics::ForeignText& comment);
     [[nodiscard]] std::string fresh_label(const std::string& stem);
     void return_if(const std::string& condition);
     void test_preconditions(const ir::Stmt&);
     [[nodiscard]] const std::string& stuck_place();
+    void await_cycle(const ir::Stmt&, const std::string& stem);
+    void end_cycle(const std::string& stem);
     void write_sequence(const std::vector<ir::StmtPtr>& parts, const std::string& stem);
     void if_statement(const ir::Stmt&, const std::string& stem);
     void suspending_if(const ir::Stmt&, const std::string& stem);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/cycles.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/ir/visit.hpp"
 
@@ -42,7 +43,7 @@ bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt
 
 /// Whether the statement itself may suspend, ignoring nested statements.
 bool suspends_itself(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
-    if (may_be_stuck(generation, unit, stmt)) return true;
+    if (may_be_stuck(generation, unit, stmt) || may_await_cycle(generation, unit, stmt)) return true;
     switch (stmt.kind) {
         case StmtKind::wait:
         case StmtKind::wait_interval:
@@ -59,7 +60,7 @@ bool suspends_itself(const Generation& generation, const Unit& unit, const ir::S
         case StmtKind::if_then_else:
         case StmtKind::clock_reset:
         case StmtKind::deadline:
-        case StmtKind::exec:  // RoboSim: no code is generated
+        case StmtKind::exec:
         case StmtKind::choose:
             break;
     }

@@ -10,6 +10,7 @@
 #include "cpp_emit/plan/list_capacities.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
+#include "semantics/evaluate/carrier.hpp"
 
 namespace robochart::cpp_emit {
 
@@ -105,8 +106,18 @@ std::string ExpressionWriter::fitting(ir::TypeId type, const std::string& value)
     return has_lists(generation_.system, type) ? fmt::format("fit<Types>({})", value) : value;
 }
 
+/// RoboSim: whether the register of an event is full, or its value.
+std::string ExpressionWriter::register_text(const EventPort& port, ir::VariableId id) const {
+    const ir::Variable& variable = unit_.machine->variables[id.index];
+    if (!variable.name.ends_with('?')) return fmt::format("bool(inputs_.{}.present)", port.input);
+    const ir::Value empty = ir::default_value(generation_.system, generation_.inst, variable.type);
+    return fmt::format("robochart::content(inputs_.{}, {})", port.input,
+                       cpp_value(generation_.system, generation_.inst, variable.type, empty));
+}
+
 std::string ExpressionWriter::variable_member(ir::VariableId id) const {
     const Component& component = generation_.component;
+    if (const EventPort* port = component.register_port(unit_, id)) return register_text(*port, id);
     if (const StoredVariable* stored = component.stored_variable(unit_, id)) {
         if (stored->local) return stored->field + ".value";
         return stored->in_state() ? "state_." + stored->path : "";

@@ -12,6 +12,7 @@ namespace robochart::cpp_emit {
 
 std::vector<const EventPort*> input_events(const Component& component) {
     std::vector<const EventPort*> result;
+    if (component.robosim) return result;  // a cycle reads all its registers
     for (const EventPort& port : component.events)
         if (port.received) result.push_back(&port);
     return result;
@@ -19,8 +20,8 @@ std::vector<const EventPort*> input_events(const Component& component) {
 
 std::vector<std::string> list_inputs(const Generation& generation) {
     std::vector<std::string> result;
-    for (const EventPort* event : input_events(generation.component))
-        if (event->type && has_lists(generation.system, *event->type)) result.push_back(event->input);
+    for (const EventPort& event : generation.component.events)
+        if (event.received && event.type && has_lists(generation.system, *event.type)) result.push_back(event.input);
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty() && !variable.copy && has_lists(generation.system, variable.variable->type))
             result.push_back(variable.input);

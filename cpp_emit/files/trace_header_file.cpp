@@ -267,7 +267,7 @@ private:
             if (variable.input.empty() || variable.copy) continue;
             out_.gap();
             out_.doc(fmt::format("Others have written {} since the last cycle, if it is not what the controller knows.",
-                                 variable.variable->name));
+                                 variable.name()));
             out_.line("template <class Types, class Value>");
             out_.open(
                 fmt::format("void log_write_of_{}([[maybe_unused]] robochart::Tracer& tracer, "

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/cycles.hpp"
 #include "cpp_emit/code/suspension.hpp"
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
@@ -52,6 +53,7 @@ void ControlCode::write_choice(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
     program.begin_place(plan_.label_of(id), generation_.place_text(plan_.node(id).origin));
     if (!plan_.is_straight(id)) {
+        await_cycle(program);
         if (steps_.write_ways(id, program.current_code(), "break;")) program.current_code().line("return moved;");
         return;
     }
@@ -61,6 +63,12 @@ void ControlCode::write_choice(NodeId id) {
     program.write_line("break;");
 }
 
+/// RoboSim: no transition is taken after the end of the cycle.
+void ControlCode::await_cycle(ProgramWriter& program) {
+    if (plan_.awaits_registers())
+        program.write_line(fmt::format("if ({}) return moved;", ended_member(generation_.component, unit_)));
+}
+
 /// Writes the place of a probabilistic junction. The junction is a nondeterministic choice in the semantics; the
 /// platform draws an alternative.
 void ControlCode::draw_place(NodeId id) {
@@ -68,6 +76,7 @@ void ControlCode::draw_place(NodeId id) {
     program.begin_place(plan_.label_of(id), generation_.place_text(plan_.node(id).origin));
     const auto& ways = plan_.node(id).outgoing;
     if (ways.empty()) return program.current_code().line("return moved;");
+    await_cycle(program);
     const ExpressionWriter expressions(generation_, unit_);
     std::string chances;
     for (const ir::TransitionId way : ways) {

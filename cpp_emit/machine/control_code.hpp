@@ -25,6 +25,7 @@ public:
 
 private:
     void write_choice(ir::NodeId);
+    void await_cycle(ProgramWriter&);
     void draw_place(ir::NodeId);
     void enter_place(ir::NodeId);
     void write_exits(ir::NodeId);

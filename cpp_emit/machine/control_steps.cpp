@@ -129,6 +129,7 @@ bool ControlSteps::write_ways(NodeId id, CodeWriter& out, const char* end) {
         out.comment(generation_.place_text(transition.origin));
         const CppExpr condition = guard_condition(transition, "");
         out.write_if(condition, [&] {
+            for (const ir::StmtPtr& store : transition.stores) out.write_raw(straight_program(store, 3));
             reset_clocks(generation_, unit_, transition.resets, out);
             out.line(tell_taken(way));
             out.line(proceed_statement(transition));
@@ -170,6 +171,7 @@ bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
         const ir::Transition& transition = plan_.machine().transitions[outgoing[way].index];
         out.comment(generation_.place_text(transition.origin));
         out.line(fmt::format("case {}:", way));
+        for (const ir::StmtPtr& store : transition.stores) out.write_raw(straight_program(store, 3));
         reset_clocks(generation_, unit_, transition.resets, out);
         out.line(tell_taken(outgoing[way]));
         out.line(proceed_statement(transition));

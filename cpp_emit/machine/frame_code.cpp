@@ -63,6 +63,9 @@ std::vector<Field> FrameCode::thread_fields() const {
         fields.push_back({"std::uint32_t", watch.field, "0", "time left plus one, 0: not active", 4, 4});
     if (!context_.leaving.empty())
         fields.push_back({context_.leaving, "leaving", context_.leaving + "::nothing", "transition being taken", 1, 1});
+    if (!context_.next.empty())
+        fields.push_back(
+            {context_.next, "next", context_.next + "::nothing", "transition that ended the last cycle", 1, 1});
     for (const DuringThread& during : during_) {
         fields.push_back(
             {during.thread.enumeration, "during_" + during.suffix, during.thread.qualified_label("idle"), "", 1, 1});
@@ -146,15 +149,21 @@ std::vector<Enumeration> FrameCode::all_enumerations() const {
             progress.values.push_back({place.label, place.comment, place.state});
         result.push_back(std::move(progress));
     }
-    if (context_.leaving.empty()) return result;
-    Enumeration leaving{context_.leaving, "The transition whose exits are running.", {{"nothing", "", {}}}};
-    for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index) {
-        const ir::Transition& transition = plan_.machine().transitions[index];
-        if (plan_.notes_leaving(transition.source))
-            leaving.values.push_back(
-                {plan_.take_label(ir::TransitionId{index}), generation_.place_text(transition.origin), {}});
-    }
-    result.push_back(std::move(leaving));
+    const auto add_transitions = [&](const std::string& name, const char* comment, const auto& holds) {
+        if (name.empty()) return;
+        Enumeration some{name, comment, {{"nothing", "", {}}}};
+        for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index) {
+            const ir::Transition& transition = plan_.machine().transitions[index];
+            if (holds(transition))
+                some.values.push_back(
+                    {plan_.take_label(ir::TransitionId{index}), generation_.place_text(transition.origin), {}});
+        }
+        result.push_back(std::move(some));
+    };
+    add_transitions(context_.leaving, "The transition whose exits are running.",
+                    [&](const ir::Transition& transition) { return plan_.notes_leaving(transition.source); });
+    add_transitions(context_.next, "The transition that ended the last cycle and goes on in this one.",
+                    [](const ir::Transition& transition) { return transition.exec; });
     return result;
 }
 

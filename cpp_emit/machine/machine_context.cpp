@@ -43,6 +43,7 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
     control.labels = &plan.place_labels();
     control.fields = &fields;
     leaving = plan.has_noted_leaving() ? type_names.unique_name(prefix + "Leaving") : "";
+    next = plan.has_exec() ? type_names.unique_name(prefix + "Next") : "";
     for (std::uint32_t index = 0; index < unit.machine->transitions.size(); ++index) {
         const ir::Transition& transition = unit.machine->transitions[index];
         const bool state = plan.node(transition.source).kind == ir::NodeKind::state;

@@ -55,6 +55,7 @@ struct MachineContext {
     std::vector<DuringThread> during;
     std::vector<Watch> watches;
     std::string leaving;                ///< enumeration of transitions in progress; "" if there is none
+    std::string next;                   ///< enumeration of transitions that ended the last cycle; "" if there is none
     std::vector<ir::NodeId> histories;  ///< Fault::composite_resumed
     CodeWriter out{1};
 };

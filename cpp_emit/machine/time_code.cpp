@@ -44,7 +44,8 @@ void TimeCode::advance_function() {
 }
 
 void TimeCode::advance_clock(const std::string& clock, std::int64_t saturation) {
-    out_.line(fmt::format("advance_clock(f.{}, cycle_length, {});", clock, saturation));
+    const bool counts_cycles = generation_.component.robosim && generation_.mutation.hits(Fault::cycle_time_unit);
+    out_.line(fmt::format("advance_clock(f.{}, {}, {});", clock, counts_cycles ? "1" : "cycle_length", saturation));
 }
 
 void TimeCode::advance_thread(const Thread& thread) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "cpp_emit/code/assignment.hpp"
+#include "cpp_emit/code/cycles.hpp"
 #include "cpp_emit/code/reception.hpp"
 
 namespace robochart::cpp_emit {
@@ -25,6 +26,7 @@ void TransitionCode::transition_functions() {
                           "all others.",
                           &TransitionCode::first_calls);
     }
+    if (!context_.next.empty()) next_function();
     choosing_function("transition", "Starts the first enabled transition: inner states first, then textual order.",
                       &TransitionCode::attempt_calls);
 }
@@ -88,8 +90,10 @@ void TransitionCode::choosing_function(const std::string& name, const char* comm
     const bool choices = generation_.options.choices;
     const std::string attempt = choices ? "attempt_" + name : name;
     if (choices) pick_function(name, attempt);
+    const bool outer = !choices;
     out_.doc(choices ? "Starts the transition whose turn it is: inner states first, then textual order." : comment);
     out_.open(function_head("bool " + attempt));
+    if (outer) write_begin_of_cycle();
     out_.open("switch (f.at) {");
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index) {
         const NodeId id{index};
@@ -104,10 +108,62 @@ void TransitionCode::choosing_function(const std::string& name, const char* comm
     out_.close();
 }
 
+/// RoboSim: no transition is taken after the end of the cycle. One that ended the last cycle goes on first.
+void TransitionCode::write_begin_of_cycle() {
+    if (!generation_.component.robosim) return;
+    if (!generation_.mutation.hits(Fault::cycle_moves_on))
+        out_.line(fmt::format("if ({}) return false;", ended_member(generation_.component, unit_)));
+    if (!context_.next.empty())
+        out_.line(fmt::format("if (f.next != {}::nothing) return {};", context_.next, function_call("go_on")));
+}
+
+/// RoboSim: the rest of a transition with `exec`: resets, exits, its action, and its target.
+void TransitionCode::next_function() {
+    out_.open_declaration("The transition that ended the last cycle goes on.", function_head("bool go_on"));
+    out_.open("switch (f.next) {");
+    for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index) {
+        const ir::Transition& transition = plan_.machine().transitions[index];
+        if (!transition.exec) continue;
+        const ir::TransitionId id{index};
+        out_.line(fmt::format("case {}::{}:", context_.next, plan_.take_label(id)));
+        if (stores_late(transition)) write_stores(transition);
+        out_.line(fmt::format("f.next = {}::nothing;", context_.next));
+        reset_clocks(generation_, unit_, transition.resets, out_);
+        write_departure(transition.source, id);
+        out_.line("return spend();");
+    }
+    out_.line("default: return false;");
+    out_.close();
+    out_.close();
+}
+
+/// Fault::cycle_store_late.
+bool TransitionCode::stores_late(const ir::Transition& transition) const {
+    return transition.exec && !transition.stores.empty() &&
+           generation_.mutation.hits(Fault::cycle_store_late, &unit_, &transition);
+}
+
+/// RoboSim: the values of `$e?v` in the condition, in textual order.
+void TransitionCode::write_stores(const ir::Transition& transition) {
+    for (const ir::StmtPtr& store : transition.stores) out_.write_raw(steps_.straight_program(store, 3));
+}
+
+/// RoboSim: a transition with `exec` ends the cycle now and goes on in the next one (docs/robosim.md). Between the two,
+/// no other action runs that could see the stored values (unsupported.cpp).
+void TransitionCode::end_cycle(const ir::Transition& transition, ir::TransitionId id) {
+    cut_durings(transition.source);
+    out_.line(steps_.tell_taken(id));
+    out_.line(fmt::format("f.next = {}::{};", context_.next, plan_.take_label(id)));
+    if (!generation_.mutation.hits(Fault::cycle_effect_early))
+        out_.line(fmt::format("{} = true;", ended_member(generation_.component, unit_)));
+    out_.line(generation_.bound_test().empty() ? "return true;" : "return spend();");
+}
+
 /// Reference API A6: a first pass counts the choices and takes none of them.
 void TransitionCode::pick_function(const std::string& name, const std::string& attempt) {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
     out_.open(function_head("bool " + name));
+    write_begin_of_cycle();
     out_.open("if constexpr (robochart::Picks<Platform>::value) {");
     out_.line("turn_.count();");
     out_.line(function_call(attempt) + ";");
@@ -179,19 +235,27 @@ bool TransitionCode::try_trigger(const ir::Transition& transition, ir::Transitio
 }
 
 void TransitionCode::begin_transition(const ir::Transition& transition, ir::TransitionId id) {
+    if (!stores_late(transition)) write_stores(transition);
+    if (transition.exec) return end_cycle(transition, id);
+    if (generation_.component.robosim && generation_.mutation.hits(Fault::cycle_end_early))
+        out_.line(fmt::format("{} = true;", ended_member(generation_.component, unit_)));
     reset_clocks(generation_, unit_, transition.resets, out_);
     out_.line(steps_.tell_taken(id));
     write_departure(transition.source, id);
     out_.line(generation_.bound_test().empty() ? "return true;" : "return spend();");
 }
 
-/// Interrupts the during actions of the state and of all inner states, and starts the exits.
-void TransitionCode::write_departure(NodeId source, ir::TransitionId id) {
+void TransitionCode::cut_durings(NodeId source) {
     for (const DuringThread& during : during_) {
         const std::vector<NodeId> around = plan_.state_chain(during.state);
         const bool left = std::ranges::find(around, source) != around.end();
         if (left) out_.line(fmt::format("cut_{}(f);", during.suffix));
     }
+}
+
+/// Interrupts the during actions of the state and of all inner states, and starts the exits.
+void TransitionCode::write_departure(NodeId source, ir::TransitionId id) {
+    cut_durings(source);
     for (const Watch& watch : watches_) {
         const std::vector<NodeId> around = plan_.state_chain(watch.state);
         const bool left = std::ranges::find(around, source) != around.end();

@@ -36,6 +36,12 @@ private:
     void reset_too_soon(const ir::Transition&);
     bool try_trigger(const ir::Transition&, ir::TransitionId);
     void begin_transition(const ir::Transition&, ir::TransitionId);
+    void write_begin_of_cycle();
+    void next_function();
+    [[nodiscard]] bool stores_late(const ir::Transition&) const;
+    void write_stores(const ir::Transition&);
+    void end_cycle(const ir::Transition&, ir::TransitionId);
+    void cut_durings(ir::NodeId source);
     void write_departure(ir::NodeId source, ir::TransitionId);
 
     OrderFaults& faults_;

@@ -5,12 +5,13 @@
 
 #include "cpp_emit/plan/component.hpp"
 #include "cpp_emit/plan/types.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::cpp_emit {
 
 std::set<std::string> never_members(const ir::System& system, const Component& component) {
-    std::set<std::string> names = {"at",    "wait",  "leaving", "filler", "kept", "State", "Inputs",   "At",
-                                   "Event", "Types", "Real",    "Nat",    "Int",  "std",   "robochart"};
+    std::set<std::string> names = {"at", "wait",  "leaving", "next", "filler", "kept", "State", "Inputs",
+                                   "At", "Event", "Types",   "Real", "Nat",    "Int",  "std",   "robochart"};
     for (const ir::TypeId type : component.enumerations) names.insert(declared_name(system.type(type)));
     for (const Unit& unit : component.units) names.insert({unit.frame, unit.points});
     return names;
@@ -43,6 +44,14 @@ const StoredVariable* Component::stored_variable(const Unit& of, ir::VariableId 
     assert(id.index < of.variable_owners.size() && id.index < of.machine->variables.size());
     if (!unit_at(of.variable_owners[id.index].unit).root) return nullptr;
     return &variables[part_of(of).variables.at(of.machine->variables[id.index].name)];
+}
+
+const EventPort* Component::register_port(const Unit& of, ir::VariableId id) const {
+    const ir::Input* const input = ir::event_register(*of.machine, id);
+    if (input == nullptr) return nullptr;
+    const EventUse* const use = find_event(Peer{of.part, input->name});
+    assert(use != nullptr && !use->ports.empty());
+    return &events[use->ports.front()];
 }
 
 const PlatformCall& Component::find_platform_call(const Unit& of, ir::OperationId id) const {

@@ -101,6 +101,10 @@ struct StoredVariable {
     std::string held_up;    ///< method of Step, if there are holders: whether the next write has to wait
     std::string propagate;  ///< method of Step, if there are holders: the steps after a write
 
+    /// The name in the model; registers of RoboSim are written without `$`.
+    [[nodiscard]] std::string name() const {
+        return variable->scope == ir::VariableScope::reg ? variable->name.substr(1) : variable->name;
+    }
     /// Whether the variable is a member of the state or of Step. A shared variable that is never read is not a member.
     [[nodiscard]] bool has_member() const { return read || !shared; }
     /// Whether it is a member of the state.
@@ -213,6 +217,7 @@ struct Component {
     bool sequences = false;  ///< whether sequences are used
     bool strings = false;    ///< whether strings are used: robochart/text.hpp
     bool ordered = false;    ///< whether composed values are elements of sets
+    bool robosim = false;    ///< whether the component is written in RoboSim: it ends its cycles itself
 
     /// Whether several machines run in parallel.
     [[nodiscard]] bool is_composed() const { return parts.size() > 1; }
@@ -231,6 +236,8 @@ struct Component {
     /// The variable of the machine, or the shared variable, that a unit's variable denotes. Null for variables of
     /// operations, whose owner is in Unit::variable_owners.
     [[nodiscard]] const StoredVariable* stored_variable(const Unit&, ir::VariableId) const;
+    /// RoboSim: the port of the input event whose register a unit's variable is; null for other variables.
+    [[nodiscard]] const EventPort* register_port(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& find_platform_call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
     [[nodiscard]] const CarrierUse& find_carrier(ir::TypeId) const;

@@ -14,7 +14,7 @@ std::vector<Register> exploration_registers(const Component& component) {
         if (event.received) result.push_back({event.outside + ".in", event.input, event.type});
     for (const StoredVariable& variable : component.variables)
         if (!variable.input.empty() && !variable.copy)
-            result.push_back({"set_EXT_" + variable.variable->name, variable.input, variable.variable->type});
+            result.push_back({"set_EXT_" + variable.name(), variable.input, variable.variable->type});
     return result;
 }
 
@@ -29,7 +29,7 @@ std::vector<Output> exploration_outputs(const Component& component) {
     }
     for (const StoredVariable& variable : component.variables)
         if (variable.visible && !variable.copy)
-            result.push_back({"set_" + variable.variable->name, variable.output, {variable.variable->type}});
+            result.push_back({"set_" + variable.name(), variable.output, {variable.variable->type}});
     return result;
 }
 

@@ -119,6 +119,15 @@ enum class Fault {
     dispatch_end_unnoticed,
     pass_not_quiet,
     pass_timeless,
+    // RoboSim
+    cycle_output_again,
+    cycle_exec_dropped,
+    cycle_moves_on,
+    cycle_effect_early,
+    cycle_store_late,
+    cycle_stop_hidden,
+    cycle_time_unit,
+    cycle_end_early,
     // code that does not compile
     name_collision,
     undeclared_member,
@@ -137,6 +146,11 @@ struct FaultKind {
 /// Whether the fault affects only the event API, not the cycle.
 [[nodiscard]] constexpr bool in_event_api(Fault fault) {
     return fault >= Fault::dispatch_shifted && fault <= Fault::pass_timeless;
+}
+
+/// Whether the fault affects only code of RoboSim.
+[[nodiscard]] constexpr bool in_robosim(Fault fault) {
+    return fault >= Fault::cycle_output_again && fault <= Fault::cycle_end_early;
 }
 
 }  // namespace robochart::cpp_emit

@@ -54,7 +54,7 @@ public:
         number_transitions();
         wire_component(component_, system_, module_, contexts(), diagnostics_);
         collect_variables();
-        find_local_variables(component_, system_);
+        if (!component_.robosim) find_local_variables(component_, system_);
         collect_calls();
         collect_functions();
         collect_types();
@@ -105,6 +105,7 @@ private:
             return false;
         }
         describe_component(machine, "state machine");
+        component_.robosim = machine.robosim;
         component_.parts.emplace_back();
         roots_.push_back({ref.definition});
         contexts_.push_back(nullptr);
@@ -113,6 +114,7 @@ private:
 
     bool in_controller(const ir::ComponentRef& ref) {
         if (!is_defined(system_.controllers.size(), ref)) return false;
+        if (system_.controllers[ref.definition].robosim) return refuse_composition(ref);
         describe_component(system_.controllers[ref.definition], "controller");
         add_parts(system_.controllers[ref.definition], 0, "");
         return has_parts();
@@ -121,10 +123,22 @@ private:
     bool in_module(const ir::ComponentRef& ref) {
         if (!is_defined(system_.modules.size(), ref)) return false;
         module_ = &system_.modules[ref.definition];
+        if (module_->robosim) return refuse_composition(ref);
         describe_component(*module_, "module");
         for (std::size_t i = 0; i < module_->controllers.size(); ++i)
             add_parts(system_.controller(module_->controllers[i].controller), i, module_->controllers[i].name + "::");
         return has_parts();
+    }
+
+    bool refuse_composition(const ir::ComponentRef& ref) {
+        const bool module = ref.kind == ir::ComponentKind::module;
+        const diagnostics::Span place =
+            module ? system_.modules[ref.definition].origin.span : system_.controllers[ref.definition].origin.span;
+        diagnostics_.report(
+            rules::no_component, place,
+            {ref.path, "it is a " + std::string(module ? "module" : "controller") +
+                           " of RoboSim; code is generated for each of its machines, with --component"});
+        return false;
     }
 
     void add_parts(const ir::Controller& controller, std::size_t index, const std::string& prefix) {
@@ -151,6 +165,7 @@ private:
     /// The operation's definition in this context (semantics 3.8); invalid for a single machine.
     ir::MachineId find_definition(const ir::OperationSignature& signature) const {
         const ir::Controller* const controller = context().controller;
+        if (signature.output) return {};  // RoboSim: of the platform
         return controller == nullptr ? ir::MachineId{} : ir::definition_in(system_, *controller, signature);
     }
 
@@ -248,13 +263,15 @@ private:
                same(known.clock_owners, unit.clock_owners);
     }
 
-    /// Finds the owners of the unit's elements. A required element is the caller's element with that name, which may in
-    /// turn be required from the next caller (semantics 3.8). Any other element belongs to the unit.
+    /// Finds the owners of the unit's elements. A required element, or a register of RoboSim, is the caller's element
+    /// with that name, which may in turn be required from the next caller (semantics 3.8). Any other element belongs to
+    /// the unit.
     void find_owners(Unit& unit) {
         const ir::Machine& machine = *unit.machine;
         const Unit* const caller = unit.root ? nullptr : &open_.back();
         for (std::uint32_t place = 0; place < machine.variables.size(); ++place) {
-            const bool required = machine.variables[place].scope == ir::VariableScope::required;
+            const ir::VariableScope scope = machine.variables[place].scope;
+            const bool required = scope == ir::VariableScope::required || scope == ir::VariableScope::reg;
             const ir::Variable* const found =
                 caller == nullptr || !required ? nullptr
                                                : find_named(caller->machine->variables, machine.variables[place].name);
@@ -321,6 +338,8 @@ private:
                 for (std::size_t place = 0; place < unit.machine->variables.size(); ++place) {
                     const ir::Variable& variable = unit.machine->variables[place];
                     const bool of_operation = !component_.unit_at(unit.variable_owners[place].unit).root;
+                    const ir::VariableId id{static_cast<std::uint32_t>(place)};
+                    if (ir::event_register(*unit.machine, id) != nullptr) continue;  // a member of Inputs
                     if (!of_operation && component_.parts[part].variables.count(variable.name) == 0)
                         add_variable(unit, variable);
                 }
@@ -362,6 +381,11 @@ private:
         entry.shared = variable.scope == ir::VariableScope::required;
         entry.initial = unit.initials[static_cast<std::size_t>(&variable - unit.machine->variables.data())];
         const ir::ExprPtr declared = entry.shared ? declaring_level(entry) : nullptr;
+        if (variable.scope == ir::VariableScope::reg) {
+            const auto is_read = [&](const ir::Input& input) { return "$" + input.name == variable.name; };
+            entry.visible = variable.output;
+            entry.external = std::ranges::any_of(unit.machine->inputs, is_read);
+        }
         if (declared) entry.initial = initial_value(*unit.machine, {}, variable.type, declared);
         auto& variables = component_.variables;
         const auto same = [&](const StoredVariable& other) {
@@ -418,6 +442,7 @@ private:
 
     void mark_read(const Unit& unit, ir::VariableId id) {
         if (!component_.unit_at(unit.variable_owners[id.index].unit).root) return;
+        if (ir::event_register(*unit.machine, id) != nullptr) return;
         assert(id.index < unit.machine->variables.size());
         const std::string& name = unit.machine->variables[id.index].name;
         component_.variables[component_.parts[part_].variables.at(name)].read = true;
@@ -548,7 +573,7 @@ private:
 
     void name_variable(StoredVariable& entry, NameScope& state, std::vector<NameScope>& frames, NameScope& inputs,
                        NameScope& platform, NameScope& writers) {
-        const std::string& name = entry.variable->name;
+        const std::string name = entry.name();
         const bool in_part = entry.home != no_part;
         if (entry.copy) return name_copy(entry, state, writers);
         if (entry.local) {
@@ -560,7 +585,8 @@ private:
             entry.field = in_part ? frames[entry.home].unique_name(name) : state.unique_name(name);
             entry.path = in_part ? component_.parts[entry.home].tag + "." + entry.field : entry.field;
         }
-        if (entry.external && some_copy_read(name)) entry.input = inputs.unique_name("external_" + name);
+        if (entry.external && (component_.robosim || some_copy_read(name)))
+            entry.input = inputs.unique_name("external_" + name);
         if (entry.visible) {
             entry.output = platform.unique_name("set_" + name);
             entry.writer = writers.unique_name("write_" + name);

@@ -67,6 +67,10 @@ public:
 
     bool check_all() {
         const std::size_t before = diagnostics_.error_count();
+        for (const Unit& unit : component_.units)
+            has_during_ = has_during_ || std::ranges::any_of(unit.machine->nodes, [](const ir::Node& node) {
+                              return node.during != nullptr;
+                          });
         check_boundary();
         for (const Unit& unit : component_.units) check_unit(unit);
         return diagnostics_.error_count() == before;
@@ -167,6 +171,7 @@ private:
         const ir::Machine& machine = *unit.machine;
         for (const auto& node : machine.nodes) check_node(machine, node);
         for (const auto& transition : machine.transitions) check_transition(machine, transition);
+        visit_statements(machine, [&](const ir::Stmt& stmt) { check_output(machine, stmt); });
         visit_expressions(machine, [&](const ir::Expr& expr) { check_expression(machine.name, expr); });
         ir::visit_running(machine, [&](const ir::Expr& root, ir::ExprRole) { check_sizes(machine.name, root); });
         for (const auto& variable : machine.variables)
@@ -187,12 +192,45 @@ private:
             diagnostics_.report(rules::crossing, span, {name});
         if (transition.deadline && ir::preconditions_can_fail(system_, inst_, {}, *transition.deadline))
             diagnostics_.report(rules::unsupported_expr, span, {"a deadline by a function with a precondition", name});
+        check_cycle(machine, transition);
         if (!transition.trigger) return;
         const bool settled = source.kind == NodeKind::state;
         if (!settled) diagnostics_.report(rules::unsupported_trigger, span, {name, "its source is not a state"});
         const ir::CommKind kind = transition.trigger->kind;
         if (kind == ir::CommKind::output || kind == ir::CommKind::sync)
             diagnostics_.report(rules::unsupported_trigger, span, {name, "it does not only receive"});
+    }
+
+    /// RoboSim: what the generated frame of a cycle does not do.
+    void check_cycle(const ir::Machine& machine, const ir::Transition& transition) {
+        const auto refuse = [&](const char* what) {
+            diagnostics_.report(rules::unsupported_expr, transition.origin.span, {what, transition.origin.element});
+        };
+        if (transition.exec && machine.nodes[transition.source.index].kind != NodeKind::state)
+            refuse("`exec` of a transition that leaves no state");
+        if (transition.exec && !transition.stores.empty() && has_during_)
+            refuse("a stored value of an `exec` transition in a machine with during actions");
+        for (const ir::StmtPtr& store : transition.stores)
+            if (machine.variables[store->variable.index].output)
+                refuse("a value of a register that is stored in an output");
+    }
+
+    /// RoboSim: beside a during action, the values of an output are computed before it may have to wait.
+    void check_output(const ir::Machine& machine, const ir::Stmt& stmt) {
+        if (!component_.robosim || !has_during_) return;
+        const bool call = stmt.kind == ir::StmtKind::call && machine.operations[stmt.operation.index].output;
+        const bool assigns = stmt.kind == ir::StmtKind::assign && machine.variables[stmt.variable.index].output;
+        if (stmt.kind != ir::StmtKind::communicate && !call && !assigns) return;
+        std::vector<ir::ExprPtr> values = stmt.args;
+        values.insert(values.end(), {stmt.value, stmt.communication.value});
+        const auto is_variable = [](const ir::Expr& expr) { return expr.kind == ExprKind::variable; };
+        bool computed = false;
+        for (const ir::ExprPtr& value : values)
+            visit(value, [&](const ir::Expr& expr) { computed = computed || is_variable(expr); });
+        if (computed)
+            diagnostics_.report(
+                rules::unsupported_expr, stmt.origin.span,
+                {"an output with the value of a variable in a machine with during actions", machine.name});
     }
 
     void check_expression(const std::string& where, const ir::Expr& expr) {
@@ -212,6 +250,7 @@ private:
     const ir::Instantiation& inst_;
     const Component& component_;
     Diagnostics& diagnostics_;
+    bool has_during_ = false;  ///< RoboSim: actions may run beside each other
 };
 
 /// Number of numbers and literals in a value.

@@ -91,6 +91,12 @@ struct Message {
 };
 #endif
 
+/// The value in an input register; `empty` if the register is empty.
+template <class Input, class T>
+[[nodiscard]] constexpr T content(const Input& input, const T& empty) noexcept {
+    return input.present ? T(input.get()) : empty;
+}
+
 /// A one-place buffer between controllers: the writer overwrites, the reader empties. `mark` is as wide as the value,
 /// so that there is no padding.
 template <class T>

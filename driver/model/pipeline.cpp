@@ -85,10 +85,10 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     return all;
 }
 
-bool is_robosim(const ir::System& system, const ir::ComponentRef& ref) {
-    const auto robosim = ir::robosim_components(system);
-    return std::ranges::any_of(
-        robosim, [&](const ir::ComponentRef& one) { return one.kind == ref.kind && one.definition == ref.definition; });
+/// Whether the command makes code of RoboSim components: of the named one, or of all if there are no others.
+bool uses_robosim(const ir::System& system, const LoadSettings& settings) {
+    const auto chosen = code_components(system, settings.component, settings.robosim_code);
+    return settings.robosim_code && !chosen.empty() && ir::is_robosim(system, chosen.front());
 }
 
 bool lower(Project& project, const LoadSettings& settings) {
@@ -96,7 +96,8 @@ bool lower(Project& project, const LoadSettings& settings) {
     if (!is_acceptable(project, settings)) return false;
     project.system = ir::lower(*project.model, project.sources, project.diagnostics);
     const bool scripts = settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write;
-    if (!scripts && project.diagnostics.ok()) ir::leave_out_robosim(project.system, project.diagnostics);
+    if (!scripts && project.diagnostics.ok() && !uses_robosim(project.system, settings))
+        ir::leave_out_robosim(project.system, project.diagnostics);
     return project.diagnostics.ok();
 }
 
@@ -118,7 +119,7 @@ double seconds_since(Time start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void check_component(const std::vector<Part>& parts, const std::string& component);
+void check_component(const std::vector<Part>& parts, const LoadSettings& settings);
 
 /// Finds the names that components of one kind in several packages of the project share.
 void find_shared_names(Project& project) {
@@ -159,7 +160,7 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
         });
         all = make_finite(*part.project, options, carriers) && all;
     }
-    if (all) check_component(parts, settings.load.component);
+    if (all) check_component(parts, settings.load);
 }
 
 /// The file that a unit is named after: its first model, or the assertion file that distinguishes it.
@@ -682,24 +683,30 @@ std::string files_inside(const std::string& folder, std::string_view ending) {
     return fmt::format("; it has {}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& name) {
-    std::vector<ir::ComponentRef> chosen;
+std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& name, bool robosim_too) {
+    std::vector<ir::ComponentRef> chosen, robosim;
     for (const ir::ComponentRef& ref : all_components(system)) {
-        if (is_robosim(system, ref)) continue;
         const bool named = ref.path == name || ref.package + "::" + ref.path == name;
-        if (name.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) chosen.push_back(ref);
+        if (ir::is_robosim(system, ref)) {
+            if (!robosim_too) continue;
+            if (name.empty() ? ref.kind == ir::ComponentKind::machine : named) robosim.push_back(ref);
+        } else if (name.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) {
+            chosen.push_back(ref);
+        }
     }
-    return chosen;
+    return chosen.empty() ? robosim : chosen;
 }
 
 namespace {
 
 /// Checks that the component that the options name exists in some part. If it does not, the error is reported in the
 /// first part.
-void check_component(const std::vector<Part>& parts, const std::string& component) {
+void check_component(const std::vector<Part>& parts, const LoadSettings& settings) {
+    const std::string& component = settings.component;
     std::vector<std::string> known;
     for (const Part& part : parts) {
-        if (component.empty() || !code_components(part.project->system, component).empty()) return;
+        if (component.empty() || !code_components(part.project->system, component, settings.robosim_code).empty())
+            return;
         for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
     }
     const std::string meant = diagnostics::nearest_spelling(component, known);

@@ -60,8 +60,10 @@ void add_swarm(Settings&);
 
 /// The components for which C++ is generated. Without a name: the modules; if the model has no modules, the
 /// controllers; if it has no controllers either, the machines. With a name: the component with this name, of any kind.
+/// `robosim`: if there is no such component of RoboChart, the machines of RoboSim, or its component with the name.
 /// If there is none, a diagnostic is reported and the list is empty.
-[[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name);
+[[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name,
+                                                            bool robosim = false);
 
 /// A component's name in file names and generated code: letters, digits and underscores. It contains the package if
 /// components of other packages have the same name.

@@ -3,6 +3,7 @@
 #include "semantics/instantiate/constants.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <utility>
 #include <vector>
@@ -236,6 +237,19 @@ std::vector<Value> constant_values(const System& system, const Instantiation& in
         values.push_back(value ? *value : default_value(system, instantiation, machine.constants[i].type));
     }
     return values;
+}
+
+std::int64_t cycle_of(const System& system, const Instantiation& instantiation, const ComponentRef& ref) {
+    const std::vector<Constant>* constants = nullptr;
+    if (ref.kind == ComponentKind::machine) constants = &system.machines.at(ref.definition).constants;
+    if (ref.kind == ComponentKind::controller) constants = &system.controllers.at(ref.definition).constants;
+    if (ref.kind == ComponentKind::module) constants = &system.modules.at(ref.definition).platform.constants;
+    assert(constants != nullptr);
+    const auto found = std::ranges::find(*constants, cycle_length, &Constant::name);
+    assert(found != constants->end());
+    const ConstantSource source{constant_name(ref.package, ref.path, cycle_length), &*found};
+    const auto value = source_value(system, instantiation, source, {});
+    return value ? value->number : 1;
 }
 
 std::optional<Value> evaluate_constant(const System& system, const Instantiation& instantiation, const Machine* machine,

@@ -41,6 +41,8 @@ enum class Carriers {
 /// Constants have the values of the machine on its own (`const_P_S_c`). Returns no value if the expression is not
 /// constant.
 [[nodiscard]] std::optional<Value> evaluate_constant(const System&, const Instantiation&, const Machine*, const Expr&);
+/// RoboSim: the length of the cycles of a machine, controller or module, in time units.
+[[nodiscard]] std::int64_t cycle_of(const System&, const Instantiation&, const ComponentRef&);
 /// The values of a machine's constants by ConstantId. `part` names the machine in a controller of a module (see
 /// constant_source in query.hpp); if it is null, the machine is not in a controller. Constants of functions without
 /// definition have the default of their type.

@@ -244,6 +244,46 @@ std::vector<ComponentRef> robosim_components(const System& system) {
     return result;
 }
 
+bool is_robosim(const System& system, const ComponentRef& ref) {
+    switch (ref.kind) {
+        case ComponentKind::machine:
+        case ComponentKind::operation:
+            return system.machines.at(ref.definition).robosim;
+        case ComponentKind::controller:
+            return system.controllers.at(ref.definition).robosim;
+        case ComponentKind::module:
+            return system.modules.at(ref.definition).robosim;
+        case ComponentKind::simulation:
+        case ComponentKind::process:
+            break;
+    }
+    return false;
+}
+
+const Input* event_register(const Machine& machine, VariableId id) {
+    const auto found = std::ranges::find_if(machine.inputs, [&](const Input& input) {
+        return input.full.is_valid() && (input.full == id || input.content == id);
+    });
+    return found == machine.inputs.end() ? nullptr : &*found;
+}
+
+bool touches_registers(const Machine& machine, const Stmt& stmt) {
+    const auto is_register = [&](VariableId id) { return machine.variables[id.index].scope == VariableScope::reg; };
+    if (stmt.kind == StmtKind::communicate || stmt.kind == StmtKind::exec) return true;
+    if (stmt.kind == StmtKind::assign && is_register(stmt.variable)) return true;
+    if (stmt.kind == StmtKind::call && machine.operations[stmt.operation.index].output) return true;
+    bool found = false;
+    const auto look = [&](const ExprPtr& root) {
+        if (!root) return;
+        visit_operands(*root, [&](const Expr& expr) {
+            found = found || (expr.kind == ExprKind::variable && is_register(expr.variable));
+        });
+    };
+    for (const ExprPtr* expr : {&stmt.condition, &stmt.value, &stmt.upper}) look(*expr);
+    for (const auto* list : {&stmt.path, &stmt.args}) std::ranges::for_each(*list, look);
+    return found;
+}
+
 void remove_robosim(System& system) {
     // lowering puts them behind those of RoboChart
     std::erase_if(system.machines, [](const Machine& machine) { return machine.robosim; });

@@ -83,6 +83,12 @@ struct NamedConstant {
 
 /// The components of RoboSim, machines before controllers before modules; inner ones too.
 [[nodiscard]] std::vector<ComponentRef> robosim_components(const System&);
+/// Whether the component is one of RoboSim.
+[[nodiscard]] bool is_robosim(const System&, const ComponentRef&);
+/// RoboSim: the input event whose register the variable of the machine is; null for other variables.
+[[nodiscard]] const Input* event_register(const Machine&, VariableId);
+/// Whether the statement itself, without the statements inside it, reads or writes a register or ends the cycle.
+[[nodiscard]] bool touches_registers(const Machine&, const Stmt&);
 /// Removes the components and simulations of RoboSim and the claims about them. Those of RoboChart keep their indices.
 void remove_robosim(System&);
 

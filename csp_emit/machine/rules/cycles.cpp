@@ -10,12 +10,12 @@
 #include "csp_emit/machine/rules/states.hpp"
 #include "csp_emit/machine/rules/time.hpp"
 #include "csp_emit/machine/rules/transitions.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::csp_emit {
 
 namespace b = cspm::build;
 using cspm::ExprPtr;
-using ir::StmtKind;
 
 namespace {
 
@@ -85,21 +85,11 @@ bool is_between_cycles(const View& now) {
 bool touches_registers(const MachineTables& tables, const RunningThread& running) {
     const Item& item = running.head();
     const Frame& frame = tables.frames[running.frame()];
-    const auto is_register = [&](ir::VariableId id) {
-        return frame.machine->variables.at(id.index).scope == ir::VariableScope::reg;
-    };
-    if (item.kind == ItemKind::store) return is_register(item.variable);
+    if (item.kind == ItemKind::store)
+        return frame.machine->variables.at(item.variable.index).scope == ir::VariableScope::reg;
     if (item.kind == ItemKind::frozen) return true;
     if (item.kind != ItemKind::statement || item.stmt == nullptr) return false;
-    const ir::Stmt& stmt = *item.stmt;
-    if (stmt.kind == StmtKind::communicate || stmt.kind == StmtKind::exec) return true;
-    if (stmt.kind == StmtKind::assign && is_register(stmt.variable)) return true;
-    if (stmt.kind == StmtKind::call && frame.machine->operations.at(stmt.operation.index).output) return true;
-    const auto reads = [&](const ir::Expr& part) {
-        return part.kind == ir::ExprKind::variable && is_register(part.variable);
-    };
-    const auto expressions = expressions_of(stmt);
-    return std::ranges::any_of(expressions, [&](const ir::Expr* expr) { return has_part(*expr, reads); });
+    return ir::touches_registers(*frame.machine, *item.stmt);
 }
 
 Branch end_cycle(const RunningThread& running) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// A RoboSim component over the events of L(G): the specification of its code (docs/conformance.md, "RoboSim").
+//
+// The component M of docs/robosim.md already runs in cycles, so there is no normal form. This system
+//   * hides endexec and terminate, which a module has not, and gives τ and ✓ priority over tock again,
+//   * reads the registers in the order of the interface ("One order of reading"),
+//   * maps `registerRead.i_e.false.v` to absent for any v, so that the value of an empty register is M's choice,
+//   * lets absent stand for the last value of a variable, which M reads again,
+//   * takes a write before it is reported, as a controller does with the writes of its machines, so that the choice
+//     between two outputs is M's and not that of the environment.
+#pragma once
+
+#include "checker/lts/transition_system.hpp"
+#include "conformance/code/interface.hpp"
+#include "conformance/model/model_graph.hpp"
+
+namespace robochart::conformance {
+
+/// What the process does after ✓.
+enum class AfterEnd {
+    stop,  ///< nothing
+    idle,  ///< time passes, so that only a timelock is a deadlock
+};
+
+class RegisterSystem final : public lts::TransitionSystem {
+public:
+    /// The model and the alphabet must outlive the system.
+    RegisterSystem(ModelGraph&, const Alphabet&, AfterEnd);
+
+    [[nodiscard]] std::size_t width() const override;
+    void initial(std::span<lts::Word> state) override;
+    void successors(lts::StateView, lts::SuccessorSink&) override;
+    [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
+    [[nodiscard]] std::string describe(lts::StateView) const override;
+
+private:
+    struct Move;
+    void add_edge(Move&, const ModelEdge&) const;
+    void add_read(Move&, const ModelEdge&) const;
+    void add_write(Move&, const ModelEdge&) const;
+
+    ModelGraph* model_;
+    const Alphabet* alphabet_;
+    AfterEnd after_;
+    std::size_t inputs_;
+    std::vector<std::uint32_t> kept_by_output_;  ///< by output: the input with the same register, or no_input
+};
+
+}  // namespace robochart::conformance

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoboSim: what a machine may do in a cycle (docs/robosim.md, "Meaning"). Members of Step hold whether the machine has
+// ended the cycle and which outputs the cycle has written, so that a new cycle begins with none.
+#pragma once
+
+#include <string>
+
+#include "cpp_emit/expressions/code_writer.hpp"
+#include "cpp_emit/expressions/generation.hpp"
+#include "semantics/ir/ir.hpp"
+
+namespace robochart::cpp_emit {
+
+/// The member of Step that is true after the machine has ended the cycle.
+[[nodiscard]] std::string ended_member(const Component&, const Unit&);
+/// The member of Step that is true after the cycle has written the statement's output; "" if it writes no output.
+[[nodiscard]] std::string written_member(const Generation&, const Unit&, const ir::Stmt&);
+/// Whether the machine of the unit has a during action, which runs beside its transitions and after another action has
+/// ended the cycle.
+[[nodiscard]] bool has_parallel_actions(const Component&, const Unit&);
+/// Whether the statement itself may have to wait for the next cycle.
+[[nodiscard]] bool may_await_cycle(const Generation&, const Unit&, const ir::Stmt&);
+/// The condition for which the statement waits: the cycle has ended, or the output is already written. "" if it never
+/// waits.
+[[nodiscard]] std::string awaits_cycle(const Generation&, const Unit&, const ir::Stmt&);
+/// Writes these members of Step.
+void write_cycle_members(const Generation&, CodeWriter&);
+
+}  // namespace robochart::cpp_emit

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// Code of RoboSim machines against the machines themselves (docs/conformance.md, "RoboSim"), for cycles of one and of
+// two time units. The rules are those of docs/robosim.md. Each kind of fault of a frame of cycles is killed by a model
+// that is written for it.
+#include <gtest/gtest.h>
+
+#include "conformance/check/conform.hpp"
+#include "semantics/ir/query.hpp"
+#include "tests/conformance/bench.hpp"
+
+namespace robochart::conformance {
+namespace {
+
+using cpp_emit::Fault;
+
+class RobosimModel : public tests::TemporaryFolder {
+public:
+    explicit RobosimModel(const std::string& text) { write("model.rst", text); }
+};
+
+/// Checks the code of a machine, with a fault and with cycles of this length.
+Result check(const std::string& text, std::uint32_t cycle, Fault fault = Fault::none, std::uint32_t site = 0) {
+    const RobosimModel folder(text);
+    test::Model model(folder.path());
+    const ir::ComponentRef machine = model.machine_named("S");
+    model.instantiation.constants[ir::constant_name(machine.package, machine.path, ir::cycle_length)] = {cycle, {}};
+    Options options;
+    options.flags = "-std=c++17 -O1 -w";
+    options.generator.fault = fault;
+    options.generator.fault_site = site;
+    return conform(model.system, model.instantiation, machine, options, model.sources, model.diagnostics);
+}
+
+void expect_conforming(const std::string& text) {
+    for (const std::uint32_t cycle : {1U, 2U}) {
+        const Result result = check(text, cycle);
+        EXPECT_EQ(result.outcome, Outcome::conforms) << result.reason << " " << result.expected << text;
+    }
+}
+
+/// At least one place of the fault makes the code differ.
+void expect_killed(const std::string& text, std::uint32_t cycle, Fault fault) {
+    ASSERT_EQ(check(text, cycle).outcome, Outcome::conforms) << text;
+    std::size_t killed = 0;
+    for (std::uint32_t site = 0; site < 4; ++site)
+        killed += check(text, cycle, fault, site).outcome == Outcome::differs ? 1U : 0U;
+    EXPECT_GT(killed, 0U) << "fault " << static_cast<int>(fault) << text;
+}
+
+/// A value that is received, stored at a transition with `exec`, and sent in the next cycle.
+const char* const stored = R"(
+enumeration Three { one two three }
+stm S {
+    cycleDef cycle == 1
+    input context { event inp : Three }
+    output context { event outp : Three }
+    var x : Three
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A exec condition $inp?x action $outp!x }
+    transition t2 { from A to A exec condition not $inp action $outp!x }
+}
+)";
+
+/// The second write of an output waits, so the cycle never ends.
+const char* const twice = R"(
+stm S {
+    cycleDef cycle == 1
+    input context { event again }
+    output context { event e }
+    initial i
+    state A { }
+    state B { }
+    transition t0 { from i to A }
+    transition t1 { from A to B condition $again action $e ; $e }
+    transition t2 { from A to A exec condition not $again }
+    transition t3 { from B to B exec }
+}
+)";
+
+/// `since(C) == 1` never holds when a cycle of two time units begins.
+const char* const waiting = R"(
+stm S {
+    cycleDef cycle == 1
+    clock C
+    input context { }
+    output context { event early }
+    initial i
+    state A { during exec }
+    state E { }
+    transition t0 { from i to A action #C }
+    transition t1 { from A to E condition since(C) == 1 action $early }
+    transition t2 { from A to E condition since(C) == 2 }
+    transition t3 { from E to E exec }
+}
+)";
+
+/// A during action ends the cycle, or the transition is taken before. After the end, only the next register counts.
+const char* const moves = R"(
+stm S {
+    cycleDef cycle == 1
+    input context { event go }
+    output context { event b }
+    initial i
+    state A { during exec }
+    state B { entry $b }
+    transition t0 { from i to A }
+    transition t1 { from A to B condition $go }
+    transition t2 { from A to A exec condition not $go }
+    transition t3 { from B to B exec }
+}
+)";
+
+/// `exec` between the statements of an action, and in an exit action.
+const char* const actions = R"(
+stm S {
+    cycleDef cycle == 1
+    input context { event go }
+    output context { event a event b event c }
+    initial i
+    state A { exit $a ; exec ; $b }
+    state B { entry $c ; exec ; $c }
+    transition t0 { from i to A }
+    transition t1 { from A to B condition $go action $c ; exec }
+    transition t2 { from A to A condition not $go action exec }
+    transition t3 { from B to A exec }
+}
+)";
+
+/// A composite state that is left at a transition with `exec`.
+const char* const nested = R"(
+stm S {
+    cycleDef cycle == 1
+    input context { event stop event step }
+    output context { event left event inner event outer }
+    initial i
+    state A {
+        exit $outer
+        initial j
+        state X { exit $inner }
+        state Y { exit $left }
+        transition u0 { from j to X }
+        transition u1 { from X to Y exec condition $step /\ not $stop }
+        transition u2 { from Y to X exec condition $step /\ not $stop }
+        transition u3 { from X to X exec condition not $step /\ not $stop }
+        transition u4 { from Y to Y exec condition not $step /\ not $stop }
+    }
+    state E { }
+    transition t0 { from i to A }
+    transition t1 { from A to E exec condition $stop }
+    transition t2 { from E to A exec condition $step }
+    transition t3 { from E to E exec condition not $step }
+}
+)";
+
+/// A variable of both contexts is changed from outside and by the machine.
+const char* const registers = R"(
+interface V { var v : boolean }
+stm S {
+    cycleDef cycle == 1
+    input context { requires V event flip }
+    output context { requires V event seen : boolean }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $flip action $v = not $v ; $seen!$v ; exec }
+    transition t2 { from A to A condition not $flip action $seen!$v ; exec }
+}
+)";
+
+/// A machine that ends, in one of two ways that a junction chooses.
+const char* const ends = R"(
+stm S {
+    cycleDef cycle == 1
+    input context { event a event b }
+    output context { event x event y }
+    initial i
+    state A { }
+    junction k
+    final f
+    transition t0 { from i to A }
+    transition t1 { from A to k exec condition $a }
+    transition t2 { from A to A exec condition not $a }
+    transition t3 { from k to f condition $b action $x }
+    transition t4 { from k to A condition not $b action $y }
+}
+)";
+
+TEST(Robosim, MachinesConform) {
+    for (const char* text : {stored, twice, waiting, moves, actions, nested, registers, ends}) expect_conforming(text);
+}
+
+TEST(Robosim, ACycleThatCannotEndIsReported) {
+    const Result result = check(twice, 1);
+    ASSERT_TRUE(result.deadlines);
+    EXPECT_FALSE(result.deadlines->holds);
+    ASSERT_FALSE(result.deadlines->cycles.empty());
+    EXPECT_EQ(result.deadlines->cycles.back().inputs, std::vector<std::string>{"again"});
+    const Result good = check(stored, 1);
+    ASSERT_TRUE(good.deadlines);
+    EXPECT_TRUE(good.deadlines->holds);
+}
+
+TEST(Robosim, ALoopWithoutEndIsNotSchedulable) {
+    const Result result = check(R"(
+stm S {
+    cycleDef cycle == 1
+    input context { event go }
+    output context { }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $go }
+    transition t2 { from A to A exec condition not $go }
+}
+)",
+                                1);
+    EXPECT_EQ(result.outcome, Outcome::not_schedulable);
+}
+
+TEST(Robosim, FaultsOfTheFrameAreKilled) {
+    expect_killed(twice, 1, Fault::cycle_output_again);
+    expect_killed(actions, 1, Fault::cycle_exec_dropped);
+    expect_killed(moves, 1, Fault::cycle_moves_on);
+    expect_killed(nested, 1, Fault::cycle_effect_early);
+    expect_killed(stored, 1, Fault::cycle_store_late);
+    expect_killed(registers, 1, Fault::event_kept);
+    expect_killed(twice, 1, Fault::cycle_stop_hidden);
+    expect_killed(waiting, 2, Fault::cycle_time_unit);
+    expect_killed(twice, 1, Fault::cycle_end_early);
+}
+
+TEST(Robosim, FaultsOfTheBodyAreKilled) {
+    expect_killed(nested, 1, Fault::children_not_exited);
+    expect_killed(actions, 1, Fault::send_dropped);
+    expect_killed(stored, 1, Fault::guard_negated);
+    expect_killed(registers, 1, Fault::assignment_dropped);
+    expect_killed(registers, 1, Fault::outside_write_late);
+    expect_killed(ends, 1, Fault::wrong_target);
+}
+
+}  // namespace
+}  // namespace robochart::conformance
