@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cpp_emit/plan/names.hpp"
+#include "cpp_emit/plan/types.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::cpp_emit {
@@ -15,6 +17,26 @@ namespace {
 
 std::string written_member(const std::string& method) {
     return fmt::format("wrote_{}_", method);
+}
+
+std::string written_member(const Component& component, const EventUse& use) {
+    return written_member(use.outlets.empty() ? to_identifier(use.once) : component.events[use.outlets.front()].output);
+}
+
+/// The written members of all outputs, without duplicates.
+std::vector<std::string> written_members(const Component& component) {
+    std::vector<std::string> members;
+    const auto add = [&](std::string member) {
+        if (std::ranges::find(members, member) == members.end()) members.push_back(std::move(member));
+    };
+    for (const PlatformCall& call : component.calls)
+        if (call.signature->output) add(written_member(call.method));
+    for (const Part& part : component.parts)
+        for (const EventUse& use : part.events)
+            if (use.sent) add(written_member(component, use));
+    for (const StoredVariable& variable : component.variables)
+        if (!variable.output.empty() && !variable.copy) add(written_member(variable.output));
+    return members;
 }
 
 }  // namespace
@@ -28,8 +50,7 @@ std::string written_member(const Generation& generation, const Unit& unit, const
     const Component& component = generation.component;
     if (!component.robosim) return {};
     if (stmt.kind == StmtKind::communicate) {
-        const EventUse& use = component.find_event(unit, stmt.communication.event);
-        return use.ports.empty() ? "" : written_member(component.events[use.ports.front()].output);
+        return written_member(component, component.find_event(unit, stmt.communication.event));
     }
     if (stmt.kind == StmtKind::call && unit.machine->operations[stmt.operation.index].output)
         return written_member(component.find_platform_call(unit, stmt.operation).method);
@@ -59,21 +80,29 @@ std::string awaits_cycle(const Generation& generation, const Unit& unit, const i
     return written.empty() ? ended : fmt::format("{} || {}", ended, written);
 }
 
+std::string buffer_type(const Generation& generation, const Buffer& buffer) {
+    return buffer.type ? fmt::format("robochart::Buffer<{}>", cpp_type(generation.system, *buffer.type))
+                       : std::string("robochart::Flag");
+}
+
+void read_events_between_machines(const Generation& generation, CodeWriter& out) {
+    if (!generation.component.robosim) return;
+    for (const Buffer& buffer : generation.component.buffers) {
+        out.line(fmt::format("latched_{0}_ = state_.{0};", buffer.field));
+        if (!generation.mutation.hits(Fault::buffer_kept)) out.line(fmt::format("state_.{} = {{}};", buffer.field));
+    }
+}
+
 void write_cycle_members(const Generation& generation, CodeWriter& out) {
     const Component& component = generation.component;
     if (!component.robosim) return;
     for (const Part& part : component.parts)
         out.line_with_doc(fmt::format("bool {} = false;", ended_member(component, component.units[part.root])),
                           "the cycle has ended: nothing but time happens before the next one");
-    const auto written = [&](const std::string& method) {
-        out.line(fmt::format("bool {} = false;", written_member(method)));
-    };
-    for (const PlatformCall& call : component.calls)
-        if (call.signature->output) written(call.method);
-    for (const EventPort& event : component.events)
-        if (!event.output.empty()) written(event.output);
-    for (const StoredVariable& variable : component.variables)
-        if (!variable.output.empty() && !variable.copy) written(variable.output);
+    for (const std::string& member : written_members(component)) out.line(fmt::format("bool {} = false;", member));
+    for (const Buffer& buffer : component.buffers)
+        out.line_with_doc(fmt::format("{} latched_{}_{{}};", buffer_type(generation, buffer), buffer.field),
+                          "event between machines, as this cycle reads it");
 }
 
 }  // namespace robochart::cpp_emit

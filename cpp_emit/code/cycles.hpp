@@ -23,6 +23,10 @@ namespace robochart::cpp_emit {
 /// The condition for which the statement waits: the cycle has ended, or the output is already written. "" if it never
 /// waits.
 [[nodiscard]] std::string awaits_cycle(const Generation&, const Unit&, const ir::Stmt&);
+/// The type of a buffer between machines.
+[[nodiscard]] std::string buffer_type(const Generation&, const Buffer&);
+/// Writes the code with which a cycle takes the events between machines that the last cycle has sent.
+void read_events_between_machines(const Generation&, CodeWriter&);
 /// Writes these members of Step.
 void write_cycle_members(const Generation&, CodeWriter&);
 

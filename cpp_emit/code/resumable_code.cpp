@@ -316,11 +316,19 @@ void ProgramWriter::write_send(const ir::Stmt& stmt, const std::string& stem) {
     const ExpressionWriter expressions(generation_, unit_);
     const ir::ExprPtr& expr = stmt.communication.value;
     const std::string value = expr ? expressions.write_as(*expr, *use.type) : "";
+    if (generation_.component.robosim) return write_registers(use, value);
     if (!use.filled.empty()) return fill_buffers(use, value);
     if (!use.ports.empty()) return send_out(use, value);
     if (use.peers.empty()) return current_code().comment(fmt::format("{} is connected to nothing", use.name));
     const std::string at = resume_here(stem, fmt::format("sends {}", use.name));
     write_offer(use, value, at, fresh_label(stem));
+}
+
+/// RoboSim: the platform and the machines that read the event in the next cycle.
+void ProgramWriter::write_registers(const EventUse& use, const std::string& value) {
+    fill_buffers(use, value);
+    for (const std::size_t outlet : use.outlets)
+        current_code().line(fmt::format("platform_.{}({});", generation_.component.events[outlet].output, value));
 }
 
 /// The writer never waits, and the newest value replaces the older value (semantics 3.9).

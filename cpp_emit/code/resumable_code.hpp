@@ -115,6 +115,7 @@ private:
     void await_input(const ir::Stmt&, const std::string& stem);
     void await_any(const ir::Stmt&, const EventUse&, const std::string& stem);
     void write_send(const ir::Stmt&, const std::string& stem);
+    void write_registers(const EventUse&, const std::string& value);
     void fill_buffers(const EventUse&, const std::string& value);
     void send_out(const EventUse&, const std::string& value);
     void write_offer(const EventUse&, const std::string& value, const std::string& at, const std::string& next);

@@ -106,18 +106,26 @@ std::string ExpressionWriter::fitting(ir::TypeId type, const std::string& value)
     return has_lists(generation_.system, type) ? fmt::format("fit<Types>({})", value) : value;
 }
 
-/// RoboSim: whether the register of an event is full, or its value.
-std::string ExpressionWriter::register_text(const EventPort& port, ir::VariableId id) const {
+/// RoboSim: whether the register of an event is full, or its value. A register that nothing fills is empty.
+std::string ExpressionWriter::register_text(const EventUse& use, ir::VariableId id) const {
+    const Component& component = generation_.component;
     const ir::Variable& variable = unit_.machine->variables[id.index];
-    if (!variable.name.ends_with('?')) return fmt::format("bool(inputs_.{}.present)", port.input);
-    const ir::Value empty = ir::default_value(generation_.system, generation_.inst, variable.type);
-    return fmt::format("robochart::content(inputs_.{}, {})", port.input,
-                       cpp_value(generation_.system, generation_.inst, variable.type, empty));
+    const bool value = variable.name.ends_with('?');
+    const ir::Value absent = ir::default_value(generation_.system, generation_.inst, variable.type);
+    const std::string empty = value ? cpp_value(generation_.system, generation_.inst, variable.type, absent) : "false";
+    if (!use.emptied.empty()) {
+        const std::string latched = "latched_" + component.buffers[use.emptied.front()].field + "_";
+        return value ? fmt::format("({0}.full() ? {0}.value : {1})", latched, empty) : latched + ".full()";
+    }
+    if (use.ports.empty()) return empty;
+    const std::string& input = component.events[use.ports.front()].input;
+    return value ? fmt::format("robochart::content(inputs_.{}, {})", input, empty)
+                 : fmt::format("bool(inputs_.{}.present)", input);
 }
 
 std::string ExpressionWriter::variable_member(ir::VariableId id) const {
     const Component& component = generation_.component;
-    if (const EventPort* port = component.register_port(unit_, id)) return register_text(*port, id);
+    if (const EventUse* use = component.find_register(unit_, id)) return register_text(*use, id);
     if (const StoredVariable* stored = component.stored_variable(unit_, id)) {
         if (stored->local) return stored->field + ".value";
         return stored->in_state() ? "state_." + stored->path : "";

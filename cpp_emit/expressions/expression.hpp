@@ -54,7 +54,7 @@ public:
     /// The condition preceded by its preconditions. It is false if the code cannot build the lists that it needs.
     [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
     /// The member that stores a variable; "" for shared variables that are never read.
-    [[nodiscard]] std::string register_text(const EventPort&, ir::VariableId) const;
+    [[nodiscard]] std::string register_text(const EventUse&, ir::VariableId) const;
     [[nodiscard]] std::string variable_member(ir::VariableId) const;
     [[nodiscard]] std::string clock_member(ir::ClockId) const;
     /// The index of an item, counted from 1.

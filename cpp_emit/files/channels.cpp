@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "cpp_emit/code/cycles.hpp"
 #include "cpp_emit/expressions/expression.hpp"
 #include "cpp_emit/plan/types.hpp"
 
@@ -132,11 +133,8 @@ std::vector<Field> common_fields(const Generation& generation) {
     std::vector<Field> fields;
     for (const Buffer& buffer : generation.component.buffers) {
         const Extent extent = buffer.type ? cpp_extent(generation.system, generation.inst, *buffer.type) : Extent{0, 1};
-        const std::string type = buffer.type
-                                     ? fmt::format("robochart::Buffer<{}>", cpp_type(generation.system, *buffer.type))
-                                     : std::string("robochart::Flag");
-        fields.push_back({type, buffer.field, "{}", "connection of " + buffer.name, extent.size + extent.alignment,
-                          extent.alignment, extent.varies});
+        fields.push_back({buffer_type(generation, buffer), buffer.field, "{}", "connection of " + buffer.name,
+                          extent.size + extent.alignment, extent.alignment, extent.varies});
     }
     for (const StoredVariable& variable : generation.component.variables)
         for (const PropagationHolder& holder : variable.holders)

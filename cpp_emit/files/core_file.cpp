@@ -385,9 +385,12 @@ void write_drops(const Generation& generation, CodeWriter& out) {
 void write_end_of_cycle(const Generation& generation, CodeWriter& out) {
     if (generation.mutation.hits(Fault::cycle_stop_hidden)) return;
     std::string ended;
-    for (const Part& part : generation.component.parts)
-        ended +=
-            (ended.empty() ? "" : " && ") + ended_member(generation.component, generation.component.units[part.root]);
+    for (const Part& part : generation.component.parts) {
+        const std::string one = ended_member(generation.component, generation.component.units[part.root]);
+        const bool others = generation.component.is_composed();
+        ended += (ended.empty() ? "" : " && ") +
+                 (others ? fmt::format("({} || finished({}))", one, part.frame_expression()) : one);
+    }
     out.open(fmt::format("if (result == robochart::StepResult::quiescent && !({})) {{", ended));
     out.line("return robochart::StepResult::deadline;");
     out.close();
@@ -399,6 +402,7 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     std::vector<std::string> late;
     for (const StoredVariable& variable : generation.component.variables)
         if (!variable.input.empty() && variable.has_member()) write_outside(generation, variable, out, late);
+    read_events_between_machines(generation, out);
     for (const EventPort* event : core.kept_inputs) take_kept(out, *event);
     write_drops(generation, out);
     const char* const state = generation.component.is_composed() ? "" : "state_";

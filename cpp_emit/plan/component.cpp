@@ -46,12 +46,9 @@ const StoredVariable* Component::stored_variable(const Unit& of, ir::VariableId 
     return &variables[part_of(of).variables.at(of.machine->variables[id.index].name)];
 }
 
-const EventPort* Component::register_port(const Unit& of, ir::VariableId id) const {
+const EventUse* Component::find_register(const Unit& of, ir::VariableId id) const {
     const ir::Input* const input = ir::event_register(*of.machine, id);
-    if (input == nullptr) return nullptr;
-    const EventUse* const use = find_event(Peer{of.part, input->name});
-    assert(use != nullptr && !use->ports.empty());
-    return &events[use->ports.front()];
+    return input == nullptr ? nullptr : find_event(Peer{of.part, input->name});
 }
 
 const PlatformCall& Component::find_platform_call(const Unit& of, ir::OperationId id) const {

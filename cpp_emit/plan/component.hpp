@@ -55,7 +55,10 @@ struct EventUse {
     std::vector<Peer> peers;           ///< machines at the other ends of synchronous connections
     std::vector<std::size_t> filled;   ///< indices into Component::buffers: buffers that sending fills
     std::vector<std::size_t> emptied;  ///< indices into Component::buffers: buffers that receiving empties
-    std::string channel;               ///< suffix of the functions of a rendezvous: offers_CHANNEL, accept_CHANNEL
+    std::vector<std::size_t>
+        outlets;          ///< RoboSim: indices into Component::events that sending writes; `ports` are read
+    std::string once;     ///< RoboSim: the output that a cycle writes at most once, if it has no outlet
+    std::string channel;  ///< suffix of the functions of a rendezvous: offers_CHANNEL, accept_CHANNEL
 
     /// Whether the event is an input that is not connected: in the semantics it can happen spontaneously (semantics
     /// 3.9).
@@ -236,8 +239,8 @@ struct Component {
     /// The variable of the machine, or the shared variable, that a unit's variable denotes. Null for variables of
     /// operations, whose owner is in Unit::variable_owners.
     [[nodiscard]] const StoredVariable* stored_variable(const Unit&, ir::VariableId) const;
-    /// RoboSim: the port of the input event whose register a unit's variable is; null for other variables.
-    [[nodiscard]] const EventPort* register_port(const Unit&, ir::VariableId) const;
+    /// RoboSim: the input event whose register a unit's variable is; null for other variables.
+    [[nodiscard]] const EventUse* find_register(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& find_platform_call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
     [[nodiscard]] const CarrierUse& find_carrier(ir::TypeId) const;

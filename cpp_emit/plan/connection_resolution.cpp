@@ -44,31 +44,8 @@ public:
     }
 
 private:
-    /// RoboSim: the events of the contexts of the part's machine. Its operations use some of these.
-    void collect_registers(std::size_t part) {
-        const ir::Machine& machine = *component_.root_unit(part).machine;
-        const auto type_of = [&](ir::VariableId id) {
-            return id.is_valid() ? std::optional(machine.variables[id.index].type) : std::nullopt;
-        };
-        std::vector<EventUse>& uses = component_.parts[part].events;
-        for (const ir::Input& input : machine.inputs) {
-            const auto same = [&](const EventUse& use) { return use.name == input.name; };
-            if (!input.full.is_valid() || std::ranges::any_of(uses, same)) continue;
-            uses.push_back({input.name, "", type_of(input.content), true, false, {}, {}, {}, {}, ""});
-        }
-        for (const ir::Event& event : machine.events) {
-            const auto same = [&](const EventUse& use) { return use.name == event.name; };
-            const auto found = std::ranges::find_if(uses, same);
-            if (found != uses.end())
-                found->sent = true;
-            else
-                uses.push_back({event.name, event.interface, event.type, false, true, {}, {}, {}, {}, ""});
-        }
-    }
-
     /// The part's events, in the order in which its machine declares them.
     void collect_events(std::size_t part) {
-        if (component_.robosim) return collect_registers(part);
         std::vector<EventUse>& uses = component_.parts[part].events;
         const auto use_of = [&](const ir::Event& event) -> EventUse& {
             for (EventUse& use : uses)

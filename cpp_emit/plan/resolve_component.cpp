@@ -7,6 +7,7 @@
 #include "cpp_emit/plan/connection_resolution.hpp"
 #include "cpp_emit/plan/feature_analysis.hpp"
 #include "cpp_emit/plan/liveness.hpp"
+#include "cpp_emit/plan/register_wiring.hpp"
 #include "cpp_emit/plan/rules.hpp"
 #include "cpp_emit/plan/types.hpp"
 #include "cpp_emit/plan/walk.hpp"
@@ -52,7 +53,12 @@ public:
         assert(open_.empty() && component_.unit_places.size() == component_.units.size());
         assert(roots_.size() == component_.parts.size() && contexts_.size() == component_.parts.size());
         number_transitions();
-        wire_component(component_, system_, module_, contexts(), diagnostics_);
+        if (component_.robosim) {
+            refuse_shared_registers();
+            wire_registers(component_, module_, contexts(), diagnostics_);
+        } else {
+            wire_component(component_, system_, module_, contexts(), diagnostics_);
+        }
         collect_variables();
         if (!component_.robosim) find_local_variables(component_, system_);
         collect_calls();
@@ -114,8 +120,8 @@ private:
 
     bool in_controller(const ir::ComponentRef& ref) {
         if (!is_defined(system_.controllers.size(), ref)) return false;
-        if (system_.controllers[ref.definition].robosim) return refuse_composition(ref);
         describe_component(system_.controllers[ref.definition], "controller");
+        component_.robosim = system_.controllers[ref.definition].robosim;
         add_parts(system_.controllers[ref.definition], 0, "");
         return has_parts();
     }
@@ -123,22 +129,28 @@ private:
     bool in_module(const ir::ComponentRef& ref) {
         if (!is_defined(system_.modules.size(), ref)) return false;
         module_ = &system_.modules[ref.definition];
-        if (module_->robosim) return refuse_composition(ref);
+        component_.robosim = module_->robosim;
         describe_component(*module_, "module");
         for (std::size_t i = 0; i < module_->controllers.size(); ++i)
             add_parts(system_.controller(module_->controllers[i].controller), i, module_->controllers[i].name + "::");
         return has_parts();
     }
 
-    bool refuse_composition(const ir::ComponentRef& ref) {
-        const bool module = ref.kind == ir::ComponentKind::module;
-        const diagnostics::Span place =
-            module ? system_.modules[ref.definition].origin.span : system_.controllers[ref.definition].origin.span;
-        diagnostics_.report(
-            rules::no_component, place,
-            {ref.path, "it is a " + std::string(module ? "module" : "controller") +
-                           " of RoboSim; code is generated for each of its machines, with --component"});
-        return false;
+    /// RoboSim: variables that the machines of a composition share are registers of each of them and of the whole.
+    void refuse_shared_registers() {
+        for (const Unit& unit : component_.units) {
+            if (!unit.root || contexts_[unit.part] == nullptr) continue;
+            for (std::uint32_t place = 0; place < unit.machine->variables.size(); ++place) {
+                const ir::Variable& variable = unit.machine->variables[place];
+                const bool event = ir::event_register(*unit.machine, ir::VariableId{place}) != nullptr;
+                if (variable.scope != ir::VariableScope::reg || event) continue;
+                diagnostics_.report(rules::no_component, component_.origin.span,
+                                    {component_.name, "machine '" + unit.machine->name + "' has the variable '" +
+                                                          variable.name.substr(1) +
+                                                          "' in a context; --component selects the machine alone"});
+                return;
+            }
+        }
     }
 
     void add_parts(const ir::Controller& controller, std::size_t index, const std::string& prefix) {

@@ -686,13 +686,11 @@ std::string files_inside(const std::string& folder, std::string_view ending) {
 std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& name, bool robosim_too) {
     std::vector<ir::ComponentRef> chosen, robosim;
     for (const ir::ComponentRef& ref : all_components(system)) {
+        const bool in_robosim = ir::is_robosim(system, ref);
+        if (in_robosim && !robosim_too) continue;
+        std::vector<ir::ComponentRef>& list = in_robosim ? robosim : chosen;
         const bool named = ref.path == name || ref.package + "::" + ref.path == name;
-        if (ir::is_robosim(system, ref)) {
-            if (!robosim_too) continue;
-            if (name.empty() ? ref.kind == ir::ComponentKind::machine : named) robosim.push_back(ref);
-        } else if (name.empty() ? chosen.empty() || chosen.front().kind == ref.kind : named) {
-            chosen.push_back(ref);
-        }
+        if (name.empty() ? list.empty() || list.front().kind == ref.kind : named) list.push_back(ref);
     }
     return chosen.empty() ? robosim : chosen;
 }

@@ -60,7 +60,7 @@ void add_swarm(Settings&);
 
 /// The components for which C++ is generated. Without a name: the modules; if the model has no modules, the
 /// controllers; if it has no controllers either, the machines. With a name: the component with this name, of any kind.
-/// `robosim`: if there is no such component of RoboChart, the machines of RoboSim, or its component with the name.
+/// `robosim`: if there is no such component of RoboChart, those of RoboSim.
 /// If there is none, a diagnostic is reported and the list is empty.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name,
                                                             bool robosim = false);

@@ -18,17 +18,24 @@ public:
     explicit RobosimModel(const std::string& text) { write("model.rst", text); }
 };
 
-/// Checks the code of a machine, with a fault and with cycles of this length.
+/// The outermost component: the module, the controller, or the machine S.
+ir::ComponentRef whole_of(const test::Model& model) {
+    if (!model.system.modules.empty()) return model.first_module();
+    if (!model.system.controllers.empty()) return model.first_controller();
+    return model.machine_named("S");
+}
+
+/// Checks the code of the outermost component, with a fault and with cycles of this length.
 Result check(const std::string& text, std::uint32_t cycle, Fault fault = Fault::none, std::uint32_t site = 0) {
     const RobosimModel folder(text);
     test::Model model(folder.path());
-    const ir::ComponentRef machine = model.machine_named("S");
-    model.instantiation.constants[ir::constant_name(machine.package, machine.path, ir::cycle_length)] = {cycle, {}};
+    const ir::ComponentRef whole = whole_of(model);
+    model.instantiation.constants[ir::constant_name(whole.package, whole.path, ir::cycle_length)] = {cycle, {}};
     Options options;
     options.flags = "-std=c++17 -O1 -w";
     options.generator.fault = fault;
     options.generator.fault_site = site;
-    return conform(model.system, model.instantiation, machine, options, model.sources, model.diagnostics);
+    return conform(model.system, model.instantiation, whole, options, model.sources, model.diagnostics);
 }
 
 void expect_conforming(const std::string& text) {
@@ -41,10 +48,10 @@ void expect_conforming(const std::string& text) {
 /// At least one place of the fault makes the code differ.
 void expect_killed(const std::string& text, std::uint32_t cycle, Fault fault) {
     ASSERT_EQ(check(text, cycle).outcome, Outcome::conforms) << text;
-    std::size_t killed = 0;
-    for (std::uint32_t site = 0; site < 4; ++site)
-        killed += check(text, cycle, fault, site).outcome == Outcome::differs ? 1U : 0U;
-    EXPECT_GT(killed, 0U) << "fault " << static_cast<int>(fault) << text;
+    bool killed = false;
+    for (std::uint32_t site = 0; site < 4 && !killed; ++site)
+        killed = check(text, cycle, fault, site).outcome == Outcome::differs;
+    EXPECT_TRUE(killed) << "fault " << static_cast<int>(fault) << text;
 }
 
 /// A value that is received, stored at a transition with `exec`, and sent in the next cycle.
@@ -186,6 +193,166 @@ stm S {
     transition t4 { from k to A condition not $b action $y }
 }
 )";
+
+/// Machines of two controllers: an event between machines, and an event between controllers.
+const char* const together = R"(
+stm W {
+    cycleDef cycle == 1
+    input context { event tell : boolean }
+    output context { event sig : boolean }
+    var v : boolean
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $tell?v action $sig!v ; exec }
+    transition t2 { from A to A condition not $tell action exec }
+}
+stm R {
+    cycleDef cycle == 1
+    input context { event sig : boolean }
+    output context { event got }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $sig action $got ; exec }
+    transition t2 { from A to A condition not $sig action exec }
+}
+stm Q {
+    cycleDef cycle == 1
+    input context { event got }
+    output context { event out }
+    initial i
+    state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A condition $got action $out ; exec }
+    transition t2 { from A to A condition not $got action exec }
+}
+controller C {
+    cycleDef cycle == 1
+    event tell : boolean
+    event got
+    sref w = W
+    sref r = R
+    connection C on tell to w on tell
+    connection w on sig to r on sig
+    connection r on got to C on got
+}
+controller D {
+    cycleDef cycle == 1
+    event got
+    event out
+    sref q = Q
+    connection D on got to q on got
+    connection q on out to D on out
+}
+module M {
+    cycleDef cycle == 1
+    robotic platform P { event tell : boolean event out }
+    cref c = C
+    cref d = D
+    connection P on tell to c on tell ( _async )
+    connection c on got to d on got ( _async )
+    connection d on out to P on out ( _async )
+}
+)";
+
+/// Two machines read one input. Nothing is connected to one input and one output.
+const char* const shared_input = R"(
+stm A {
+    cycleDef cycle == 1
+    input context { event go event open }
+    output context { event a event lost }
+    initial i
+    state X { }
+    transition t0 { from i to X }
+    transition t1 { from X to X condition $go /\ not $open action $lost ; $a ; exec }
+    transition t2 { from X to X condition not $go \/ $open action exec }
+}
+stm B {
+    cycleDef cycle == 1
+    input context { event go }
+    output context { event b }
+    initial i
+    state X { }
+    transition t0 { from i to X }
+    transition t1 { from X to X condition $go action $b ; exec }
+    transition t2 { from X to X condition not $go action exec }
+}
+controller C {
+    cycleDef cycle == 1
+    event go
+    event a
+    event b
+    sref x = A
+    sref y = B
+    connection C on go to x on go
+    connection C on go to y on go
+    connection x on a to C on a
+    connection y on b to C on b
+}
+)";
+
+/// Two machines call one operation in the same cycle: the second call waits for ever.
+const char* const both_call = R"(
+interface Op { go(n : boolean) }
+stm A {
+    cycleDef cycle == 1
+    input context { }
+    output context { requires Op }
+    initial i
+    state B { entry $go(false) }
+    transition t0 { from i to B }
+    transition t1 { from B to B exec }
+}
+controller C {
+    cycleDef cycle == 1
+    requires Op
+    sref a = A
+    sref b = A
+}
+)";
+
+TEST(Robosim, CompositionsConform) {
+    for (const char* text : {together, shared_input, both_call}) expect_conforming(text);
+    const Result stops = check(both_call, 1);
+    ASSERT_TRUE(stops.deadlines);
+    EXPECT_FALSE(stops.deadlines->holds);
+    const Result runs = check(together, 1);
+    ASSERT_TRUE(runs.deadlines);
+    EXPECT_TRUE(runs.deadlines->holds);
+}
+
+TEST(Robosim, FaultsOfCompositionsAreKilled) {
+    expect_killed(together, 1, Fault::buffer_kept);
+    expect_killed(both_call, 1, Fault::cycle_output_again);
+    expect_killed(shared_input, 1, Fault::event_kept);
+    expect_killed(together, 1, Fault::send_dropped);
+}
+
+TEST(Robosim, SharedVariablesOfCompositionsAreRefused) {
+    const Result result = check(R"(
+interface V { var v : boolean }
+stm A {
+    cycleDef cycle == 1
+    input context { requires V }
+    output context { event lit }
+    initial i
+    state B { }
+    transition t0 { from i to B }
+    transition t1 { from B to B condition $v action $lit ; exec }
+    transition t2 { from B to B condition not $v action exec }
+}
+controller C {
+    cycleDef cycle == 1
+    event lit
+    uses V
+    sref a = A
+    connection a on lit to C on lit
+}
+)",
+                                1);
+    EXPECT_EQ(result.outcome, Outcome::not_generated);
+}
 
 TEST(Robosim, MachinesConform) {
     for (const char* text : {stored, twice, waiting, moves, actions, nested, registers, ends}) expect_conforming(text);
