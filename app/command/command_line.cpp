@@ -243,7 +243,7 @@ std::vector<std::pair<std::string, std::string>> written_files(const Options& op
 /// because files in the same folder are read too.
 bool is_written_by_hand(const std::filesystem::path& path) {
     constexpr std::array endings{".rct",    ".assertions", ".rst",   ".rsa",  ".prism", ".props", ".sleec",
-                                 ".claims", ".scenario",   ".swarm", ".ros2", ".trace", ".prefs"};
+                                 ".claims", ".scenario",   ".swarm", ".ros2", ".trace", ".mcap",  ".prefs"};
     return std::ranges::find(endings, path.extension().string()) != endings.end();
 }
 

@@ -18,6 +18,7 @@
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
+#include "conformance/traces/mcap.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "driver/claims/followed_claim.hpp"
 #include "driver/model/pipeline.hpp"
@@ -176,25 +177,31 @@ std::vector<std::string> log_files(const Options& options, ClaimLogReport& repor
             continue;
         }
         for (const std::string& path : diagnostics::files_below(given, true).files)
-            if (std::filesystem::path(path).extension() == ".trace") result.push_back(path);
+            if (std::filesystem::path(path).extension() == ".trace" ||
+                std::filesystem::path(path).extension() == ".mcap")
+                result.push_back(path);
     }
-    if (result.empty()) report.errors.emplace_back("--traces: there are no .trace files in the folder");
+    if (result.empty()) report.errors.emplace_back("--traces: there are no .trace or .mcap files in the folder");
     return result;
 }
 
 void read_log(const driver::Project& project, const std::string& path, ClaimLogReport& report, const Options& options) {
-    std::error_code error;
-    std::ifstream in;
-    if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);
+    std::unique_ptr<std::istream> in;
+    try {
+        in = conformance::open_log(path, options.run->budget());
+    } catch (const conformance::McapFault& fault) {
+        report.errors.push_back(fmt::format("{}: {}", diagnostics::escape_for_display(path), fault.what()));
+        return;
+    }
     const std::string shown = diagnostics::escape_for_display(path);
-    if (!in.is_open()) {
+    if (in == nullptr) {
         report.errors.push_back(fmt::format("{}: it is not a regular file that may be read", shown));
         return;
     }
     ++report.logs;
     options.run->recorder().add_input_file(path);
     try {
-        ClaimLog(project, path, report, options).read(in);
+        ClaimLog(project, path, report, options).read(*in);
     } catch (const conformance::TraceFault& fault) {
         report.errors.push_back(fmt::format("{}: {}", shown, conformance::fault_text(fault)));
     }

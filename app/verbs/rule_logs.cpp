@@ -20,6 +20,7 @@
 #include "base/diagnostics/json_values.hpp"
 #include "claims/sleec/obligations/samples.hpp"
 #include "claims/sleec/syntax/rules.hpp"
+#include "conformance/traces/mcap.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "driver/model/claim_files.hpp"
 #include "driver/rules/rule_claims.hpp"
@@ -159,17 +160,23 @@ std::vector<std::string> log_files(const Options& options, RuleLogReport& report
             continue;
         }
         for (const std::string& path : diagnostics::files_below(given, true).files)
-            if (std::filesystem::path(path).extension() == ".trace") result.push_back(path);
+            if (std::filesystem::path(path).extension() == ".trace" ||
+                std::filesystem::path(path).extension() == ".mcap")
+                result.push_back(path);
     }
-    if (result.empty()) report.errors.emplace_back("--traces: there are no .trace files in the folder");
+    if (result.empty()) report.errors.emplace_back("--traces: there are no .trace or .mcap files in the folder");
     return result;
 }
 
 void read_log(const driver::LoadedRules& of, const std::string& path, RuleLogReport& report, const Options& options) {
-    std::error_code error;
-    std::ifstream in;
-    if (std::filesystem::is_regular_file(path, error)) in.open(path, std::ios::binary);
-    if (!in.is_open()) {
+    std::unique_ptr<std::istream> in;
+    try {
+        in = conformance::open_log(path, options.run->budget());
+    } catch (const conformance::McapFault& fault) {
+        report.errors.push_back(fmt::format("{}: {}", diagnostics::escape_for_display(path), fault.what()));
+        return;
+    }
+    if (in == nullptr) {
         report.errors.push_back(
             fmt::format("{}: it is not a regular file that may be read", diagnostics::escape_for_display(path)));
         return;
@@ -177,7 +184,7 @@ void read_log(const driver::LoadedRules& of, const std::string& path, RuleLogRep
     ++report.logs;
     options.run->recorder().add_input_file(path);
     try {
-        RuleLog(of, path, report, options).read(in);
+        RuleLog(of, path, report, options).read(*in);
     } catch (const conformance::TraceFault& fault) {
         report.errors.push_back(
             fmt::format("{}: {}", diagnostics::escape_for_display(path), conformance::fault_text(fault)));

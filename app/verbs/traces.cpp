@@ -24,6 +24,7 @@
 #include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
 #include "conformance/model/rules.hpp"
+#include "conformance/traces/mcap.hpp"
 #include "conformance/traces/more_numbers.hpp"
 #include "conformance/traces/trace_check.hpp"
 #include "counterexample/evaluation_failure.hpp"
@@ -69,10 +70,10 @@ std::vector<std::string> logs_to_check(const Options& options, diagnostics::Diag
         for (const auto& [path, cause] : found.unreadable)
             diagnostics.report(frontend::syntax::unreadable, {}, {path, cause});
         for (const std::string& path : found.files)
-            if (fs::path(path).extension() == ".trace") inside.push_back(path);
+            if (fs::path(path).extension() == ".trace" || fs::path(path).extension() == ".mcap") inside.push_back(path);
         if (inside.empty() && found.unreadable.empty())
             diagnostics.report(driver::rules::bad_option, {},
-                               {fmt::format("--traces {}: there are no .trace files in the folder", given)});
+                               {fmt::format("--traces {}: there are no .trace or .mcap files in the folder", given)});
         result.insert(result.end(), inside.begin(), inside.end());
     }
     return result;
@@ -186,8 +187,7 @@ private:
 
 /// Reads only the header of a log, which names the component and the constants, up to the first error. Throws
 /// diagnostics::LimitReached.
-conformance::TraceHeader peek_header(const std::string& path, diagnostics::Budget& budget) {
-    std::ifstream in(path, std::ios::binary);
+conformance::TraceHeader peek_header(std::istream& in, diagnostics::Budget& budget) {
     conformance::LineReader lines(in);
     conformance::TraceHeader header;
     std::vector<conformance::TraceToken> tokens;
@@ -216,21 +216,29 @@ void report_fault(driver::Project& project, const std::string& path, const confo
 }
 
 void check_log(const std::string& path, driver::Project& project, Checkers& checkers, Totals& totals) {
-    std::error_code error;
-    std::ifstream in;
-    // A log is read twice, which is possible only for regular files.
-    if (fs::is_regular_file(path, error)) in.open(path, std::ios::binary);
-    if (!in.is_open()) {
+    std::unique_ptr<std::istream> in;
+    try {
+        in = conformance::open_log(path, checkers.budget());
+    } catch (const conformance::McapFault& fault) {
+        project.diagnostics.report(frontend::syntax::unreadable, {}, {path, fault.what()});
+        return;
+    }
+    if (in == nullptr) {
+        std::error_code error;
+        (void)fs::is_regular_file(path, error);
         project.diagnostics.report(frontend::syntax::unreadable, {},
                                    {path, error ? error.message() : "it is not a regular file that may be read"});
         return;
     }
-    const conformance::TraceHeader header = peek_header(path, checkers.budget());
+    const conformance::TraceHeader header = peek_header(*in, checkers.budget());
+    // A log is read twice, which is possible only for regular files.
+    in->clear();
+    in->seekg(0);
     const auto found = checkers.find_checker(header);
     if (!found) return;
     ++totals.logs;
     ComparedLog compared{path, found->project, found->component, {}, std::nullopt};
-    const auto report = found->checker->check_log(in, header.constants, [&](const conformance::RunReport& run) {
+    const auto report = found->checker->check_log(*in, header.constants, [&](const conformance::RunReport& run) {
         if (totals.reported.size() < max_reported) totals.reported.push_back({path, run});
         if (!compared.wrong) compared.wrong = run;
     });

@@ -10,6 +10,7 @@ std::span<const Target> targets() {
     static constexpr std::array table = {
         Target{"model", run_model},         Target{"assertions", run_assertions}, Target{"script", run_script},
         Target{"semantics", run_semantics}, Target{"editor", run_editor},         Target{"stream", run_stream},
+        Target{"mcap", run_mcap},
     };
     return table;
 }

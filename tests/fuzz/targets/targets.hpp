@@ -30,6 +30,9 @@ struct Target {
 /// The language server's input stream.
 [[nodiscard]] std::string run_stream(std::string_view bytes);
 
+/// An MCAP file with a log.
+[[nodiscard]] std::string run_mcap(std::string_view bytes);
+
 [[nodiscard]] std::span<const Target> targets();
 
 }  // namespace robochart::fuzz

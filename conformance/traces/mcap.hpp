@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Logs in MCAP files, the format of rosbag2's recordings (the MCAP specification, version 0 of the format): the text of
+// the log is in the messages of one channel (docs/traces.md).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics/pollable.hpp"
+
+namespace robochart::conformance {
+
+/// Thrown if an MCAP file cannot be read: its structure is wrong, it is compressed, or it has no log.
+struct McapFault : std::runtime_error {
+    McapFault(const std::string& message, std::uint64_t offset) : std::runtime_error(message), at(offset) {}
+    std::uint64_t at;  ///< in bytes from the beginning of the file
+};
+
+/// Whether a file with these first bytes is an MCAP file.
+[[nodiscard]] bool is_mcap(std::string_view bytes);
+
+/// The text of the log in an MCAP file. Throws McapFault.
+[[nodiscard]] std::string read_mcap(std::string_view bytes, diagnostics::Pollable&);
+
+/// Opens a log for reading: a text, or the log in an MCAP file, which is read into memory. Returns null if the file is
+/// no regular file that may be read. Throws McapFault, whose message then contains the offset.
+[[nodiscard]] std::unique_ptr<std::istream> open_log(const std::string& path, diagnostics::Pollable&);
+
+}  // namespace robochart::conformance
