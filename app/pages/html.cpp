@@ -205,6 +205,8 @@ void ReportPage::write_verdict(std::size_t number, const driver::AssertionReport
     if (!assertion.reason.empty()) shown += fmt::format("<br>{}", xml_text(assertion.reason));
     if (const std::string_view reason = proof_reason(assertion.statistics.decided_by); !reason.empty())
         shown += fmt::format("<br>{}", xml_text(std::string(reason)));
+    if (assertion.statistics.decided_by == refine::DecidedBy::diagrams)
+        shown += fmt::format("<br>decided by {}", xml_text(diagrams_text(assertion.statistics)));
     shown += basis_list(assertion.basis);
     if (assertion.certificate)
         shown += fmt::format("<br>{}", xml_text(driver::certificate_text(*assertion.certificate)));

@@ -236,6 +236,10 @@ Json script_result_json(const ScriptAssertion& a, EventMap& events, const Option
     json["seconds"] = verdict.statistics.seconds;
     json["specification_nodes"] = verdict.statistics.spec_nodes;
     json["decided_by"] = proof_name(verdict.statistics.decided_by);
+    if (verdict.statistics.decided_by == refine::DecidedBy::diagrams) {
+        json["diagram_nodes"] = verdict.statistics.diagram_nodes;
+        json["log10_states"] = verdict.statistics.log10_states;
+    }
     json["chased_states"] = verdict.statistics.chased;
     if (verdict.statistics.ranks > 0) json["ranks"] = verdict.statistics.ranks;
     json["replicas"] = verdict.statistics.replicas;

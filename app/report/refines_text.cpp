@@ -203,6 +203,7 @@ std::string refines_plain(const ScriptAssertion& a, const process::EventTable& e
             sentence_of(a.answer), s.states, s.transitions, s.depth);
         if (const std::string_view reason = proof_reason(s.decided_by); !reason.empty())
             out += fmt::format("    Decided By: {}\n", reason);
+        if (s.decided_by == refine::DecidedBy::diagrams) out += fmt::format("    Decided By: {}\n", diagrams_text(s));
         if (a.result.verdict.counterexample) out += plain_counterexample(a, names, options);
     }
     if (a.certificate) out += fmt::format("    {}\n", driver::certificate_text(*a.certificate));

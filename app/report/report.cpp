@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -72,6 +73,8 @@ std::string symmetry_text(const refine::Statistics& size) {
 
 std::string proof_text(const refine::Statistics& size) {
     const std::string_view reason = proof_reason(size.decided_by);
+    if (size.decided_by == refine::DecidedBy::diagrams)
+        return fmt::format("               decided by {}\n", diagrams_text(size));
     return reason.empty() ? "" : fmt::format("               {}\n", reason);
 }
 
@@ -407,8 +410,19 @@ std::string_view proof_name(refine::DecidedBy decided_by) {
             return "no choice";
         case refine::DecidedBy::compressed_parts:
             return "compressed parts";
+        case refine::DecidedBy::diagrams:
+            return "decision diagrams";
     }
     return "";
+}
+
+std::string diagrams_text(const refine::Statistics& size) {
+    constexpr double exact = 15;  // decimal digits of a number that a double represents exactly
+    const double digits = size.log10_states;
+    std::string states = fmt::format("{}", std::llround(std::pow(10.0, digits)));
+    if (digits >= exact)
+        states = fmt::format("{:.2f}e{}", std::pow(10.0, digits - std::floor(digits)), std::floor(digits));
+    return fmt::format("decision diagrams: {} states in {} nodes", states, size.diagram_nodes);
 }
 
 std::string_view proof_reason(refine::DecidedBy decided_by) {
@@ -421,6 +435,8 @@ std::string_view proof_reason(refine::DecidedBy decided_by) {
             return "no search was necessary: no event is hidden, and each event has only one way to happen";
         case refine::DecidedBy::compressed_parts:
             return "the parts of the process were compressed before the search";
+        case refine::DecidedBy::diagrams:
+            return "";
     }
     return "";
 }

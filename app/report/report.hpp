@@ -21,6 +21,8 @@ namespace robochart::app {
 [[nodiscard]] std::string_view proof_name(refine::DecidedBy);
 /// Why an answer needed no search, as a sentence without its full stop. "" if it needed one.
 [[nodiscard]] std::string_view proof_reason(refine::DecidedBy);
+/// The number of states and nodes of an answer by decision diagrams.
+[[nodiscard]] std::string diagrams_text(const refine::Statistics& size);
 
 /// A component, and the answer to whether its code conforms.
 struct ConformanceReport {

@@ -24,9 +24,14 @@ Json ground_json(const driver::Ground& ground) {
 }
 
 Json statistics_json(const refine::Statistics& s) {
-    return {{"states", s.states},        {"transitions", s.transitions}, {"depth", s.depth},
-            {"chased", s.chased},        {"replicas", s.replicas},       {"distinguished", s.distinguished},
-            {"specNodes", s.spec_nodes}, {"seconds", s.seconds},         {"decidedBy", proof_name(s.decided_by)}};
+    Json json{{"states", s.states},        {"transitions", s.transitions}, {"depth", s.depth},
+              {"chased", s.chased},        {"replicas", s.replicas},       {"distinguished", s.distinguished},
+              {"specNodes", s.spec_nodes}, {"seconds", s.seconds},         {"decidedBy", proof_name(s.decided_by)}};
+    if (s.decided_by == refine::DecidedBy::diagrams) {
+        json["diagramNodes"] = s.diagram_nodes;
+        json["log10States"] = s.log10_states;
+    }
+    return json;
 }
 
 /// The counterexample as text, as events of the script, and as data.

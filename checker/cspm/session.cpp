@@ -25,6 +25,7 @@
 #include "checker/process/term_system.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/level_strategy.hpp"
+#include "checker/symbolic/stage.hpp"
 
 namespace robochart::cspm {
 
@@ -637,7 +638,10 @@ void Session::set_cache(diagnostics::Cache& cache, std::uint64_t fewest_states) 
 
 AssertionResult Session::check(const Decl& assertion, const refine::Limits& limits) {
     AssertionResult result = impl_->begin_result(assertion);
-    impl_->decide_result(assertion, result, [&] { return impl_->decide(assertion, limits, result); });
+    refine::Limits own = limits;
+    symbolic::DiagramStage stage;
+    if (own.symbolic == nullptr) own.symbolic = &stage;
+    impl_->decide_result(assertion, result, [&] { return impl_->decide(assertion, own, result); });
     return result;
 }
 

@@ -20,11 +20,21 @@ public:
     Flattening(const Supercombinator& combined, diagnostics::Pollable& budget)
         : combined_(combined), budget_(budget), inside_(combined.regions.size()), slots_(combined.regions.size()) {}
 
+    std::vector<std::vector<WholeRule>> list_by_region() {
+        std::vector<std::vector<WholeRule>> result;
+        for (std::uint32_t region = 0; region < combined_.regions.size(); ++region) {
+            inside_[region] = flatten_region(region);
+            std::vector<WholeRule>& rules = result.emplace_back();
+            for (const Changes& changes : inside_[region]) rules.push_back(make_whole_rule(changes));
+        }
+        return result;
+    }
+
     WholeRules run() {
         const auto whole = static_cast<std::uint32_t>(combined_.regions.size() - 1);
         for (std::uint32_t region = 0; region <= whole; ++region) list_slots(region);
         for (std::uint32_t region = 0; region < whole; ++region) inside_[region] = flatten_region(region);
-        for (Changes& changes : flatten_region(whole)) result_.rules.push_back(make_whole_rule(std::move(changes)));
+        for (const Changes& changes : flatten_region(whole)) result_.rules.push_back(make_whole_rule(changes));
         index();
         return std::move(result_);
     }
@@ -101,7 +111,7 @@ private:
         if (parts_ > most_parts) throw TooMany();
     }
 
-    static WholeRule make_whole_rule(Changes changes) {
+    static WholeRule make_whole_rule(const Changes& changes) {
         std::map<std::uint32_t, Part> parts;
         for (const Change& change : changes.list) {
             Part& part = parts[change.slot];
@@ -116,6 +126,7 @@ private:
         WholeRule rule;
         rule.event = changes.event;
         rule.outermost = changes.rule;
+        rule.level = changes.passages.front().level;
         for (const auto& [slot, part] : parts) {
             assert(part.event || part.assigned);
             rule.parts.push_back(part);
@@ -168,6 +179,15 @@ const Part* WholeRule::find_part(std::uint32_t slot) const {
 std::optional<WholeRules> whole_rules(const Supercombinator& combined, diagnostics::Pollable& budget) {
     try {
         return Flattening(combined, budget).run();
+    } catch (const TooMany&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<std::vector<std::vector<WholeRule>>> rules_of_regions(const Supercombinator& combined,
+                                                                    diagnostics::Pollable& budget) {
+    try {
+        return Flattening(combined, budget).list_by_region();
     } catch (const TooMany&) {
         return std::nullopt;
     }

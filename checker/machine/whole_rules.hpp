@@ -29,8 +29,9 @@ struct Passage {
 /// "If these components perform these events, the whole process performs this one", unless a priority prevents it.
 struct WholeRule {
     Event event = process::tau;
-    std::uint32_t outermost = 0;  ///< the rule of the outermost region through which it passes
-    std::vector<Part> parts;      ///< ascending by slot, one for each slot
+    std::uint32_t outermost = 0;     ///< the rule of the outermost region through which it passes
+    std::uint32_t level = no_level;  ///< the level of its event in the outermost region
+    std::vector<Part> parts;         ///< ascending by slot, one for each slot
     /// The regions that can prevent the rule, because its level there is not the first.
     std::vector<Passage> prevented;
     std::vector<std::uint32_t> preventing;  ///< the regions in which it prevents everything that does not have the
@@ -51,5 +52,10 @@ struct WholeRules {
 
 /// The rules of the whole process. No value if there are too many rules to be useful. Polls the budget.
 [[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, diagnostics::Pollable& budget);
+
+/// For each region, its rules in terms of components: the outermost region of such a rule is the region. No value if
+/// there are too many rules to be useful. Polls the budget.
+[[nodiscard]] std::optional<std::vector<std::vector<WholeRule>>> rules_of_regions(const Supercombinator& combined,
+                                                                                  diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

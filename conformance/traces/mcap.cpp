@@ -178,8 +178,8 @@ private:
         const std::uint64_t crc = content.number(4, "a chunk");
         const std::string_view compression = content.text("the compression of a chunk");
         if (!compression.empty())
-            throw McapFault(fmt::format("a chunk is compressed ({}): convert the file, for example with `mcap recover "
-                                        "--compression none`",
+            throw McapFault(fmt::format("a chunk is compressed ({}): convert the file, for example with `mcap "
+                                        "decompress`",
                                         compression.substr(0, 40)),
                             begin);
         const std::uint64_t length = content.number(8, "a chunk");

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/threads/threads.hpp"
 
@@ -52,8 +53,15 @@ void Budget::report_progress(Time now) {
     limits_.progress(progress);
 }
 
+void Budget::call_after(std::chrono::duration<double> cpu_time, std::function<void()> function) {
+    call_ = std::move(function);
+    work_ = (work_ + 1023U) & ~std::uint64_t{1023};  // the next charge checks the time
+    call_time_ = std::clock() + static_cast<std::clock_t>(cpu_time.count() * CLOCKS_PER_SEC);
+}
+
 void Budget::check_and_report() {
     run_.check();
+    if (call_ && std::clock() >= call_time_) std::exchange(call_, {})();
     const Time now = std::chrono::steady_clock::now();
     if (limits_.progress && now - reported_ >= between_reports) report_progress(now);
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
+#include <functional>
 #include <string>
 
 #include "base/diagnostics/budget.hpp"
@@ -38,6 +40,10 @@ public:
     [[nodiscard]] const Limits& limits() const { return limits_; }
     /// `source` fills in the statistics when progress is reported; may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
+    /// Calls the function once, when the program has used this much CPU time more. The function may throw an exception
+    /// to end the work that polls the budget.
+    void call_after(std::chrono::duration<double> cpu_time, std::function<void()> function);
+    void cancel_call() { call_ = {}; }
     /// The number of threads that may work on the check, at least one.
     [[nodiscard]] unsigned threads() const;
     [[nodiscard]] std::size_t wide_level() const { return limits_.wide_level; }
@@ -56,6 +62,8 @@ private:
     std::uint64_t resident_at_start_;
     std::uint64_t work_ = 0;
     std::function<void(Progress&)> source_;
+    std::function<void()> call_;  // empty: none is left
+    std::clock_t call_time_ = 0;  // CPU time of the program at which it is due
 };
 
 }  // namespace robochart::refine

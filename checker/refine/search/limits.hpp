@@ -13,6 +13,7 @@
 namespace robochart::refine {
 
 class LevelStrategy;
+class SymbolicStage;
 
 /// The progress of a check, for users who wait.
 struct Progress {
@@ -43,6 +44,9 @@ struct Limits : diagnostics::Limits {
     /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
     /// depend on it.
     LevelStrategy* by_levels = nullptr;
+    /// Decides questions that a search has not decided for some time, if `reduction` (verdict/symbolic_stage.hpp);
+    /// null: nothing does. Verdicts do not depend on it.
+    SymbolicStage* symbolic = nullptr;
     /// Returns an object. During the lifetime of the object, a run that is to end is not killed. Several threads may
     /// call the function. May be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
@@ -50,12 +54,13 @@ struct Limits : diagnostics::Limits {
     std::function<void(const Progress&)> progress;
 };
 
-/// How an answer was found (docs/search.md, "Static proofs").
+/// How an answer was found (docs/search.md, "Static proofs", "Decision diagrams").
 enum class DecidedBy : std::uint8_t {
     search,            ///< states were searched
     tau_acyclic,       ///< the rules of the process exclude cycles of taus
     choice_free,       ///< the rules of the process exclude taus and choices between transitions with the same event
     compressed_parts,  ///< states were searched after the parts of the processes were compressed
+    diagrams,          ///< decision diagrams represent the set of all reachable states
 };
 
 /// The size of a search.
@@ -75,6 +80,8 @@ struct Statistics {
                                  ///< none
     std::uint64_t distinguished = 0;  ///< number of equal components that the assertion distinguishes, which prevents
                                       ///< the reduction
+    std::uint64_t diagram_nodes = 0;  ///< decision diagrams: number of nodes of the set of reachable states
+    double log10_states = 0;          ///< decision diagrams: decimal logarithm of the number of reachable states
     std::uint64_t ranks = 0;          ///< number of ranks in all programs, for a search by levels; 0: another search
     // For a search with rows on disk, the maximum over all ranks.
     std::uint64_t settled = 0;      ///< number of passes through the files to settle rows put aside

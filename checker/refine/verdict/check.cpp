@@ -262,7 +262,7 @@ std::optional<Violation> find_bad_state(lts::TransitionSystem& system, bool forb
             return search_states(searched, forbid_deadlock, may_diverge, own, size, known);
         },
         [](const lts::EventPermutation&) { return true; }, true,
-        may_diverge ? lts::Followed::taus : lts::Followed::steps};
+        may_diverge ? lts::Followed::taus : lts::Followed::steps, SymbolicQuestion{forbid_deadlock, may_diverge}};
     return search_reduced(system, budget, statistics, question);
 }
 

@@ -3,6 +3,7 @@
 #include "checker/refine/verdict/findings.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 
@@ -97,7 +98,8 @@ std::string encode(const Findings& findings, const EventSet& named) {
     const Statistics& size = findings.statistics;
     out.write_number(static_cast<std::uint64_t>(size.decided_by));
     for (const std::uint64_t value :
-         {size.states, size.transitions, size.depth, size.spec_nodes, size.chased, size.replicas, size.distinguished})
+         {size.states, size.transitions, size.depth, size.spec_nodes, size.chased, size.replicas, size.distinguished,
+          size.diagram_nodes, std::bit_cast<std::uint64_t>(size.log10_states)})
         out.write_number(value);
     out.write_number(findings.violation ? 1 : 0);
     if (const auto& violation = findings.violation) {
@@ -115,11 +117,13 @@ std::optional<Findings> decode(std::string_view bytes, const EventSet& named, st
     try {
         Findings findings;
         Statistics& size = findings.statistics;
-        constexpr auto ways = static_cast<std::uint64_t>(DecidedBy::compressed_parts) + 1;
+        constexpr auto ways = static_cast<std::uint64_t>(DecidedBy::diagrams) + 1;
         size.decided_by = static_cast<DecidedBy>(in.number_below(ways));
         for (std::uint64_t* value : {&size.states, &size.transitions, &size.depth, &size.spec_nodes, &size.chased,
                                      &size.replicas, &size.distinguished})
             *value = in.read_number();
+        size.diagram_nodes = in.read_number();
+        size.log10_states = std::bit_cast<double>(in.read_number());
         if (in.number_below(2) == 1) {
             Violation violation;
             constexpr auto kinds = static_cast<std::uint64_t>(ViolationKind::no_trace) + 1;

@@ -104,6 +104,35 @@ private:
     bool followed_ = false;  // the last search has followed confluent steps
 };
 
+/// Ends a search whose question the symbolic stage has decided.
+struct Decided {
+    Findings findings;
+};
+
+/// Lets the symbolic stage try the question when the search has taken some time. The search goes on from where
+/// it was if the stage does not decide the question.
+std::optional<Violation> search_with_stage(lts::TransitionSystem& system, Budget& budget, Statistics& statistics,
+                                           const SearchQuestion& question) {
+    SymbolicStage* const stage = budget.limits().symbolic;
+    const auto search = [&] { return ReducedSearch(system, budget, question).run(statistics); };
+    if (stage == nullptr || !question.symbolic || budget.limits().by_levels != nullptr) return search();
+    budget.call_after(stage->delay(), [&] {
+        if (std::optional<Findings> findings = stage->decide(system, *question.symbolic, budget))
+            throw Decided{std::move(*findings)};
+    });
+    try {
+        std::optional<Violation> violation = search();
+        budget.cancel_call();
+        return violation;
+    } catch (const Decided& decided) {
+        statistics = decided.findings.statistics;
+        return decided.findings.violation;
+    } catch (...) {
+        budget.cancel_call();
+        throw;
+    }
+}
+
 }  // namespace
 
 bool is_tau_acyclic(const lts::TransitionSystem& system, Budget& budget) {
@@ -118,7 +147,7 @@ std::uint64_t events_until(const Violation* known) {
 std::optional<Violation> search_reduced(lts::TransitionSystem& system, Budget& budget, Statistics& statistics,
                                         const SearchQuestion& question) {
     if (!budget.limits().reduction) return question.search(system, budget, statistics, nullptr);
-    return ReducedSearch(system, budget, question).run(statistics);
+    return search_with_stage(system, budget, statistics, question);
 }
 
 }  // namespace robochart::refine

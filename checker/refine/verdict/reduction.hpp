@@ -9,6 +9,7 @@
 #include "checker/lts/transition_system.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/findings.hpp"
+#include "checker/refine/verdict/symbolic_stage.hpp"
 
 namespace robochart::refine {
 
@@ -25,6 +26,8 @@ struct SearchQuestion {
     bool shortest = true;
     /// The steps that the search may follow. If these are all steps, it looks only for states without transitions.
     lts::Followed followed = lts::Followed::taus;
+    /// The question in terms of sets of states, if it is one.
+    std::optional<SymbolicQuestion> symbolic = std::nullopt;
 };
 
 /// Returns the result of the search in the reduced form of the system, if limits allow it and there is one, or

@@ -115,7 +115,7 @@ TEST(Mcap, IsRefusedWithThePlaceOfTheError) {
     expect(whole(chunk(inside, 0, "zstd")),
            chunk_place +
                "a chunk is compressed (zstd): convert the file, for example with `mcap "
-               "recover --compression none`");
+               "decompress`");
     expect(whole(chunk(end_of_data(), 0)),
            std::to_string(begin + 9 + 40) + ": a chunk contains a record with the code 15");
     expect(whole(chunk(chunk("", 0), 0)),

@@ -66,7 +66,7 @@ TEST(FindingsTest, OtherBytesAreNone) {
     EXPECT_FALSE(decode(bytes, named, width + 1));
     EXPECT_FALSE(decode(bytes, {0, 1, 7}, width)) << "an event without a name";
     std::string no_way = bytes;
-    no_way[0] = 4;
+    no_way[0] = 5;
     EXPECT_FALSE(decode(no_way, named, width)) << "a way to decide that does not exist";
     std::string wrong_kind = bytes;
     wrong_kind[8 * 8] = 99;  // after eight figures: whether there is a violation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interface to a search that represents sets of states and not states (checker/symbolic). It decides questions that
+// the search of states has not decided for some time (docs/search.md, "Decision diagrams").
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "checker/refine/search/budget.hpp"
+#include "checker/refine/verdict/findings.hpp"
+
+namespace robochart::refine {
+
+/// What must not be reachable.
+struct SymbolicQuestion {
+    bool deadlock = false;    ///< a state without transitions
+    bool divergence = false;  ///< a cycle of taus
+};
+
+class SymbolicStage {
+public:
+    SymbolicStage() = default;
+    SymbolicStage(const SymbolicStage&) = delete;
+    SymbolicStage& operator=(const SymbolicStage&) = delete;
+    virtual ~SymbolicStage() = default;
+    /// The CPU time of a search before the stage is tried.
+    [[nodiscard]] virtual std::chrono::duration<double> delay() const = 0;
+    /// Returns the findings of a complete exploration. No value if the system has no rules, or if the stage reaches its
+    /// bounds. A violation is a run of the system, which the caller confirms. Throws LimitReached if the budget's
+    /// limits are reached.
+    [[nodiscard]] virtual std::optional<Findings> decide(lts::TransitionSystem& system,
+                                                         const SymbolicQuestion& question, Budget& budget) = 0;
+};
+
+}  // namespace robochart::refine

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The order of variables. Variables that change together should be close to each other, so that the nodes between them
+// need not remember much.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace robochart::symbolic {
+
+/// Returns variables in an order in which those of one group are close: the best of the given order, FORCE (Aloul,
+/// Markov and Sakallah, GLSVLSI 2003), and a breadth-first order as in Cuthill and McKee (1969). `domains`: the numbers
+/// of values. `groups`: variables that change together.
+[[nodiscard]] std::vector<std::uint32_t> order_variables(const std::vector<std::uint32_t>& domains,
+                                                         const std::vector<std::vector<std::uint32_t>>& groups);
+
+}  // namespace robochart::symbolic

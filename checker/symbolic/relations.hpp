@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules of a compiled process as relations on sets of states. A variable represents a component. A rule changes few
+// variables, so it is a list of links, one for each component that takes part. Priorities are guards: the set of states
+// in which they do not prevent the rule (docs/search.md, "Decision diagrams").
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "checker/machine/whole_rules.hpp"
+#include "checker/symbolic/diagrams.hpp"
+
+namespace robochart::symbolic {
+
+using RegionRules = std::vector<std::vector<machine::WholeRule>>;
+
+/// A relation on the values of one variable.
+class LocalRelation {
+public:
+    explicit LocalRelation(std::vector<std::pair<Value, Value>> pairs);
+    [[nodiscard]] std::span<const Value> targets(Value value) const;
+    /// The values that have targets, ascending.
+    [[nodiscard]] const std::vector<Value>& sources() const { return sources_; }
+    /// All pairs, ascending.
+    [[nodiscard]] std::vector<std::pair<Value, Value>> pairs() const;
+
+private:
+    std::vector<Value> sources_, targets_;
+    std::vector<std::size_t> first_;  // by source: place of its first target; one more at the end
+};
+
+/// A list of links, by the number of the first; `no_link` ends it. Equal lists have equal numbers.
+using Chain = std::uint32_t;
+inline constexpr Chain no_link = 0xffffffffU;
+
+/// What one rule does with one variable. The links of a list are descending by level.
+struct Link {
+    Level level = 0;
+    std::uint32_t relation = 0;
+    Chain next = no_link;
+};
+
+/// A rule: it changes the variables of the chain in the states of the guard.
+struct Step {
+    Chain chain = no_link;
+    Node guard = everything;  ///< a set whose level may be lower than that of the states
+    friend bool operator==(const Step&, const Step&) = default;
+    friend auto operator<=>(const Step&, const Step&) = default;
+};
+
+/// Which variable represents which component.
+struct Variables {
+    std::vector<Level> level_of;         ///< by slot
+    std::vector<std::uint32_t> slot_at;  ///< by level; the first element is unused
+    std::vector<Value> domains;          ///< by level; the first element is unused
+};
+
+/// Returns the variables in the order of order_variables.
+[[nodiscard]] Variables make_variables(const machine::Supercombinator& combined, const RegionRules& rules);
+/// Returns the variables in this order of slots, the lowest first. `rules` may assign values beyond those of
+/// components.
+[[nodiscard]] Variables make_variables(const machine::Supercombinator& combined,
+                                       const std::vector<std::uint32_t>& order);
+
+class Relations {
+public:
+    Relations(const machine::Supercombinator& combined, const RegionRules& rules, const Variables& variables,
+              Diagrams& diagrams);
+
+    /// The step of each rule of the whole process.
+    [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+    [[nodiscard]] const Link& link(Chain chain) const { return links_[chain]; }
+    [[nodiscard]] const LocalRelation& relation(std::uint32_t number) const { return relations_[number]; }
+    /// The level of the first link; 0 if there is none.
+    [[nodiscard]] Level level_of(Chain chain) const { return chain == no_link ? 0 : links_[chain].level; }
+    /// The highest level on which the step depends.
+    [[nodiscard]] Level level_of(const Step& step) const;
+    /// The part of a guard below one value of a variable.
+    [[nodiscard]] Node guard_below(Node guard, Level level, Value value) const {
+        if (guard <= everything || diagrams_.level_of(guard) < level) return guard;
+        return diagrams_.child(guard, value);
+    }
+    /// The states in which no one of these steps is possible.
+    [[nodiscard]] Node none_possible(std::vector<Step> steps);
+    /// The states from which the step can lead into the set.
+    [[nodiscard]] Node before(Node states, const Step& step) {
+        return precede(diagrams_.levels(), states, step.chain, step.guard);
+    }
+    /// The local state that a value of a variable represents is the value; larger local states are the last value.
+    [[nodiscard]] Value value_of(std::uint32_t slot, machine::Local local) const;
+
+private:
+    [[nodiscard]] std::uint32_t relation_of(const machine::Part& part);
+    [[nodiscard]] Chain chain_of(const machine::WholeRule& rule);
+    [[nodiscard]] Node guard_of(const machine::WholeRule& rule, std::optional<std::uint32_t> except);
+    [[nodiscard]] Node region_guard(std::uint32_t region, std::uint32_t level);
+    [[nodiscard]] Node strip(Node guard) const;
+    [[nodiscard]] Node disable(Level level, Node states, Chain chain, Node guard);
+    [[nodiscard]] Node precede(Level level, Node states, Chain chain, Node guard);
+
+    const machine::Supercombinator& combined_;
+    const RegionRules& rules_;
+    const Variables& variables_;
+    Diagrams& diagrams_;
+    std::vector<LocalRelation> relations_;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::uint32_t> relation_numbers_;
+    std::vector<Link> links_;
+    std::map<std::tuple<Level, std::uint32_t, Chain>, Chain> chain_numbers_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Node> guards_;  // by region and level
+    std::vector<Step> steps_;
+};
+
+}  // namespace robochart::symbolic

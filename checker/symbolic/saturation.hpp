@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reachable states by saturation (Ciardo, Luettgen and Siminiceanu, "Saturation: an efficient iteration strategy
+// for symbolic state-space generation", TACAS 2001): a node is saturated if no step that depends only on its level and
+// lower levels adds a tuple to its set. Nodes are saturated from the lowest level up. A step is fired at its highest
+// level, and the nodes below that the step makes are saturated at once.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "checker/symbolic/relations.hpp"
+
+namespace robochart::symbolic {
+
+class Saturation {
+public:
+    Saturation(const Relations& relations, Diagrams& diagrams);
+    ~Saturation() { diagrams_.set_users({}); }
+    Saturation(const Saturation&) = delete;
+    Saturation& operator=(const Saturation&) = delete;
+
+    /// The states that the steps reach from a state; `initial` by level, the first element is unused. The caller keeps
+    /// the result.
+    [[nodiscard]] Node reachable(const std::vector<Value>& initial);
+
+private:
+    /// A node while it changes: its children by value.
+    struct Row {
+        std::vector<Node> children;
+        std::vector<Value> values;  ///< those whose child is not `nothing`, in any order
+        std::vector<bool> waits;    ///< by value: in the queue of saturate
+    };
+    /// Steps of one highest level that differ only in what they do there.
+    struct TopSteps {
+        LocalRelation local;
+        Chain rest = no_link;
+        Node guard = everything;
+    };
+
+    void list_steps();
+    void clear(Level level);
+    bool add(Level level, Value value, Node more);
+    [[nodiscard]] Node pack(Level level);
+    [[nodiscard]] Node saturate(Level level);
+    void fire_steps(Level level, Value value, std::deque<Value>& queue);
+    [[nodiscard]] Node fire(Level level, Node states, Chain chain, Node guard);
+
+    const Relations& relations_;
+    Diagrams& diagrams_;
+    std::vector<Row> rows_;                     // by level
+    std::vector<std::vector<TopSteps>> steps_;  // by level
+};
+
+}  // namespace robochart::symbolic
