@@ -88,7 +88,7 @@ Node Diagrams::end_node(Level level, std::size_t begun) {
 Node Diagrams::insert_node(Level level, std::size_t begun) {
     const std::size_t count = building_.size() - begun;
     if (const Node known = place_of(level, building_.data() + begun, count); known != 0) return known;
-    make_room();
+    make_space();
     Node node = 0;
     if (free_.empty()) {
         node = static_cast<Node>(records_.size());
@@ -108,8 +108,8 @@ Node Diagrams::insert_node(Level level, std::size_t begun) {
     return node;
 }
 
-/// Makes room for a node: collects nodes, or enlarges the tables.
-void Diagrams::make_room() {
+/// Makes space for a node: collects nodes, or enlarges the tables.
+void Diagrams::make_space() {
     if (space_.always_collect || node_bytes() >= next_collection_) {
         collect();
         if (all_bytes() > space_.bytes) results_.resize(std::min(results_.size(), first_table));

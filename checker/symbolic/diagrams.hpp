@@ -144,7 +144,7 @@ private:
     [[nodiscard]] bool equals(Node node, Level level, const Entry* entries, std::size_t count) const;
     [[nodiscard]] Node& place_of(Level level, const Entry* entries, std::size_t count);
     [[nodiscard]] Node insert_node(Level level, std::size_t begun);
-    void make_room();
+    void make_space();
     void collect();
     [[nodiscard]] std::vector<bool> mark() const;
     void rebuild_table(std::size_t size);
