@@ -716,7 +716,11 @@ Options with_buffers(Options options) {
 
 Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
-    if (!options.conform.traces.empty()) options.load.robosim_code = false;  // no logs of RoboSim
+    // Logs of RoboSim are not compared, and its code has no robot's project.
+    const bool of_a_robot = options.code.target == cpp_emit::Target::ros2 ||
+                            options.code.target == cpp_emit::Target::enki ||
+                            options.code.target == cpp_emit::Target::argos;
+    if (!options.conform.traces.empty() || of_a_robot) options.load.robosim_code = false;
     parts = driver::load_parts(options, options.run->budget());
     if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor)
         for (const driver::Part& part : parts) driver::read_ignored_claims(*part.project, options.load);
