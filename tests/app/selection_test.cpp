@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"EmptyFolderToFormat", "format empty", 2, "empty"}, Row{"NoFileToFormat", "format", 4, "required"},
         Row{"NoSuchFile", "check nowhere.rct", 2, "no such file"},
         Row{"NoRunsInLogs", "conform plain --traces logs", 4, "nothing to compare"},
-        Row{"NoLogs", "conform plain --traces empty", 4, "no .trace files"},
+        Row{"NoLogs", "conform plain --traces empty", 4, "no .trace or .mcap files"},
         Row{"Pipe", "check pipe.rct", 2, "is a pipe"}, Row{"PipeInFolder", "validate piped", 2, "is a pipe"},
         Row{"Device", "check /dev/zero", 2, "is a device"}, Row{"PipeToFormat", "format pipe.rct", 2, "is a pipe"},
         Row{"PipeAsLog", "conform plain --traces pipe.rct", 2, "pipe.rct"},

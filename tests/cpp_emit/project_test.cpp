@@ -168,8 +168,8 @@ TEST(ProjectText, APackageIsWellFormed) {
     const std::vector<std::string> expected{
         "package",          "name",        "version",     "description", "maintainer",  "license",
         "buildtool_depend", "depend",      "depend",      "depend",      "depend",      "depend",
-        "exec_depend",      "exec_depend", "exec_depend", "exec_depend", "test_depend", "test_depend",
-        "test_depend",      "test_depend", "export",      "build_type"};
+        "depend",           "exec_depend", "exec_depend", "exec_depend", "exec_depend", "test_depend",
+        "test_depend",      "test_depend", "test_depend", "export",      "build_type"};
     EXPECT_EQ(order, expected);
     EXPECT_NE(text.find("<name>swarm_taxis</name>"), std::string::npos) << text;
 }

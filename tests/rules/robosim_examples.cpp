@@ -73,9 +73,9 @@ csp-end
 )"}},
         {blink,
          model(machine(cycle + contexts, "stm S {  // expect: RC-S26")),
-         {"console", "", "$ robochart-verify emit cpp MODEL"}},
+         {"console", "", "$ robochart-verify emit monitor MODEL"}},
         {model(machine(cycle + contexts, "stm S {  // expect: RC-S26")),
-         {"console", "", "$ robochart-verify emit cpp MODEL"}},
+         {"console", "", "$ robochart-verify emit monitor MODEL"}},
     };
 }
 

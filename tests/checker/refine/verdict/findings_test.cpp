@@ -18,6 +18,8 @@ Findings divergence() {
     findings.statistics.spec_nodes = 5;
     findings.statistics.chased = 6;
     findings.statistics.decided_by = DecidedBy::choice_free;
+    findings.statistics.diagram_nodes = 12;
+    findings.statistics.log10_states = 17.25;
     findings.violation = Violation{ViolationKind::divergence,
                                    {{1, 2}, {{7, 7, {3, 4}}, {0, 9, {5, 0xFFFFFFFFU}}}},
                                    {{5, 0xFFFFFFFFU}, {{0, 0, {5, 0xFFFFFFFFU}}}},
@@ -33,6 +35,8 @@ TEST(FindingsTest, ComeBackAsTheyWere) {
     EXPECT_EQ(read->statistics.spec_nodes, 5U);
     EXPECT_EQ(read->statistics.chased, 6U);
     EXPECT_EQ(read->statistics.decided_by, DecidedBy::choice_free);
+    EXPECT_EQ(read->statistics.diagram_nodes, 12U);
+    EXPECT_EQ(read->statistics.log10_states, 17.25);
     EXPECT_EQ(read->violation->kind, ViolationKind::divergence);
     EXPECT_EQ(read->violation->event, process::Event{9});
     ASSERT_EQ(read->violation->run.steps.size(), 2U);
@@ -69,10 +73,10 @@ TEST(FindingsTest, OtherBytesAreNone) {
     no_way[0] = 5;
     EXPECT_FALSE(decode(no_way, named, width)) << "a way to decide that does not exist";
     std::string wrong_kind = bytes;
-    wrong_kind[8 * 8] = 99;  // after eight figures: whether there is a violation
+    wrong_kind[10 * 8] = 99;  // after ten figures: whether there is a violation
     EXPECT_FALSE(decode(wrong_kind, named, width));
     std::string endless = bytes;
-    for (std::size_t i = 12 * 8; i < 13 * 8; ++i) endless[i] = '\xff';
+    for (std::size_t i = 14 * 8; i < 15 * 8; ++i) endless[i] = '\xff';
     EXPECT_FALSE(decode(endless, named, width)) << "a run of so many steps";
 }
 
