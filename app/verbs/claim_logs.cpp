@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -14,11 +12,10 @@
 #include "app/command/output.hpp"
 #include "app/command/recording.hpp"
 #include "app/command/run.hpp"
+#include "app/verbs/log_files.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
-#include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
-#include "conformance/traces/mcap.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "driver/claims/followed_claim.hpp"
 #include "driver/model/pipeline.hpp"
@@ -168,45 +165,6 @@ private:
     std::uint64_t begun_ = 0;
 };
 
-std::vector<std::string> log_files(const Options& options, ClaimLogReport& report) {
-    std::vector<std::string> result;
-    for (const std::string& given : options.conform.traces) {
-        std::error_code error;
-        if (!std::filesystem::is_directory(given, error)) {
-            result.push_back(given);
-            continue;
-        }
-        for (const std::string& path : diagnostics::files_below(given, true).files)
-            if (std::filesystem::path(path).extension() == ".trace" ||
-                std::filesystem::path(path).extension() == ".mcap")
-                result.push_back(path);
-    }
-    if (result.empty()) report.errors.emplace_back("--traces: there are no .trace or .mcap files in the folder");
-    return result;
-}
-
-void read_log(const driver::Project& project, const std::string& path, ClaimLogReport& report, const Options& options) {
-    std::unique_ptr<std::istream> in;
-    try {
-        in = conformance::open_log(path, options.run->budget());
-    } catch (const conformance::McapFault& fault) {
-        report.errors.push_back(fmt::format("{}: {}", diagnostics::escape_for_display(path), fault.what()));
-        return;
-    }
-    const std::string shown = diagnostics::escape_for_display(path);
-    if (in == nullptr) {
-        report.errors.push_back(fmt::format("{}: it is not a regular file that may be read", shown));
-        return;
-    }
-    ++report.logs;
-    options.run->recorder().add_input_file(path);
-    try {
-        ClaimLog(project, path, report, options).read(*in);
-    } catch (const conformance::TraceFault& fault) {
-        report.errors.push_back(fmt::format("{}: {}", shown, conformance::fault_text(fault)));
-    }
-}
-
 /// A log without claims about its component is not an answer.
 Exit exit_of(const ClaimLogReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
@@ -266,9 +224,11 @@ Exit conform_claims(const Options& options) {
             return refusal_code(*part.project);
         }
     ClaimLogReport report;
-    for (const std::string& log : log_files(options, report))
+    for (const std::string& log : log_files(options, report.errors))
         for (const driver::Part& part : parts)
-            if (!part.project->claims->checked.claims.empty()) read_log(*part.project, log, report, options);
+            if (!part.project->claims->checked.claims.empty())
+                read_log(log, options, report.errors, report.logs,
+                         [&](std::istream& in) { ClaimLog(*part.project, log, report, options).read(in); });
     options.run->finish();
     output_document(options, [&](Format) { return logs_json(report); });
     if (options.output.format == Format::text) print_logs(report);

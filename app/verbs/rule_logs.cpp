@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "app/base/numbers.hpp"
@@ -14,13 +12,12 @@
 #include "app/command/run.hpp"
 #include "app/rules/record_rules.hpp"
 #include "app/rules/show_findings.hpp"
+#include "app/verbs/log_files.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
-#include "base/diagnostics/files.hpp"
 #include "base/diagnostics/json_values.hpp"
 #include "claims/sleec/obligations/samples.hpp"
 #include "claims/sleec/syntax/rules.hpp"
-#include "conformance/traces/mcap.hpp"
 #include "conformance/traces/trace_text.hpp"
 #include "driver/model/claim_files.hpp"
 #include "driver/rules/rule_claims.hpp"
@@ -151,46 +148,6 @@ private:
     std::string hidden_;  ///< an event of the rules that is not in the log; "": there is none
 };
 
-std::vector<std::string> log_files(const Options& options, RuleLogReport& report) {
-    std::vector<std::string> result;
-    for (const std::string& given : options.conform.traces) {
-        std::error_code error;
-        if (!std::filesystem::is_directory(given, error)) {
-            result.push_back(given);
-            continue;
-        }
-        for (const std::string& path : diagnostics::files_below(given, true).files)
-            if (std::filesystem::path(path).extension() == ".trace" ||
-                std::filesystem::path(path).extension() == ".mcap")
-                result.push_back(path);
-    }
-    if (result.empty()) report.errors.emplace_back("--traces: there are no .trace or .mcap files in the folder");
-    return result;
-}
-
-void read_log(const driver::LoadedRules& of, const std::string& path, RuleLogReport& report, const Options& options) {
-    std::unique_ptr<std::istream> in;
-    try {
-        in = conformance::open_log(path, options.run->budget());
-    } catch (const conformance::McapFault& fault) {
-        report.errors.push_back(fmt::format("{}: {}", diagnostics::escape_for_display(path), fault.what()));
-        return;
-    }
-    if (in == nullptr) {
-        report.errors.push_back(
-            fmt::format("{}: it is not a regular file that may be read", diagnostics::escape_for_display(path)));
-        return;
-    }
-    ++report.logs;
-    options.run->recorder().add_input_file(path);
-    try {
-        RuleLog(of, path, report, options).read(*in);
-    } catch (const conformance::TraceFault& fault) {
-        report.errors.push_back(
-            fmt::format("{}: {}", diagnostics::escape_for_display(path), conformance::fault_text(fault)));
-    }
-}
-
 Exit exit_of(const RuleLogReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
     if (report.broken > 0) return Exit::failed;
@@ -241,7 +198,7 @@ std::string logs_json(const RuleLogReport& report) {
 
 Exit conform_rules(const Options& options) {
     RuleLogReport report;
-    const std::vector<std::string> logs = log_files(options, report);
+    const std::vector<std::string> logs = log_files(options, report.errors);
     for (const std::string& file : options.load.inputs) {
         driver::LoadedRules loaded;
         loaded.diagnostics.set_budget(&options.run->budget());
@@ -254,7 +211,9 @@ Exit conform_rules(const Options& options) {
             continue;
         }
         try {
-            for (const std::string& log : logs) read_log(loaded, log, report, options);
+            for (const std::string& log : logs)
+                read_log(log, options, report.errors, report.logs,
+                         [&](std::istream& in) { RuleLog(loaded, log, report, options).read(in); });
         } catch (const sleec::NotDecided& error) {
             report.errors.push_back(fmt::format("{}: {}", diagnostics::escape_for_display(file), error.what()));
         }

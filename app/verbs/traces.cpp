@@ -70,7 +70,7 @@ std::vector<std::string> logs_to_check(const Options& options, diagnostics::Diag
         for (const auto& [path, cause] : found.unreadable)
             diagnostics.report(frontend::syntax::unreadable, {}, {path, cause});
         for (const std::string& path : found.files)
-            if (fs::path(path).extension() == ".trace" || fs::path(path).extension() == ".mcap") inside.push_back(path);
+            if (conformance::is_log_path(path)) inside.push_back(path);
         if (inside.empty() && found.unreadable.empty())
             diagnostics.report(driver::rules::bad_option, {},
                                {fmt::format("--traces {}: there are no .trace or .mcap files in the folder", given)});

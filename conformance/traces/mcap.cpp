@@ -216,6 +216,11 @@ bool is_mcap(std::string_view bytes) {
     return bytes.starts_with(mcap_magic);
 }
 
+bool is_log_path(const std::string& path) {
+    const std::filesystem::path extension = std::filesystem::path(path).extension();
+    return extension == ".trace" || extension == ".mcap";
+}
+
 std::string read_mcap(std::string_view bytes, diagnostics::Pollable& limits) {
     return McapReader(bytes, limits).read();
 }

@@ -23,6 +23,9 @@ struct McapFault : std::runtime_error {
 /// Whether a file with these first bytes is an MCAP file.
 [[nodiscard]] bool is_mcap(std::string_view bytes);
 
+/// Whether a file with this path in a folder of logs is one: `.trace` or `.mcap`.
+[[nodiscard]] bool is_log_path(const std::string& path);
+
 /// The text of the log in an MCAP file. Throws McapFault.
 [[nodiscard]] std::string read_mcap(std::string_view bytes, diagnostics::Pollable&);
 
