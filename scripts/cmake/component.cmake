@@ -74,7 +74,11 @@ endfunction()
 
 # robochart_tests(NAME FOLDERS ... [ALONE folders ...] [SOURCES more files ...] DEPENDS ...): a GoogleTest program,
 # tests_NAME. ALONE: folders whose sources use the same names with different meanings; they are compiled one by one.
+# Programs in ROBOCHART_TESTS_ELSEWHERE are left out.
 function(robochart_tests name)
+  if(name IN_LIST ROBOCHART_TESTS_ELSEWHERE)
+    return()
+  endif()
   cmake_parse_arguments(TESTS "" "" "FOLDERS;ALONE;SOURCES;DEPENDS" ${ARGN})
   set(sources "")
   if(TESTS_FOLDERS)

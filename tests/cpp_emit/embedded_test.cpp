@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The embedded profile: compiles generated code for a Cortex-M4 (Debian: gcc-arm-none-eabi and
-// libstdc++-arm-none-eabi-newlib) without exceptions and RTTI. Its objects must not need features that a
+// The embedded profile: compiles generated code for a Cortex-M4 (Debian: gcc-arm-none-eabi,
+// libstdc++-arm-none-eabi-dev and libnewlib-dev) without exceptions and RTTI. Its objects must not need features that a
 // microcontroller may lack: a heap, streams, exceptions, constructors before main, static data.
 #include <gtest/gtest.h>
 
@@ -70,8 +70,9 @@ protected:
     Folder folder_;
 };
 
-#define ROBOCHART_NEEDS_ARM \
-    ROBOCHART_NEEDS(available(), "arm-none-eabi-g++ (Debian: gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib)")
+#define ROBOCHART_NEEDS_ARM      \
+    ROBOCHART_NEEDS(available(), \
+                    "arm-none-eabi-g++ (Debian: gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev)")
 
 const char* const aggregation_robot = R"(#include "Aggregation_core.hpp"
 namespace core = aggregation::Aggregation_core;
