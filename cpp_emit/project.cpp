@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/diagnostics/text.hpp"
+#include "cpp_emit/api/python_module.hpp"
 #include "cpp_emit/ros2/node_files.hpp"
 
 namespace robochart::cpp_emit {
@@ -69,6 +70,12 @@ public:
                 break;
             case Target::argos:
                 add_argos();
+                break;
+            case Target::python:
+                add_file("CMakeLists.txt", "python/CMakeLists.txt");
+                add_file("python_values.hpp", "python/python_values.hpp");
+                files_.push_back({"module.cpp", python_module(generation_, core_, api_)});
+                files_.push_back({"robot.py", python_robot(generation_, api_), true});
                 break;
         }
         return std::move(files_);

@@ -19,7 +19,7 @@ case "${1:-tests}" in
   tests)
     packages+=(
       clang clang-format libclang-rt-14-dev
-      libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libenki-dev
+      libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libenki-dev pybind11-dev python3-dev
       ocaml  # robochart-certify: 110 MB to fetch, 440 MB on disk; Coq, for its proofs, is three times as large and optional
       librsvg2-bin graphviz pngcheck poppler-utils  # these programs read the pictures that the tests draw
     )

@@ -350,10 +350,10 @@ const std::vector<OptionRow>& option_table() {
              o.code.cycle_given = true;
          }},
         {"--target", Group::code, verb_bit(Verb::emit_cpp),
-         {.kind = Kind::choice, .name = "TARGET", .choices = "library,main,ros2,enki,argos"},
+         {.kind = Kind::choice, .name = "TARGET", .choices = "library,main,ros2,enki,argos,python"},
          "write a complete project for this platform to DIR/TARGET/COMPONENT",
          [](Options& o, const std::string& word) {
-             o.code.target = static_cast<cpp_emit::Target>(index_of(word, "sources,library,main,ros2,enki,argos"));
+             o.code.target = static_cast<cpp_emit::Target>(index_of(word, "sources,library,main,ros2,enki,argos,python"));
          }},
         {"--mapping", Group::code, verb_bit(Verb::emit_cpp), {.kind = Kind::file, .name = "FILE"},
          "with --target ros2: the messages and topics of operations, events and variables",

@@ -172,7 +172,7 @@ bool export_fits(driver::Project& project, const Options& options, std::size_t c
 
 /// The folder for the files of a component: "cpp/C/", or "ros2/C/" for a project.
 std::string cpp_folder(const driver::Project& project, const Options& options, const ir::ComponentRef& component) {
-    constexpr std::array<const char*, 6> folders{"cpp", "library", "main", "ros2", "enki", "argos"};
+    constexpr std::array<const char*, 7> folders{"cpp", "library", "main", "ros2", "enki", "argos", "python"};
     return fmt::format("{}/{}{}/", folders[static_cast<std::size_t>(options.code.target)], project.folder,
                        file_name(project, component));
 }

@@ -35,6 +35,7 @@ enum class Target {
     ros2,     ///< a package with a node
     enki,     ///< e-pucks in Enki
     argos,    ///< a controller of ARGoS
+    python,   ///< a module of Python
 };
 
 /// The code with which `dispatch` finds the effect of an event, for a machine whose programs never wait.

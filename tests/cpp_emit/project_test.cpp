@@ -284,6 +284,124 @@ TEST_F(Project, APluginOfArgos) {
     folder_.run("grep -q '^MoveForward! CheckIlluminationStatus! tock$' puck9.trace");
 }
 
+bool pybind_is_there(const Folder& folder) {
+    std::string ignored;
+    const std::string files = "/usr/lib/cmake/pybind11/pybind11Config.cmake /usr/include/python3*/Python.h";
+    return folder.status("ls " + files, ignored) == 0;
+}
+
+/// Values of all kinds go to the controller and come back.
+const char* const values_model = R"(package p
+enumeration Light { red green }
+enumeration Order { halt go ( real , nat ) }
+datatype Point { x : real  ^lambda : nat }
+interface In { event at : Point event every : Seq(Light) event some : Set(nat) event ahead : vector(real, 2)
+    event pair : nat * boolean event order : Order event word : string event map : nat <-> Light event count : nat event turn : int }
+interface Out { told(p : Point) listed(l : Seq(Light)) }
+interface Shared { var last : Point var lights : Seq(Light) var numbers : Set(nat) var both : nat * boolean
+    var speed : vector(real, 2) var latest : Order var label : string var links : nat <-> Light var number : nat var angle : int }
+stm M { uses In requires Out requires Shared event ^yield : Point
+    initial i state A { }
+    transition t0 { from i to A }
+    transition t1 { from A to A trigger at ? last action told(last) ; ^yield ! last }
+    transition t2 { from A to A trigger every ? lights action listed(lights) }
+    transition t3 { from A to A trigger some ? numbers }
+    transition t4 { from A to A trigger pair ? both }
+    transition t5 { from A to A trigger ahead ? speed }
+    transition t6 { from A to A trigger order ? latest }
+    transition t7 { from A to A trigger word ? label }
+    transition t8 { from A to A trigger map ? links }
+    transition t9 { from A to A trigger count ? number }
+    transition t10 { from A to A trigger turn ? angle }
+}
+)";
+
+const char* const values_bench = R"(import M_controller as c
+
+class Robot(c.M):
+    def __init__(self):
+        super().__init__()
+        self.calls = []
+    def told(self, point):
+        self.calls.append(("told", point))
+    def listed(self, lights):
+        self.calls.append(("listed", lights))
+    def on_yield(self, point):
+        self.calls.append(("yield", point))
+
+def refused(kind, call, *values):
+    try:
+        call(*values)
+    except kind as error:
+        assert str(error), kind
+        return
+    raise AssertionError((kind, values))
+
+robot = Robot()
+robot.log_to("bench.trace")
+robot.step()
+assert robot.state().name == "A"
+robot.raise_at(c.Point(0.5, 3))
+robot.raise_every([c.Light.green, c.Light.red])
+robot.raise_some({3, 1, 3})
+robot.raise_pair((2, True))
+robot.raise_ahead((0.25, -1))
+robot.raise_order(("go", 0.5, 7))
+robot.raise_word("docked")
+robot.raise_map({(1, c.Light.red)})
+robot.raise_count(4)
+robot.raise_turn(-4)
+assert robot.step() == c.StepResult.quiescent
+assert robot.calls == [("told", (0.5, 3)), ("yield", (0.5, 3)), ("listed", (c.Light.green, c.Light.red))], robot.calls
+assert robot.last.x == 0.5 and robot.last == c.Point(0.5, 3)
+assert robot.lights == (c.Light.green, c.Light.red)
+assert robot.numbers == frozenset({1, 3})
+assert robot.both == (2, True) and robot.speed == (0.25, -1.0) and robot.latest == ("go", 0.5, 7)
+assert robot.label == "docked" and robot.links == frozenset({(1, c.Light.red)})
+assert robot.number == 4 and robot.angle == -4
+refused(TypeError, robot.raise_count, 1.5)
+refused(TypeError, robot.raise_count, True)
+refused(ValueError, robot.raise_count, -1)
+refused(OverflowError, robot.raise_turn, 2 ** 63)
+refused(TypeError, robot.raise_at, c.Light.red)
+refused(TypeError, robot.raise_at, (0.5,))
+refused(TypeError, robot.raise_every, [1])
+refused(ValueError, robot.raise_every, [c.Light.red] * 1000)
+refused(TypeError, robot.raise_order, ("stop",))
+refused(TypeError, robot.raise_order, ("go", 0.5))
+refused(ValueError, robot.raise_word, "x" * 40)
+refused(RuntimeError, robot.log_to, "again.trace")
+refused(OSError, Robot().log_to, "/nowhere/x.trace")
+
+class Faulty(Robot):
+    def told(self, point):
+        raise KeyError("told")
+    def on_yield(self, point):
+        raise AssertionError("called after an exception")
+
+class Nested(Robot):
+    def told(self, point):
+        self.step()
+
+for kind, error in ((Faulty, KeyError), (Nested, RuntimeError), (c.M, NotImplementedError)):
+    robot = kind()
+    robot.step()
+    robot.raise_at((0.5, 3))
+    refused(error, robot.step)
+    assert robot.step() == c.StepResult.quiescent  # the cycle before has ended as without the exception
+    assert robot.last == (0.5, 3)
+)";
+
+TEST_F(Project, AModuleOfPython) {
+    ROBOCHART_NEEDS(pybind_is_there(folder_), "pybind11 (Debian: pybind11-dev python3-dev)");
+    emit(testing::load_model(values_model), "M", Target::python);
+    build("-DPYTHON_EXECUTABLE=/usr/bin/python3");
+    write("bench.py", values_bench);
+    folder_.run("PYTHONPATH=build /usr/bin/python3 bench.py");
+    folder_.run("grep -q 'at?(0.5,3)' bench.trace");
+    folder_.run("cd build && ctest --output-on-failure");
+}
+
 /// Elements whose names are also used by the projects, the headers and generated code.
 const char* const awkward = R"(package time
 enumeration Kind { BUFSIZ EOF left }
@@ -307,8 +425,12 @@ class AwkwardNames : public Project, public ::testing::WithParamInterface<Target
 
 TEST_P(AwkwardNames, BuildWithBothCompilers) {
     if (GetParam() == Target::enki) ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
+    if (GetParam() == Target::python)
+        ROBOCHART_NEEDS(pybind_is_there(folder_), "pybind11 (Debian: pybind11-dev python3-dev)");
     emit(testing::load_model(awkward), "Robot", GetParam());
-    const std::string found = GetParam() == Target::ros2 ? " -DCMAKE_PREFIX_PATH=" + stub + "/cmake" : "";
+    std::string found;
+    if (GetParam() == Target::ros2) found = " -DCMAKE_PREFIX_PATH=" + stub + "/cmake";
+    if (GetParam() == Target::python) found = " -DPYTHON_EXECUTABLE=/usr/bin/python3";
     for (const char* compiler : {"g++", "clang++"}) {
         folder_.run("rm -rf build");
         build("-DCMAKE_CXX_COMPILER=" + std::string(compiler) + " -DROBOCHART_TRACE=ON" + found);
@@ -316,7 +438,7 @@ TEST_P(AwkwardNames, BuildWithBothCompilers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, AwkwardNames,
-                         ::testing::Values(Target::library, Target::main, Target::ros2, Target::enki),
+                         ::testing::Values(Target::library, Target::main, Target::ros2, Target::enki, Target::python),
                          [](const auto& instance) {
                              switch (instance.param) {
                                  case Target::library:
@@ -327,6 +449,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, AwkwardNames,
                                      return "ros2";
                                  case Target::enki:
                                      return "enki";
+                                 case Target::python:
+                                     return "python";
                                  case Target::sources:
                                  case Target::argos:
                                      break;
