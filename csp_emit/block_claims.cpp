@@ -186,7 +186,7 @@ void check_block_claims(const Project& project, const DeclsOfFiles& files, const
                 continue;
             }
             const auto decls = files.find(block.file);
-            // It is reported for the other semantics.
+            // A claim of both semantics is checked only in the untimed run, so that a missing process is reported once.
             if (decls == files.end() || (project.is_timed() && both)) continue;
             Definitions& defined = definitions.try_emplace(block.file, decls->second, provenance).first->second;
             if (!defined.defines(block.name)) {

@@ -27,7 +27,7 @@
 
 namespace robochart::ir {
 
-/// A group of variables of one machine: the machine and the least variable.
+/// Identifies a group of variables of one machine by the machine and the lowest VariableId in the group.
 using GroupId = std::pair<MachineId, VariableId>;
 
 /// A group that a holder replaces.

@@ -57,7 +57,7 @@ private:
         }
         return result;
     }
-    /// Records the length of sequences that is necessary so that a comparison of a length can be both true and false.
+    /// Records how long sequences must be so that this comparison with a length can be true and can be false.
     /// Lengths are at least 0 and at most that of the longest sequence.
     void read_comparison(const Expr& expr, std::int64_t number, bool length_first) {
         const bool above = expr.kind == (length_first ? ExprKind::greater : ExprKind::less) ||

@@ -58,8 +58,8 @@ struct RunResult {
     [[nodiscard]] bool has_stopped_trial() const;
     /// True if a band or a claim fails, or a controller stopped.
     [[nodiscard]] bool has_failed() const;
-    /// True if all trials are complete and observed, and all bands and claims hold. If the result is neither true nor
-    /// false, a claim is open or some trial was not completely observed.
+    /// True if all trials are complete and observed, and all bands and claims hold. If neither has_failed() nor
+    /// all_hold() is true, a claim is open, or some trial is not complete or was not completely observed.
     [[nodiscard]] bool all_hold() const;
 };
 
