@@ -57,7 +57,7 @@ _robochart_verify_argument() {
     'verify --allow' | 'validate --allow' | 'check --allow' | 'emit csp --allow' | 'emit cpp --allow' | 'emit prism --allow' | 'emit monitor --allow' | 'emit tests --allow' | 'conform --allow' | 'prism --allow' | 'rules --allow' | 'step --allow' | 'draw --allow' | 'simulate --allow' | 'tune --allow') echo '<warning>' ;;
     'verify --component' | 'emit cpp --component' | 'emit prism --component' | 'emit monitor --component' | 'emit tests --component' | 'conform --component' | 'rules --component') echo '<value>' ;;
     'verify --cycle' | 'emit cpp --cycle' | 'emit monitor --cycle' | 'emit tests --cycle' | 'conform --cycle') echo '<value>' ;;
-    'emit cpp --target') echo 'library main ros2 enki argos' ;;
+    'emit cpp --target') echo 'library main ros2 enki argos python' ;;
     'emit cpp --mapping') echo '<file>' ;;
     'emit cpp --license') echo '<value>' ;;
     'emit cpp --maintainer') echo '<value>' ;;

@@ -79,7 +79,7 @@ complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "chec
 complete -c robochart-verify -n '__robochart_verify_is "verify" "validate" "check" "emit csp" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "rules" "step" "draw" "simulate" "tune"' -l deny-warnings -d 'treat a model with warnings as wrong'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit prism" "emit monitor" "emit tests" "conform" "rules"' -l component -x -d 'process only this module, controller or machine'
 complete -c robochart-verify -n '__robochart_verify_is "verify" "emit cpp" "emit monitor" "emit tests" "conform"' -l cycle -x -d 'time units of one control cycle'
-complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l target -x -a 'library main ros2 enki argos' -d 'write a complete project for this platform to DIR/TARGET/COMPONENT'
+complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l target -x -a 'library main ros2 enki argos python' -d 'write a complete project for this platform to DIR/TARGET/COMPONENT'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l mapping -r -F -d 'with --target ros2: the messages and topics of operations, events and variables'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l mapping-draft -d 'with --target ros2: write only a mapping to start from, COMPONENT.ros2; an existing one stays as it is'
 complete -c robochart-verify -n '__robochart_verify_is "emit cpp"' -l license -x -d 'with --target ros2: the licence in package.xml'

@@ -297,13 +297,13 @@ enumeration Order { halt go ( real , nat ) }
 datatype Point { x : real  ^lambda : nat }
 interface In { event at : Point event every : Seq(Light) event some : Set(nat) event ahead : vector(real, 2)
     event pair : nat * boolean event order : Order event word : string event map : nat <-> Light event count : nat event turn : int }
-interface Out { told(p : Point) listed(l : Seq(Light)) }
+interface Out { shown(p : Point) listed(l : Seq(Light)) }
 interface Shared { var last : Point var lights : Seq(Light) var numbers : Set(nat) var both : nat * boolean
     var speed : vector(real, 2) var latest : Order var label : string var links : nat <-> Light var number : nat var angle : int }
 stm M { uses In requires Out requires Shared event ^yield : Point
     initial i state A { }
     transition t0 { from i to A }
-    transition t1 { from A to A trigger at ? last action told(last) ; ^yield ! last }
+    transition t1 { from A to A trigger at ? last action shown(last) ; ^yield ! last }
     transition t2 { from A to A trigger every ? lights action listed(lights) }
     transition t3 { from A to A trigger some ? numbers }
     transition t4 { from A to A trigger pair ? both }
@@ -322,8 +322,8 @@ class Robot(c.M):
     def __init__(self):
         super().__init__()
         self.calls = []
-    def told(self, point):
-        self.calls.append(("told", point))
+    def shown(self, point):
+        self.calls.append(("shown", point))
     def listed(self, lights):
         self.calls.append(("listed", lights))
     def on_yield(self, point):
@@ -352,7 +352,7 @@ robot.raise_map({(1, c.Light.red)})
 robot.raise_count(4)
 robot.raise_turn(-4)
 assert robot.step() == c.StepResult.quiescent
-assert robot.calls == [("told", (0.5, 3)), ("yield", (0.5, 3)), ("listed", (c.Light.green, c.Light.red))], robot.calls
+assert robot.calls == [("shown", (0.5, 3)), ("yield", (0.5, 3)), ("listed", (c.Light.green, c.Light.red))], robot.calls
 assert robot.last.x == 0.5 and robot.last == c.Point(0.5, 3)
 assert robot.lights == (c.Light.green, c.Light.red)
 assert robot.numbers == frozenset({1, 3})
@@ -374,13 +374,13 @@ refused(RuntimeError, robot.log_to, "again.trace")
 refused(OSError, Robot().log_to, "/nowhere/x.trace")
 
 class Faulty(Robot):
-    def told(self, point):
-        raise KeyError("told")
+    def shown(self, point):
+        raise KeyError("shown")
     def on_yield(self, point):
         raise AssertionError("called after an exception")
 
 class Nested(Robot):
-    def told(self, point):
+    def shown(self, point):
         self.step()
 
 for kind, error in ((Faulty, KeyError), (Nested, RuntimeError), (c.M, NotImplementedError)):

@@ -53,10 +53,10 @@ constexpr std::array not_run = {
 };
 
 /// Languages of blocks without commands: other tests or other programs read them.
-constexpr std::array<std::string_view, 21> no_commands = {
+constexpr std::array<std::string_view, 22> no_commands = {
     "robochart", "ros2",  "assertions", "scenario", "swarm", "cspm", "prism", "props", "sleec",   "claims",
     "cpp",       "cmake", "yaml",       "lua",      "elisp", "toml", "json",  "text",  "robosim", "robosim-assertions",
-    "coq"};
+    "coq",       "python"};
 
 // ---------------------------------------------------------------- documents
 
