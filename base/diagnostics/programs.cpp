@@ -34,6 +34,7 @@ std::vector<std::string> environment_within(const fs::path& folder) {
 
 std::vector<char*> as_argv(const std::vector<std::string>& words) {
     std::vector<char*> result;
+    result.reserve(words.size() + 1);
     for (const std::string& word : words) result.push_back(const_cast<char*>(word.c_str()));
     result.push_back(nullptr);
     return result;

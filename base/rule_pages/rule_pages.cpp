@@ -104,8 +104,11 @@ private:
         while (at_ < lines_.size() && lines_[at_] != fence) block.text.append(lines_[at_++]).append("\n");
         if (at_ == lines_.size()) add_fault("a fence is not closed");
         ++at_;
-        if (section_ == "Wrong") page_.wrong.push_back(std::move(block));
-        if (section_ == "Right") page_.right.push_back(std::move(block));
+        if (section_ == "Wrong") {
+            page_.wrong.push_back(std::move(block));
+        } else if (section_ == "Right") {
+            page_.right.push_back(std::move(block));
+        }
     }
 
     std::vector<std::string_view> lines_;
