@@ -471,7 +471,7 @@ public:
         late_ = late_ || left <= units;
         left = left > units ? left - units : 1;
     }
-    /// Records that an action required before time passes was not performed.
+    /// Records that time was due to pass although an urgent action had not been performed.
     constexpr void stop_time() noexcept { late_ = true; }
     [[nodiscard]] constexpr bool late() const noexcept { return late_; }
     /// A false precondition also uses up the steps of the cycle, so that no other machine continues.
