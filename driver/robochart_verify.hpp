@@ -148,8 +148,7 @@ struct Answer {
     std::optional<Run> run;     ///< the counterexample of a claim that fails
     std::string text;           ///< the same run as lines for people; "" if there is none
     std::vector<Value> values;  ///< of a probabilistic claim
-    bool information =
-        false;  ///< true for a core property that is only informative: none of its possible answers indicates a problem
+    bool information = false;   ///< true for an informative core property: none of its answers indicates a problem
     std::uint64_t states = 0, transitions = 0;
     double seconds = 0;
 };
