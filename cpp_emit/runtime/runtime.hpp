@@ -72,7 +72,7 @@ enum class StepResult : std::uint8_t {
     step_bound,    ///< a loop that takes no time: the model diverges
     precondition,  ///< an operation was called outside its precondition
     deadline,      ///< a deadline was missed
-    capacity,      ///< a list had more items than its capacity: an input, so that nothing happened, or a computed one
+    capacity,      ///< a list had more items than its capacity: an input, and then nothing happened, or a computed list
 };
 
 #ifndef ROBOCHART_PROBES

@@ -48,7 +48,7 @@ public:
     static constexpr std::uint32_t most_forms = 16384;
     static constexpr std::uint32_t most_comparisons = 256;
 
-    /// Sets the values of a type; a call for type 0 forgets everything first. False: they do not fit.
+    /// Sets the values of a type; a call for type 0 forgets everything first. Returns false if the values do not fit.
     bool set_values(std::uint32_t type, std::uint32_t parts, std::uint32_t count, const std::int64_t* numbers) noexcept {
         if (type == 0) forget();
         const std::uint32_t size = parts * count;
