@@ -50,8 +50,8 @@ void declare_registers(const Project&, const std::string& owner, const Registers
 /// ends.
 [[nodiscard]] cspm::ExprPtr writes_of_cycle(const std::vector<std::vector<cspm::ExprPtr>>& events_of_outputs);
 /// The cycle of a component, a process that repeats
-///     reads ; execution ; (terminate -> SKIP [] tock -> wait(c - 1) ; the next cycle) Time passes only at the end of a
-///     cycle. There, a component that has reached its final state may terminate.
+///     reads ; execution ; (terminate -> SKIP [] tock -> wait(c - 1) ; the next cycle)
+/// Time passes only at the end of a cycle. There, a component that has reached its final state may terminate.
 [[nodiscard]] cspm::DeclPtr cycle_definition(const std::string& name, const std::string& length,
                                              const cspm::ExprPtr& reads, const cspm::ExprPtr& execution);
 
