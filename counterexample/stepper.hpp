@@ -47,7 +47,7 @@ struct Taken {
 /// One sequential component of the process in its current state.
 struct Standing {
     process::TermId term{};
-    std::vector<Call> calls;  ///< the known definitions in which the component is
+    std::vector<Call> calls;  ///< the known definitions that the component currently executes
     Machine machine;          ///< empty if it is not a machine
 };
 

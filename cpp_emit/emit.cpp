@@ -103,7 +103,7 @@ void report_large_state(const Generation& generation, diagnostics::Diagnostics& 
                        {component.name, text});
 }
 
-/// The options with the capacities of the mapping. If both give one, the greater counts.
+/// The options with the capacities of the mapping. If both give one, the greater one is used.
 Options with_mapped_capacities(const Options& options) {
     Options result = options;
     if (options.mapping == nullptr) return result;

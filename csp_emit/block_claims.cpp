@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See block_claims.hpp. The analysis follows definitions by name, for all arguments. A set counts with all events that
-// it may contain.
+// See block_claims.hpp. The analysis follows definitions by name, for all arguments. A set is taken to contain all
+// events that it may contain.
 #include "csp_emit/block_claims.hpp"
 
 #include <fmt/format.h>

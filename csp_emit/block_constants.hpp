@@ -2,7 +2,7 @@
 // Checks blocks Instantiations that give a constant more than one value. Such a block may name a constant in several
 // ways: `const_P_S_c` for the machine's own constant, and `const_P_C_ref_c` for each reference of a controller to the
 // machine. In every claim about a controller or a module, RoboTool sets the constant of the reference to the machine's
-// own constant. So the machine's own constant decides if the block defines it.
+// own constant. So if the block defines the machine's own constant, this definition determines the value.
 #pragma once
 
 #include <set>
@@ -12,10 +12,10 @@
 
 namespace robochart::csp_emit {
 
-/// If a block gives different values to a machine's own constant and to a part's, reports which name decides (RC-C17).
-/// Rejects blocks that give two parts different values and do not define the machine's own constant (RC-C18), because
-/// RoboTool's scripts have a single constant for both. Returns the parts' constants that a block defines without
-/// effect.
+/// If a block gives different values to a machine's own constant and to a part's, reports which name determines the
+/// value (RC-C17). Rejects blocks that give two parts different values and do not define the machine's own constant
+/// (RC-C18), because RoboTool's scripts have a single constant for both. Returns the parts' constants that a block
+/// defines without effect.
 std::set<std::string> check_names_of_constants(const Project&,
                                                const std::map<std::string, std::vector<BlockDefinition>>&);
 

@@ -327,7 +327,7 @@ Emission emit_with(const ir::System& system, const ir::Instantiation& instantiat
     emitted.shown = shown;
     const std::set<std::string> given = given_names(files, safe.for_blocks);
     check_shared_constants(project, given);
-    std::set<std::string> deciding = given;  // if a constant has two names, the name that decides
+    std::set<std::string> deciding = given;  // if a constant has two names, the name that determines its value
     add_instantiations(project, given, generated, result.bounded, left_out);
     if (project.instantiations_replaced()) {
         const auto definitions = block_definitions(project, files, safe.for_blocks);

@@ -2,7 +2,8 @@
 // The timed semantics with processes that show states and variables. Claims about them (claims/) read these events.
 //
 // Before any other step, a machine performs `shown__.b1.b2...` with the truth of each of its facts. The event stays
-// visible in all components around the machine. A state that a transition leaves and enters again is seen to be left.
+// visible in all components around the machine. If a transition leaves a state and enters it again, the events show
+// that the state was left.
 #pragma once
 
 #include "csp_emit/base/emission.hpp"

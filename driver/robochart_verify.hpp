@@ -148,7 +148,7 @@ struct Answer {
     std::optional<Run> run;     ///< the counterexample of a claim that fails
     std::string text;           ///< the same run as lines for people; "" if there is none
     std::vector<Value> values;  ///< of a probabilistic claim
-    bool information = false;   ///< true for a core property that is only informative: no answer to it is a problem
+    bool information = false;   ///< true for an informative core property: none of its answers indicates a problem
     std::uint64_t states = 0, transitions = 0;
     double seconds = 0;
 };
@@ -179,7 +179,7 @@ public:
     Model& operator=(Model&&) noexcept;
     ~Model();
 
-    /// The claims in the order of the assertion files, also those with errors.
+    /// The claims in the order of the assertion files, including claims with errors.
     [[nodiscard]] const std::vector<Claim>& claims() const;
     /// Decides all claims.
     [[nodiscard]] CheckResult check(const CheckOptions& = {});

@@ -16,9 +16,9 @@ namespace robochart::diagnostics {
 
 class Cache {
 public:
-    /// `program` identifies the program that makes the entries; a program does not find the entries of another. The
-    /// folder is created if it does not exist. The folder is not used if it belongs to another user or if others may
-    /// write to it.
+    /// `program` identifies the program that makes the entries; a program does not find the entries of other programs.
+    /// The folder is created if it does not exist. The folder is not used if it belongs to another user or if others
+    /// may write to it.
     Cache(std::string folder, std::string program, std::uint64_t most_bytes);
 
     /// The entry of this key. A damaged entry is removed and not returned.

@@ -10,7 +10,7 @@
 namespace robochart::diagnostics {
 
 /// True when the program has its answer, or when a limit ends it. From then on, large objects are not destroyed. The
-/// run sets it.
+/// run sets this flag.
 inline std::atomic<bool> program_ends{false};
 
 /// Destroys a large object, unless the program ends. Destructors of large objects call it for their members.

@@ -4,8 +4,8 @@
 
 namespace robochart::diagnostics {
 
-/// A budget as a long loop uses it: the budget of the run (Budget), that of a check (refine::Budget), or one that adds
-/// limits to another budget.
+/// The interface of budgets for long loops. It is implemented by the budget of the run (Budget), by the budget of a
+/// check (refine::Budget), and by budgets that add limits to another budget.
 class Pollable {
 public:
     /// Must be called in every loop whose length depends on the input. Throws LimitReached to end the work.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part that the lexers of all languages share: a position in a text, and moves over words, digits and symbols.
-// Everything is inline, because scripts have many megabytes. Characters are ASCII, whatever the locale.
+// Everything is inline, because scripts have many megabytes. Characters are treated as ASCII in every locale.
 #pragma once
 
 #include <algorithm>

@@ -15,7 +15,7 @@ inline constexpr std::int64_t second = 1000 * millisecond;
 /// The longest time that is computed: a hundred years.
 inline constexpr std::int64_t longest = 100LL * 366 * 24 * 3600 * second;
 
-/// The nanoseconds of a time unit; no value: it is not declared.
+/// The length of a time unit in nanoseconds; no value if it is not declared.
 using Unit = std::optional<std::int64_t>;
 
 /// "100 ms", "2.5 s".
@@ -39,11 +39,13 @@ struct UnitCount {
     std::int64_t units = 0;
     std::string error;  ///< "" if there is none
 };
-/// The number of units of a time of at least 0. A time that is not a multiple is an error that names both neighbours;
-/// it is never rounded, because down is wrong for lower limits, and up for upper ones.
+/// Converts a time of at least 0 to a number of units. A time that is not a multiple of the unit is an error, and the
+/// error names both neighbours. The time is never rounded, because rounding down is wrong for lower limits, and
+/// rounding up is wrong for upper limits.
 [[nodiscard]] UnitCount count_units(std::int64_t nanoseconds, std::int64_t unit);
 
-/// What a second of rules is: "1 second = 10 units", or that it is a time unit because none is declared.
+/// States the length of a second in rules: "1 second = 10 units", or that a second is one time unit because no unit is
+/// declared.
 [[nodiscard]] std::string second_text(Unit unit);
 
 }  // namespace robochart::durations

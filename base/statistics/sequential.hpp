@@ -15,8 +15,8 @@ namespace robochart::statistics {
 struct Sprt {
     double p0 = 0;  ///< 0 < p1 < p0 < 1
     double p1 = 0;
-    double alpha = 0;  ///< the chance of the answer `below` is at most this if the probability is at least p0
-    double beta = 0;   ///< the chance of the answer `at_least` is at most this if it is at most p1
+    double alpha = 0;  ///< upper bound for the chance of the answer `below` if the probability is at least p0
+    double beta = 0;   ///< upper bound for the chance of the answer `at_least` if the probability is at most p1
 
     enum class Answer { open, at_least, below };
     /// Must be called after each trial, in order. The first answer that is not open is the result of the test.

@@ -21,7 +21,7 @@ double fisher_exact(Sample one, Sample other) {
         return std::exp(choose(one.trials, k) + choose(other.trials, successes - k) -
                         choose(one.trials + other.trials, successes));
     };
-    // Divisions that are as likely as the observed one must count in spite of rounding.
+    // Divisions that are as likely as the observed one must be included in spite of rounding.
     const long double most = chance(one.successes) * (1 + 1e-9L);
     long double total = 0;
     for (std::uint64_t k = low; k <= high; ++k)

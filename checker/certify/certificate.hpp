@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Certificates of assertions that hold (docs/certificates.md). A certificate contains the claim and the compiled
 // processes of both sides, without reductions. A separate program, proved correct in Coq, finds the proof in it or
-// refuses it (checker/certify/certifier); nothing here has to be right for that.
+// refuses it (checker/certify/certifier). Its result does not depend on the correctness of this code.
 #pragma once
 
 #include <cstddef>
@@ -27,14 +27,13 @@ struct CertificateResult {
 };
 
 /// Compiles the processes of an assertion again, without minimisation, and returns its certificate. It does not check
-/// that the assertion holds. `source` says which claim the assertion belongs to, and where. Passes on evaluation
-/// errors.
+/// that the assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
                                                  const std::string& source, const refine::Limits& limits);
 
 /// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
-/// files, so a run that is stopped leaves no folder that is taken for a certificate. Returns the cause in words on
-/// failure, "" on success.
+/// files, so that an incomplete folder of a stopped run is not mistaken for a certificate. Returns the cause in words
+/// on failure, "" on success.
 [[nodiscard]] std::string write_certificate(const std::string& root, const std::string& folder,
                                             const Certificate& certificate, diagnostics::Budget* budget);
 

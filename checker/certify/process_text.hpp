@@ -19,8 +19,8 @@ struct ProcessText {
     std::size_t rules = 0;
 };
 
-/// A process that is not compiled is written as one component, which has all its states. More states than this are
-/// refused.
+/// A process that is not compiled is written as one component with all its states. A process with more states than this
+/// is refused.
 inline constexpr std::size_t most_explicit_states = 200'000;
 
 /// The text in one line: a space replaces each group of control characters and the spaces after it.

@@ -47,7 +47,7 @@ struct QuestionKey {
 /// The time limit for exploring a specification if the answer only saves time.
 inline constexpr std::chrono::milliseconds longest_look{1000};
 
-/// The cache for answers, and the size of a search from which its answer is stored.
+/// The cache for answers, and the least size of a search whose answer is stored.
 struct Memory {
     diagnostics::Cache* cache = nullptr;
     std::uint64_t fewest_states = 0;

@@ -522,9 +522,9 @@ struct Session::Impl {
         return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
     }
 
-    /// Asks for an answer. If the first states do not give it, the assertion is decided with compressed parts, which
-    /// preserve T, F and FD; such an answer counts only if it is `holds`, because a violation needs a run of the whole
-    /// process. Otherwise all states are searched (docs/search.md, "Compressed parts").
+    /// Decides the assertion. If the search of the first states gives no answer, decides it with compressed parts,
+    /// which preserve T, F and FD. This answer is used only if it is `holds`, because a violation needs a run of the
+    /// whole process. Otherwise all states are searched (docs/search.md, "Compressed parts").
     refine::Verdict ask_in_turns(const Sides& both, const Decl& assertion, refine::Model in,
                                  const refine::Limits& limits, refine::Earlier earlier) {
         const bool known = earlier != nullptr && *earlier;

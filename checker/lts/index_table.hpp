@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hash table from externally stored objects to their numbers: open addressing over buckets of one cache line, with
-// twelve numbers and eight bits of the hash of each. A look-up usually reads one line, and the objects whose eight bits
-// match.
+// twelve numbers and, for each number, eight bits of its hash. A look-up usually reads one line, and the objects whose
+// eight bits match.
 #pragma once
 
 #include <array>

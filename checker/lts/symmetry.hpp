@@ -17,8 +17,8 @@ namespace robochart::lts {
 /// A permutation of events: the pairs (event, image) in which both differ, ascending.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// A value of a state that belongs to a replica, and its conversion to numbers that all replicas share. Two replicas
-/// are in the same state if these numbers are equal.
+/// One value of a replica inside a state, and its conversion to numbers that all replicas share. Two replicas are in
+/// the same state if these numbers are equal.
 struct ReplicaPart {
     Field field;
     std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< common number by value
@@ -35,7 +35,7 @@ struct Replica {
 using ReplicaSet = std::vector<Replica>;
 
 /// A group of automorphisms: all permutations of replicas within their sets. An automorphism maps each transition of a
-/// state to one of the state's image, with the event's image; tau and tick are their own images.
+/// state to a transition of the image state, labelled with the image of the event. Tau and tick are their own images.
 class Symmetry {
 public:
     /// Permutations of the replicas, one for each set: replica i gets the state of replica `[i]`.

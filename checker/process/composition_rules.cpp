@@ -11,8 +11,8 @@ namespace robochart::process {
 namespace {}  // namespace
 
 // UCS 9.2:  P --x--> P'  (x ∉ A, x ≠ ✓)          P --a--> P', Q --a--> Q'  (a ∈ A)
-//           P [|A|] Q --x--> P' [|A|] Q P [|A|] Q --a--> P' [|A|] Q' FDR: P --✓-->, Q --✓--> gives P [|A|] Q --✓--> Ω
-//           (A behaves as A ∪ {✓}), so neither side terminates alone.
+//           P [|A|] Q --x--> P' [|A|] Q          P [|A|] Q --a--> P' [|A|] Q'
+// FDR: P --✓-->, Q --✓--> gives P [|A|] Q --✓--> Ω (A behaves as A ∪ {✓}), so neither side terminates alone.
 void FiringRules::fire_parallel(const Term& term, List& list) {
     const SetId set{term.payload};
     std::vector<std::size_t> everyone(term.children.size());
@@ -119,8 +119,8 @@ void FiringRules::fire_rename(const Term& term, List& list) {
 
 // FDR manual, prioritise(P, <A0, ..., An>), and UCS 20.2: the sets are in order of descending priority; an event of A_i
 // is prevented if P can also perform an event of A_j with j < i. τ and ✓ count as members of A0: they are never
-// prevented, prevent A_1 ... A_n, and do not prevent A0. An event in none of the sets neither prevents nor is
-// prevented.
+// prevented, prevent A_1 ... A_n, and do not prevent A0. An event in none of the sets prevents no event, and no event
+// prevents it.
 //   P --x--> P',  no y of higher level than x with P --y-->
 //   prioritise(P,O) --x--> prioritise(P',O)
 void FiringRules::fire_prioritise(const Term& term, List& list) {

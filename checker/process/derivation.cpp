@@ -31,8 +31,8 @@ private:
     [[nodiscard]] bool in_set(Event event) const {
         return event != tau && event != tick && terms_.contains(SetId{term_.payload}, event);
     }
-    /// Returns a transition of the operand with `event`, and to `target` if it is given. Prefers a transition with the
-    /// same hidden event.
+    /// Returns a transition of the operand that has this event and, if `target` is given, leads to it. Prefers a
+    /// transition with the same hidden event.
     std::optional<Transition> find_move(std::size_t operand, Event event, std::optional<TermId> target) {
         std::optional<Transition> found;
         for (const Transition& transition : semantics_.successors(term_.children[operand])) {

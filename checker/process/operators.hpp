@@ -89,7 +89,7 @@ struct OpProperties {
     return {OpGroup::leaf, Running::none, varies, Payload::none};
 }
 
-/// How many of this number of operands run from the start; the others start when an operand hands over to them.
+/// Returns how many of the operands run from the start. The others start when an operand hands over to them.
 [[nodiscard]] constexpr std::size_t running_operands(Op op, std::size_t operands) {
     switch (properties_of(op).running) {
         case Running::none:

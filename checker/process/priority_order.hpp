@@ -8,7 +8,7 @@
 
 namespace robochart::process {
 
-/// The event neither prevents nor is prevented.
+/// The event prevents no other event, and no other event prevents it.
 inline constexpr std::uint32_t no_level = 0xffffffffU;
 
 /// Returns the level of each event in the order of a prioritise. Events after the end of the vector have no level

@@ -261,7 +261,7 @@ std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> count_checkpoin
 }
 
 /// Returns the number of the newest complete checkpoint with this number of ranks, or 0 if there is none. Other ranks
-/// may write and remove checkpoints at the same time, so a checkpoint that cannot be read does not count.
+/// may write and remove checkpoints at the same time, so a checkpoint that cannot be read is ignored.
 std::uint64_t complete_number(const std::string& folder, const RowKind& kind, std::uint32_t rank_count) {
     const auto found = count_checkpoints(folder);
     for (auto at = found.rbegin(); at != found.rend(); ++at) {

@@ -13,13 +13,13 @@ namespace robochart::storage {
 
 class SortedRuns {
 public:
-    /// The file has this path until it is open. `kind`: the kind of the rows.
+    /// The file is created at this path. Its name is removed as soon as it is open. `kind`: the kind of the rows.
     SortedRuns(std::string path, const RowKind& kind) : path_(std::move(path)), kind_(kind) {}
 
     /// Adds a run: ascending rows without duplicates. Runs may have rows in common. Throws CannotWrite and then leaves
     /// everything unchanged.
     void add(std::span<const Word> rows);
-    /// Adds a run whose rows `give` passes piece by piece.
+    /// Adds a run; `give` passes its rows piece by piece.
     void add(const std::function<void(const TakeRows&)>& give);
     [[nodiscard]] bool empty() const { return runs_.empty(); }
     /// The number of rows in all runs; rows in several runs count several times.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model that is followed up to the point where one of its values leaves its carrier.
+// A model that is explored up to the point at which one of its values leaves its carrier.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace robochart::conformance {
 
-/// The steps of a state are unknown if a value leaves its carrier in their evaluation. Here such a state only lets time
-/// pass, for ever. So questions about what the model can still do before time passes do not blame it.
+/// If a value leaves its carrier while the steps of a state are evaluated, these steps are unknown. In this system,
+/// such a state only lets time pass, forever. So a search for what the model can still do before time passes reports no
+/// problem in such a state.
 class CarrierLimited final : public lts::TransitionSystem {
 public:
     /// The system must outlive the object. `tock` is its event for the passing of time.

@@ -11,7 +11,7 @@
 
 namespace robochart::conformance {
 
-/// What the code compares.
+/// The numbers that the code compares.
 struct ComparedNumbers {
     std::string left;
     std::string right;

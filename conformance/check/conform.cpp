@@ -194,7 +194,7 @@ void name_model_places(Result& result, const csp_emit::Provenance& provenance,
         name_model_places(result.reason, result.cycles, provenance, sources);
 }
 
-/// For each output, the arguments whose values stand for all values. Empty if there are no such arguments.
+/// For each output, the arguments whose explored values represent all values. Empty if there are no such arguments.
 using Represented = std::vector<std::vector<bool>>;
 
 /// Decides the claims about cycles, if the model can be run in cycles.
@@ -206,7 +206,7 @@ void add_cycle_claims(Result& result, cspm::Session& session, const cspm::ExprPt
     CycleClaims claims = *options.claims;
     claims.carriers = claims.carriers && represented.empty();
     try {
-        // Claims read the states of the model, which a compiled process does not tell apart.
+        // Claims read the states of the model, which a compiled process does not distinguish.
         process::OperationalSemantics semantics(session.terms());
         process::TermSystem terms(semantics, session.process(process));
         ModelGraph graph(terms, alphabet);
@@ -217,7 +217,7 @@ void add_cycle_claims(Result& result, cspm::Session& session, const cspm::ExprPt
     }
 }
 
-/// The values stand for all only if the model does not choose between them.
+/// The values represent all values only if the model does not choose between them.
 void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
                     const Represented& represented, const Options& options) {
     if (represented.empty() || result.outcome != Outcome::conforms) return;
@@ -450,8 +450,8 @@ Represented tracked_arguments(const OutputTypes& types) {
     return found ? result : Represented();
 }
 
-/// The comparisons of the code that do not have one answer in each region of the model's values. No value if one is no
-/// form of whole or of real numbers.
+/// The comparisons of the code that do not have one answer in each region of the model's values. No value if one is not
+/// a form of whole or of real numbers.
 std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, const ir::ValueModel& model) {
     const auto cuts = code.comparisons(model.scale);
     if (!cuts) return std::nullopt;
@@ -592,7 +592,7 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     }
 }
 
-/// Checks the values of the carriers, or few values that stand for all.
+/// Checks the values of the carriers, or a few values that represent all.
 Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                            diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;

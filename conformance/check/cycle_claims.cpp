@@ -112,7 +112,7 @@ bool reads_values(const CheckedClaim& claim) {
 
 // ---------------------------------------------------------------- states
 
-/// Tells which facts of a claim hold in a state.
+/// Determines which facts of a claim hold in a state.
 using FactsOf = std::function<std::vector<FactValue>(lts::StateView)>;
 
 /// In the model: the active states of the definitions in which it is.

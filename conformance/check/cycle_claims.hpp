@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Claims about control cycles (docs/claims.md, "Claims about one cycle"), for the model run in cycles, NF_c(M), and for
-// the code, L(G). The monitor of the claim follows both in all runs; a claim about cycles has a finite run that breaks
-// it, so a breadth-first search of the product decides it.
+// the code, L(G). The monitor of the claim follows both in all runs. A claim about cycles is a safety property: if it
+// fails, a finite run shows this. So a breadth-first search of the product decides it.
 #pragma once
 
 #include <memory>
@@ -18,11 +18,11 @@
 
 namespace robochart::conformance {
 
-/// What claims are asked of.
+/// The claims to decide, and the data that they need.
 struct CycleClaims {
     std::vector<claims::CheckedClaim> claims;
     std::optional<std::int64_t> unit;  ///< nanoseconds of a time unit, if declared
-    bool carriers = true;  ///< events have the values of the finite instantiation, not some that stand for all
+    bool carriers = true;  ///< events have the values of the finite instantiation, not a few values that represent all
 };
 
 /// The model that the claims are about.
@@ -31,7 +31,7 @@ struct ClaimedModel {
     const csp_emit::Provenance& provenance;
 };
 
-/// Decides the claims for the model in cycles and for the code. Inconclusive answers say why.
+/// Decides the claims for the model in cycles and for the code. An inconclusive answer contains the reason.
 [[nodiscard]] std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const ClaimedModel& claimed,
                                                             ModelGraph& model, const Alphabet& alphabet,
                                                             const rc_interface& code, std::uint32_t cycle_length,

@@ -92,7 +92,7 @@ private:
         return intern(more);
     }
 
-    /// What M has received and cannot receive again before time passes does not matter.
+    /// Ignores inputs that M has received and cannot receive again before time passes.
     std::uint32_t narrowed(std::uint32_t received, ModelState model) {
         if (received == 0 || model == gone) return 0;
         const std::vector<bool>& hears = model_.heard_inputs(model);
@@ -308,7 +308,7 @@ private:
         return found_aside(rule, words + state, run, alphabet_, cycle_length_);
     }
 
-    /// The last event of such a run, which no one performs.
+    /// The last event of such a run, which no process performs.
     [[nodiscard]] process::Event mark() const { return alphabet_.events().intern("model.repeats"); }
 
     ModelGraph& model_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a model can be run in control cycles, without trying all readings of its registers: a register matters where
-// the model receives its input (docs/conformance.md, "Reading on demand").
+// Whether a model can be run in control cycles, without trying all readings of its registers: a register is considered
+// only where the model receives its input (docs/conformance.md, "Reading on demand").
 #pragma once
 
 #include "conformance/check/result.hpp"

@@ -9,8 +9,8 @@
 
 namespace robochart::conformance {
 
-/// Compares both APIs in all states in which `system` has begun a cycle, with every event and each of its values, and
-/// without an event; for all answers if the code asks for a choice. If no difference of the code is known yet, a
+/// Compares both APIs in every state in which `system` has begun a cycle. Tries every event with each of its values,
+/// and no event. If the code asks for a choice, tries all answers. If no difference of the code is known yet, a
 /// difference becomes the result: the cycles that lead there, and the behaviour of both APIs. Does nothing if the
 /// component receives no event.
 void compare_event_api(Result&, const rc_interface&, const ExploredCode& system, const Alphabet&,

@@ -64,7 +64,7 @@ private:
         return values_of(*type).at(model_.interface().inputs[role.index].texts[role.reading - 1]);
     }
 
-    /// A text that is no value of its type counts as all names: the result is then too large, never too small.
+    /// A text that is not a value of its type is taken as all names: the result is then too large, never too small.
     NameSet names_of_write(process::Event event, std::uint32_t output) {
         const std::vector<std::string> arguments = model_.alphabet().written_arguments(event);
         const std::vector<ir::TypeId>& types = model_.boundary().output_types[output];

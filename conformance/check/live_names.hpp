@@ -13,9 +13,9 @@
 namespace robochart::conformance {
 
 /// For each represented type, the largest number of its names that are live after a trace of NF_c(M), together with the
-/// values of the type in the register that is read next. Only traces count in which each register is read with names
-/// that are not live. A name is live if NF_c(M), in one of the states in which it may be, can write the name before a
-/// register is read that contains it. The model must be instantiated with these representatives. Throws
+/// values of the type in the register that is read next. Considers only traces in which each register is read with
+/// names that are not live. A name is live if NF_c(M), in one of the states in which it may be, can write the name
+/// before a register is read that contains it. The model must be instantiated with these representatives. Throws
 /// diagnostics::LimitReached.
 [[nodiscard]] std::vector<std::size_t> most_live_names(CyclicModel&, const Representatives&, const refine::Limits&);
 

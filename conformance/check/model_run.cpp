@@ -128,7 +128,7 @@ std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, c
             follow_hidden_steps(normal_form, alphabet, result->run, budget);
     } catch (const process::Interrupted&) {
     } catch (const std::logic_error&) {
-        // If the run is not found in this form, it is not displayed; the verdict does not depend on that.
+        // The normal form did not reproduce the run, so no run is displayed. The verdict does not depend on this.
     }
     normal_form.set_budget(diagnostics::unlimited);
     return result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines whether the model chooses which of several values it outputs. In that case few values do not represent all
-// (docs/conformance.md, "Few values for all").
+// Determines whether the model chooses which of several values it outputs. In that case, a few values do not represent
+// all values (docs/conformance.md, "Few values for all").
 #pragma once
 
 #include <optional>
@@ -18,12 +18,12 @@ struct OpenChoice {
     std::string one, other;
 };
 
-/// Why the values explored do not represent all values: the model chooses between values.
+/// The reason why the explored values do not represent all values: the model chooses between values.
 [[nodiscard]] std::string reason_of(const OpenChoice&);
 
 /// Finds the first trace of the normal form after which two writes are possible that differ only in represented
-/// arguments. `represented` states for each output which arguments few values represent. Returns no value if there is
-/// no such trace. Throws diagnostics::LimitReached.
+/// arguments. For each output and each of its arguments, `represented` is true if a few values represent all values of
+/// the argument. Returns no value if there is no such trace. Throws diagnostics::LimitReached.
 [[nodiscard]] std::optional<OpenChoice> open_choice(lts::TransitionSystem& normal_form, const Alphabet&,
                                                     const std::vector<std::vector<bool>>& represented,
                                                     const refine::Limits&);

@@ -24,7 +24,7 @@ struct CycleClaims;  // cycle_claims.hpp
 enum class Outcome {
     conforms,
     differs,          ///< the code has a behaviour that NF_c(M) does not allow
-    rounds,           ///< the code conforms for ideal numbers; with the robot's numbers, it does something else
+    rounds,           ///< the code conforms for ideal numbers; with the robot's numbers, its behaviour differs
     not_schedulable,  ///< the model cannot be run in cycles: a witness of NF_c(M) alone
     not_generated,    ///< the generator rejected the component (see the diagnostics)
     error,            ///< the script of the model cannot be evaluated
@@ -115,7 +115,7 @@ struct FewValues {
 
 /// The behaviour of the code with numbers of the robot (docs/conformance.md, "Numbers on the robot").
 struct RobotNumbers {
-    /// A value of `double` that is no number of the model, or a limit of a type.
+    /// A value of `double` that is not a number of the model, or a limit of a type.
     struct Special {
         std::string value;                ///< "nan", "inf", "-inf", "-0", "9223372036854775807"
         bool limit = false;               ///< it is a number of the model

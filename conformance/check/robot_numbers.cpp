@@ -219,8 +219,8 @@ void RobotTest::name_comparisons(Result& result, const Assignment& numbers, cons
     }
 }
 
-/// Whether the difference is one that every code with these types has: a condition of the model has another answer when
-/// it is computed with doubles, for a double beside a boundary that is no decimal of the model.
+/// Whether every implementation with these types has the difference: a condition of the model has another answer when
+/// it is computed with doubles, for a double next to a boundary that is not a decimal of the model.
 bool RobotTest::is_inherent(const Result& described, const Assignment& numbers, const std::vector<ValuePlace>& used) {
     const bool rounded = !described.explanation.where.empty();
     return rounded && std::ranges::any_of(used, [&](const ValuePlace& value) {
@@ -273,7 +273,7 @@ void RobotTest::try_special_values(RobotNumbers& found, DeployedCode& code) cons
         try_special_value(found, {fmt::format("{}", value), true, {}}, false, value, code);
 }
 
-/// Tries the special value as each part of a value, with other parts from each region that is no boundary.
+/// Tries the special value as each part of a value, with other parts from each region that is not a boundary.
 void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special special, bool real, std::int64_t bits,
                                   DeployedCode& code) const {
     bool possible = false;
@@ -298,8 +298,8 @@ void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special spe
     if (possible) found.special.push_back(std::move(special));
 }
 
-/// The inputs in which the value has effects that no explored value has. An input for which an explored value has the
-/// same effects in all cycles is none of them. Only an explored value of the own region counts for a limit.
+/// The inputs in which the value has effects that no explored value has. An input is not included if an explored value
+/// has the same effects in all cycles. For a limit, only explored values of its own region are compared.
 std::set<std::uint32_t> RobotTest::inputs_unlike_numbers(std::uint32_t type, const TriedValue& value, bool limit,
                                                          DeployedCode& code) const {
     std::set<std::uint32_t> unlike;

@@ -250,7 +250,7 @@ void CycleGraph::round(const unsigned char* step, std::uint32_t size, const unsi
     first_write_ = log_.count;
 }
 
-/// The bytes of the step and of the state, and what the registers hold that the code has read and not consumed.
+/// The bytes of the step and of the state, and the contents of the registers that the code has read and not consumed.
 void CycleGraph::make_key(const unsigned char* step, std::uint32_t size, const unsigned char* state) {
     key_.assign(reinterpret_cast<const char*>(step), size);
     key_.append(reinterpret_cast<const char*>(state), code_->state_size);

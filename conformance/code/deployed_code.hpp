@@ -56,7 +56,7 @@ struct TrackedCycles {
 [[nodiscard]] TrackedCycles explore_tracked(const rc_interface& code, const Interface& interface, std::size_t most,
                                             diagnostics::Pollable& budget);
 
-/// A cycle in which the deployed code does something else than the tracked code.
+/// A cycle in which the behaviour of the deployed code differs from that of the tracked code.
 struct Deviation {
     std::size_t cycle = 0;  ///< number in TrackedCycles::cycles
     std::vector<rc_record> writes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of compiled code that a search has reached, and what their cycles do: for the reports that follow a
-// search, whether it tried all inputs (code_system.hpp) or those that the code reads (cycle_graph.hpp).
+// The states of compiled code that a search has reached, and the results of their cycles. The reports after a search
+// use them. The search may try all inputs (code_system.hpp), or only the inputs that the code reads (cycle_graph.hpp).
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,7 @@ public:
 
     /// The following are about an image in which a cycle has begun. Images with equal numbers have equal cycles.
     [[nodiscard]] virtual std::uint32_t cycles_of(std::uint32_t image) const = 0;
-    /// For each register: whether it makes no difference there, for any readings of the others.
+    /// For each register: whether it has no effect in this image, for all readings of the other registers.
     [[nodiscard]] virtual std::vector<bool> without_effect(std::uint32_t image) const = 0;
     /// The images to which a cycle may lead, in ascending order.
     [[nodiscard]] virtual std::vector<std::uint32_t> next_images(std::uint32_t image) const = 0;

@@ -74,7 +74,7 @@ public:
     /// The index of the carrier's value that represents a value outside the carrier. Numbers outside their carriers are
     /// replaced by numbers of their kind, which `salt` selects: any number if the component only passes them on;
     /// otherwise a number for which the comparisons with constants give the same answers. Equal numbers get equal
-    /// replacements. The component's own literals are no replacements if there are others.
+    /// replacements. The component's own literals are not used as replacements if there are others.
     [[nodiscard]] std::int64_t replacement_index(const LoggedValue&, std::uint64_t salt) const;
 
 private:

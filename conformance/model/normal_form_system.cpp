@@ -167,7 +167,7 @@ Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
     return input ? Standstill::input_in_mid_cycle : Standstill::other;
 }
 
-/// Both sides of the comparison are behind the same filter.
+/// The same filter applies to both sides of the comparison.
 void NormalFormSystem::drop_inputs(std::span<lts::Word> state, lts::Word model) {
     const auto content = state.subspan(fields + mask_words_, inputs_);
     for (const DroppedInput& drop : alphabet_->interface().drops)

@@ -2,11 +2,11 @@
 // A RoboSim component over the events of L(G): the specification of its code (docs/conformance.md, "RoboSim").
 //
 // The component M of docs/robosim.md already runs in cycles, so there is no normal form. This system
-//   * hides endexec and terminate, which a module has not, and gives τ and ✓ priority over tock again,
+//   * hides endexec and terminate, which a module does not have, and gives τ and ✓ priority over tock again,
 //   * reads the registers in the order of the interface ("One order of reading"),
 //   * maps `registerRead.i_e.false.v` to absent for any v, so that the value of an empty register is M's choice,
-//   * lets absent stand for the last value of a variable, which M reads again,
-//   * takes a write before it is reported, as a controller does with the writes of its machines, so that the choice
+//   * maps absent to the last value of a variable, which M reads again,
+//   * accepts a write before it reports it, as a controller does with the writes of its machines, so that the choice
 //     between two outputs is M's and not that of the environment.
 #pragma once
 

@@ -30,9 +30,9 @@ constexpr std::size_t attempts = 64;
 /// The number of attempts after which the distance between the leaves of a value grows.
 constexpr std::size_t attempts_with_distance = 16;
 
-/// Makes a value whose parts differ: each leaf gets the value of its carrier that is `distance` after that of the leaf
-/// before it. Two values with the same distance and different offsets differ in every part if the carriers are large
-/// enough.
+/// Makes a value whose parts differ: in the order of the carrier, the value of each leaf is `distance` positions after
+/// the value of the previous leaf. Two values with the same distance and different offsets differ in every part if the
+/// carriers are large enough.
 class Sample {
 public:
     Sample(const ir::System& system, const ir::Instantiation& instantiation, std::size_t attempt)

@@ -155,7 +155,7 @@ std::optional<UniformRuns::Set> UniformRuns::after_time(const States& stable) {
     return intern(std::move(now));
 }
 
-/// Within a cycle of several tocks, M does no event of E (A3); what it does by itself comes before time (P).
+/// Within a cycle of several tocks, M performs no event of E (A3); its own steps come before time (P).
 UniformRuns::States UniformRuns::settled_between_tocks(States states) {
     std::set<HeldState> seen(states.begin(), states.end());
     std::vector<HeldState> open(seen.begin(), seen.end());

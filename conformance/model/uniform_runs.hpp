@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of NF_c(M) beside code that has read only some registers: the runs that are possible for all contents of the
+// Runs of NF_c(M) that match code that has read only some registers: the runs that are possible for all contents of the
 // other registers (docs/conformance.md, "Reading on demand").
 #pragma once
 
@@ -27,7 +27,7 @@ class UniformRuns {
 public:
     /// A set of states in which M may be, before it acts further.
     using Set = std::uint32_t;
-    /// Registers that a leaf of the code's cycle has not read, and what was assumed of them.
+    /// Registers that a leaf of the code's cycle has not read, and the readings assumed for them.
     struct Completion {
         Set states = 0;  ///< at the beginning of the next cycle; of no meaning if there is none
         std::vector<std::pair<std::uint32_t, std::uint32_t>> readings;  ///< registers and readings
@@ -40,8 +40,8 @@ public:
     [[nodiscard]] Set with(Set states, std::uint32_t input, std::uint32_t reading);
     /// M makes this output. No value: it cannot, if the registers that the code has not read are empty.
     [[nodiscard]] std::optional<Set> after(Set states, process::Event write);
-    /// The cycle of the code ends. Adds completions that together cover all readings of the unread registers. False:
-    /// for the readings in `refused` and empty registers otherwise, NF_c(M) does not end its cycle so.
+    /// The cycle of the code ends. Adds completions that together cover all readings of the unread registers. Returns
+    /// false if NF_c(M) cannot end its cycle in this way for the readings in `refused`, with all other registers empty.
     [[nodiscard]] bool finish(Set states, const std::vector<bool>& unread, rc_result outcome,
                               std::vector<Completion>& completions, Completion& refused);
 

@@ -47,7 +47,7 @@ private:
     MonitorTables tables_{};
 };
 
-/// The tables as a header that needs only robochart/monitor.hpp, and that header. `subject` says what they contain.
+/// The tables as a header that needs only robochart/monitor.hpp, and that header. `subject` describes their content.
 [[nodiscard]] std::vector<cpp_emit::OutputFile> monitor_files(const MonitorTables&, const std::string& name,
                                                               const std::string& subject = "what its model allows");
 

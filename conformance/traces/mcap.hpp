@@ -30,7 +30,7 @@ struct McapFault : std::runtime_error {
 [[nodiscard]] std::string read_mcap(std::string_view bytes, diagnostics::Pollable&);
 
 /// Opens a log for reading: a text, or the log in an MCAP file, which is read into memory. Returns null if the file is
-/// no regular file that may be read. Throws McapFault, whose message then contains the offset.
+/// not a readable regular file. Throws McapFault, whose message then contains the offset.
 [[nodiscard]] std::unique_ptr<std::istream> open_log(const std::string& path, diagnostics::Pollable&);
 
 }  // namespace robochart::conformance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extends the carrier of real for a log. Logged numbers outside the carrier are replaced by numbers of the carrier for
 // which the model's comparisons with constants give the same answers (conformance/model/logged_value.hpp). If a few
-// numbers are between each two constants, different logged numbers rarely have one replacement.
+// numbers are between each two constants, different logged numbers rarely get the same replacement.
 #pragma once
 
 #include "semantics/ir/instantiation.hpp"

@@ -21,8 +21,9 @@ struct LoggedEvent {
     std::uint32_t index = 0;              ///< index of the register or output
     std::vector<LoggedValue> values;      ///< empty for events without values
     process::Event event = process::tau;  ///< valid if all values are in their carriers
-    /// A write with values beside numbers of their carriers: the event with these numbers. Otherwise tau. The component
-    /// may have computed these numbers, with a rounding error, or may have passed on numbers that it has read.
+    /// For a write with values close to numbers of their carriers: the event with these numbers. Otherwise tau. The
+    /// component may have computed these numbers, with a rounding error, or may have passed on numbers that it has
+    /// read.
     process::Event rounded = process::tau;
 
     [[nodiscard]] bool is_inside() const;

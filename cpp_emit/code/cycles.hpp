@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: what a machine may do in a cycle (docs/robosim.md, "Meaning"). Members of Step hold whether the machine has
-// ended the cycle and which outputs the cycle has written, so that a new cycle begins with none.
+// RoboSim: what a machine may do in a cycle (docs/robosim.md, "Meaning"). Members of Step store whether the machine has
+// ended the cycle and which outputs the cycle has written. A Step lives for one cycle, so each cycle begins without
+// these marks.
 #pragma once
 
 #include <string>
@@ -15,8 +16,8 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::string ended_member(const Component&, const Unit&);
 /// The member of Step that is true after the cycle has written the statement's output; "" if it writes no output.
 [[nodiscard]] std::string written_member(const Generation&, const Unit&, const ir::Stmt&);
-/// Whether the machine of the unit has a during action, which runs beside its transitions and after another action has
-/// ended the cycle.
+/// Whether the machine of the unit has a during action. Such an action runs in parallel with the transitions, even
+/// after another action has ended the cycle.
 [[nodiscard]] bool has_parallel_actions(const Component&, const Unit&);
 /// Whether the statement itself may have to wait for the next cycle.
 [[nodiscard]] bool may_await_cycle(const Generation&, const Unit&, const ir::Stmt&);
@@ -25,7 +26,7 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::string awaits_cycle(const Generation&, const Unit&, const ir::Stmt&);
 /// The type of a buffer between machines.
 [[nodiscard]] std::string buffer_type(const Generation&, const Buffer&);
-/// Writes the code with which a cycle takes the events between machines that the last cycle has sent.
+/// Writes the code with which a cycle reads the events between machines that the previous cycle has sent.
 void read_events_between_machines(const Generation&, CodeWriter&);
 /// Writes these members of Step.
 void write_cycle_members(const Generation&, CodeWriter&);

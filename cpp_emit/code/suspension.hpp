@@ -27,8 +27,8 @@ namespace robochart::cpp_emit {
 
 /// Whether a thread of the unit that is before a call of the platform may hold up writes of others. While the thread is
 /// there, writes are not propagated to its machine, and a variable accepts a write only when the previous one has
-/// reached all machines that require the variable (semantics 3.7). True if others write a variable that the unit's
-/// machine requires at least twice.
+/// reached all machines that require the variable (semantics 3.7). True if others write, at least twice, a variable
+/// that the unit's machine requires.
 [[nodiscard]] bool calls_hold_up_writes(const Generation&, const Unit&);
 
 /// Whether an argument of the call depends on a variable. Others may write the variable before it is read.

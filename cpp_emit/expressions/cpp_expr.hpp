@@ -17,7 +17,7 @@ public:
     /// An empty condition, which is always true.
     CppExpr() = default;
     CppExpr(std::string text, Binding binding) : text_(std::move(text)), binding_(binding) {}
-    /// A name, a literal, a call, something in parentheses.
+    /// A name, a literal, a call, or an expression in parentheses.
     explicit CppExpr(std::string text) : text_(std::move(text)) {}
     /// A test whether `operand` is equal to a constant, or differs from it.
     [[nodiscard]] static CppExpr equality_test(std::string text, std::string operand, bool differs);

@@ -32,7 +32,7 @@ std::string ExpressionWriter::view_of_interval(const ir::Expr& expr) const {
                        write_as(*expr.args[1], member), less);
 }
 
-/// The elements of the generator that satisfy the rest of the predicate, and what the body makes of them.
+/// The elements of the generator that satisfy the rest of the predicate, and the results of the body for them.
 std::string ExpressionWriter::view_of_comprehension(const ir::Expr& expr) const {
     const std::string parameter = fmt::format("[[maybe_unused]] const {}& {}", type_text(expr.bound_types.at(0)),
                                               bound_identifier(expr.bound_names.at(0)));

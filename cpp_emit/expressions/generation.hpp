@@ -27,7 +27,7 @@ struct Generation {
     [[nodiscard]] diagnostics::ForeignText file_text(diagnostics::Span) const;
     /// The test for the bound on steps in a loop's condition; "" with Fault::loop_never_ends.
     [[nodiscard]] std::string bound_test() const;
-    /// The same for the loop of a cycle, which nothing surrounds.
+    /// The same for the loop of a cycle, which is not inside another loop.
     [[nodiscard]] std::string round_test() const;
     [[nodiscard]] diagnostics::ForeignText place_text(const ir::Origin& origin) const {
         return place_text(origin.element, origin.span);

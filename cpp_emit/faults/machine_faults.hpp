@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded faults in machines: the machine as a faulty generator would read it. The IR must be able to express the fault;
-// for other faults (order of exits, places, dispatch) the emitters ask Mutation.
+// for other faults (order of exits, places, dispatch) the emitters call Mutation.
 #pragma once
 
 #include "cpp_emit/faults/mutation.hpp"

@@ -10,7 +10,7 @@
 namespace robochart::cpp_emit {
 
 /// Writes three functions for each channel C. `sites_C` contains the places at which the sender may wait, `offers_C`
-/// tells whether it waits and with which value, and `accept_C` advances it.
+/// returns whether the sender waits and with which value, and `accept_C` advances the sender.
 void write_channels(const Generation&, const Core&, CodeWriter&);
 /// The members of State that do not belong to one machine: buffers, and variables that several machines share.
 [[nodiscard]] std::vector<Field> common_fields(const Generation&);

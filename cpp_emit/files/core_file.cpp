@@ -381,7 +381,7 @@ void write_drops(const Generation& generation, CodeWriter& out) {
     }
 }
 
-/// RoboSim: a component that can neither go on nor end its cycle stops time.
+/// RoboSim: a component that can neither continue nor end its cycle stops time.
 void write_end_of_cycle(const Generation& generation, CodeWriter& out) {
     if (generation.mutation.hits(Fault::cycle_stop_hidden)) return;
     std::string ended;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view buffer = "robochart::Buffer<";
 
-/// The type inside the brackets of a buffer. If the field is no buffer, its type.
+/// The type inside the brackets of a buffer. If the field is not a buffer, its type.
 std::string held_type(const std::string& type) {
     return type.starts_with(buffer) ? type.substr(buffer.size(), type.size() - buffer.size() - 1) : type;
 }

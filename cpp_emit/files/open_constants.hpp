@@ -10,7 +10,7 @@
 
 namespace robochart::cpp_emit {
 
-/// A constant whose value the model does not give, or an option replaces.
+/// A constant whose value is not in the model, or is replaced by an option.
 struct OpenConstant {
     std::string path;  ///< path in the model: "M::C::S::SPEED"
     ir::TypeId type;

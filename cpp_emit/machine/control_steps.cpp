@@ -140,8 +140,9 @@ bool ControlSteps::write_ways(NodeId id, CodeWriter& out, const char* end) {
     return true;
 }
 
-/// Writes the test whether this cycle has not written the local variables that the guards read. Then control has been
-/// in the node since an earlier cycle, in which the guards had the same values, so none is true, and control stays.
+/// Writes a test that is true if this cycle has written none of the local variables that the guards read. Then control
+/// has been in the node since an earlier cycle, in which the guards had the same values. So no guard is true, and
+/// control stays.
 void ControlSteps::write_blocking(NodeId id, CodeWriter& out, const char* end) {
     if (unit_.awaited_locals.empty()) return;
     CppExpr written;

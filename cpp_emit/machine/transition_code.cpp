@@ -108,7 +108,7 @@ void TransitionCode::choosing_function(const std::string& name, const char* comm
     out_.close();
 }
 
-/// RoboSim: no transition is taken after the end of the cycle. One that ended the last cycle goes on first.
+/// RoboSim: no transition is taken after the end of the cycle. A transition that ended the last cycle continues first.
 void TransitionCode::write_begin_of_cycle() {
     if (!generation_.component.robosim) return;
     if (!generation_.mutation.hits(Fault::cycle_moves_on))
@@ -148,8 +148,8 @@ void TransitionCode::write_stores(const ir::Transition& transition) {
     for (const ir::StmtPtr& store : transition.stores) out_.write_raw(steps_.straight_program(store, 3));
 }
 
-/// RoboSim: a transition with `exec` ends the cycle now and goes on in the next one (docs/robosim.md). Between the two,
-/// no other action runs that could see the stored values (unsupported.cpp).
+/// RoboSim: a transition with `exec` ends the cycle now and continues in the next one (docs/robosim.md). Between the
+/// two, no other action runs that could see the stored values (unsupported.cpp).
 void TransitionCode::end_cycle(const ir::Transition& transition, ir::TransitionId id) {
     cut_durings(transition.source);
     out_.line(steps_.tell_taken(id));

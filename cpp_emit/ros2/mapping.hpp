@@ -52,7 +52,7 @@ struct Source {
     diagnostics::Span span;
 };
 
-/// `capacity 360` after the name of an array: the most items of the list that receives it.
+/// `capacity 360` after the name of an array: the greatest number of items of the list that receives the array.
 struct ListCapacity {
     std::size_t items = 0;
     diagnostics::Span span;
@@ -67,7 +67,7 @@ struct Assignment {
 
 enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
 
-/// `when percentage < 0.2`: the element receives only messages whose field compares so.
+/// `when percentage < 0.2`: the element receives only messages whose field satisfies this condition.
 struct Condition {
     Path field;
     Comparison comparison = Comparison::equal;
@@ -121,8 +121,8 @@ struct Item {
 };
 
 /// `receive event lost as deadline 0.5 on "scan"`: the event is raised if no message arrives on the topic for this
-/// time. `receive event lost as deadline 5 of dock`: the event is raised if the service or action that the
-/// operation `dock` calls does not answer for this time.
+/// time. `receive event lost as deadline 5 of dock`: the event is raised if the service or action that the operation
+/// `dock` calls does not answer within this time.
 struct Deadline {
     Word event;
     std::string seconds;  ///< as C++ text

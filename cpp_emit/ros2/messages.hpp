@@ -35,7 +35,7 @@ struct FieldType {
 /// The names of the fields of a message in the table; `message` is like "geometry_msgs/Vector3".
 [[nodiscard]] std::vector<std::string> fields_of(std::string_view message);
 
-/// A field that is no message itself, with its path: "linear.x".
+/// A field that is not itself a message, with its path: "linear.x".
 struct Leaf {
     std::string path;
     FieldType type;
@@ -58,7 +58,7 @@ struct FoundField {
 
 /// Describes a field type for messages to the user: "whole numbers (uint8)".
 [[nodiscard]] std::string describe_field(const FieldType&);
-/// Whether a whole number is a value of the type. For example, "300" is no uint8.
+/// Whether a whole number is a value of the type. For example, "300" is not a value of uint8.
 [[nodiscard]] bool holds_number(const FieldType&, const std::string& whole);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -14,7 +14,7 @@ struct NodeConstant : OpenConstant {
     std::string parameter;  ///< name of the ROS parameter: "constants.SPEED"
 };
 [[nodiscard]] std::vector<NodeConstant> node_constants(const Generation&);
-/// Whether a mapping means this constant: by its path, or by the last part of its path.
+/// Whether a name in a mapping denotes the constant with this path: the name is the path, or the last part of the path.
 [[nodiscard]] bool names_constant(const std::string& name, const std::string& path);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -26,10 +26,10 @@ namespace robochart::cpp_emit::ros2 {
 [[nodiscard]] const char* interface_folder(Transport);
 /// The C++ type of the message, service or action of a topic: "::std_srvs::srv::Trigger".
 [[nodiscard]] std::string interface_type(const Topic&);
-/// The C++ type of what the node sends on a topic, or to a service or an action.
+/// The C++ type of the data that the node sends on a topic, or to a service or an action.
 [[nodiscard]] std::string sent_type(const Topic&);
-/// The C++ type of what the node receives on a topic, or from a service or an action. Rejections and acceptances have
-/// none.
+/// The C++ type of the data that the node receives on a topic, or from a service or an action. Rejections and
+/// acceptances have none.
 [[nodiscard]] std::string received_type(const Topic&, Reply);
 
 }  // namespace robochart::cpp_emit::ros2

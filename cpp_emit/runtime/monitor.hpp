@@ -47,7 +47,7 @@ struct MonitorTables {
 enum class MonitorVerdict : std::uint8_t {
     allowed,   ///< all observed events are a run of the model
     violated,  ///< the last observed event is not allowed
-    unknown,   ///< a value outside the finite instantiation on which the model depends: later events cannot be judged
+    unknown,   ///< a value outside the finite instantiation on which the model depends: later events cannot be checked
 };
 
 /// Called in every cycle: with each input in the order of the table, the writes in their order, then the time units.

@@ -72,7 +72,7 @@ enum class StepResult : std::uint8_t {
     step_bound,    ///< a loop that takes no time: the model diverges
     precondition,  ///< an operation was called outside its precondition
     deadline,      ///< a deadline was missed
-    capacity,      ///< a list had more items than its capacity: an input, so that nothing happened, or a computed one
+    capacity,      ///< a list had more items than its capacity: an input, and then nothing happened, or a computed list
 };
 
 #ifndef ROBOCHART_PROBES
@@ -471,7 +471,7 @@ public:
         late_ = late_ || left <= units;
         left = left > units ? left - units : 1;
     }
-    /// Records that an action required before time passes was not performed.
+    /// Records that time was due to pass although an urgent action had not been performed.
     constexpr void stop_time() noexcept { late_ = true; }
     [[nodiscard]] constexpr bool late() const noexcept { return late_; }
     /// A false precondition also uses up the steps of the cycle, so that no other machine continues.

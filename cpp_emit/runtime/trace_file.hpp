@@ -43,7 +43,7 @@ public:
         begun_ = in_cycle_ = true;
         std::fputs(piece, file_);
     }
-    /// A comment, in a line of its own: for what happened to the robot and is no event of the model. In a cycle, it
+    /// A comment on a separate line, for incidents of the robot that are not events of the model. In a cycle, it
     /// follows the cycle's line.
     void note(const std::string& comment) {
         if (file_ == nullptr) return;

@@ -1,8 +1,8 @@
-// Tracked numbers, for an exploration whose answer is about all values. A tracked number stores how it was computed: it
-// is known, or it is a linear form of the parts of one input value. Every comparison of a form is recorded, because the
-// explorer has to try values with each answer. Every use other than a comparison or a copy is recorded as a loss.
-// Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). Delivered with the generated code.
-// Copyright: see LICENSE (Apache-2.0).
+// Tracked numbers record how they were computed, so that an exploration can give an answer for all values. A tracked
+// number is known, or it is a linear form of the parts of one input value. Every comparison of a form is recorded,
+// because the explorer has to try values with each answer. Every use other than a comparison or a copy is recorded as a
+// loss. Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). Delivered with the generated
+// code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACKED_HPP
 #define ROBOCHART_TRACKED_HPP
 
@@ -48,7 +48,7 @@ public:
     static constexpr std::uint32_t most_forms = 16384;
     static constexpr std::uint32_t most_comparisons = 256;
 
-    /// Sets the values of a type; a call for type 0 forgets everything first. False: they do not fit.
+    /// Sets the values of a type; a call for type 0 forgets everything first. Returns false if the values do not fit.
     bool set_values(std::uint32_t type, std::uint32_t parts, std::uint32_t count, const std::int64_t* numbers) noexcept {
         if (type == 0) forget();
         const std::uint32_t size = parts * count;
@@ -104,11 +104,12 @@ public:
         comparison_[comparisons_] = found;
         ++comparisons_;
     }
-    /// Records a use after which the explored values may not stand for all: an RC_TRACKED_ flag.
+    /// Records a loss (an RC_TRACKED_ flag): after this use, the explored values may no longer represent all values.
     void lose(std::uint32_t loss) noexcept {
         if (recording) losses_ |= loss;
     }
-    /// A loss that other values do not undo, such as a literal, which may be made only once.
+    /// Records a loss that remains when other values are explored. An example is an inexact literal, which may be
+    /// constructed only once.
     void lose_for_good(std::uint32_t loss) noexcept { lasting_losses_ |= loss; }
     [[nodiscard]] std::uint32_t losses() const noexcept { return losses_ | lasting_losses_; }
     std::uint32_t comparisons(const rc_comparison** list) const noexcept {
@@ -161,7 +162,8 @@ public:
     constexpr Tracked() noexcept = default;
     template <class T, std::enable_if_t<std::is_integral_v<T>, int> = 0>
     explicit constexpr Tracked(T value) noexcept : Tracked(Known{}, WideInteger{value} * Carrier::scale) {}
-    /// The decimal that the literal denotes. A literal that is no whole number of units below 2^53 is not exact.
+    /// The decimal that the literal denotes. A literal is exact only if it is a whole number of units with an absolute
+    /// value below 2^53.
     explicit constexpr Tracked(double value) noexcept : Tracked(Known{}, units_near(value)) {
         const double units = static_cast<double>(units_near(value));
         constexpr double largest = 9007199254740992.0;

@@ -236,7 +236,7 @@ constexpr auto filter(Sequence sequence, Set set) noexcept {
     return inter(sequence, set);
 }
 
-/// What a function makes of the elements of `whole`.
+/// The results of a function for the elements of `whole`.
 template <class Result, class Whole, class Function>
 class Image {
 public:

@@ -22,8 +22,8 @@ struct ConstantParameter {
     ir::ConstantId id;                   ///< index in `owner`
     ir::TypeId type;
     std::string inside = {};  ///< machines: its short name in their processes
-    std::string source = {};  ///< the element whose value counts in this context (ir::constant_source); assertions set
-                              ///< the value there
+    std::string source = {};  ///< the element that determines the value in this context (ir::constant_source);
+                              ///< assertions set the value there
 };
 
 /// A parameter of a standalone operation.

@@ -160,8 +160,8 @@ struct Obligation {
     std::optional<FiringQuestion> firing;          ///< decided without an assertion: do all of these transitions fire?
     std::optional<RecurrenceQuestion> recurrence;  ///< decided in addition to the assertions: does the event stay
                                                    ///< reachable?
-    /// RoboSim: a component that stops time is deadlock-free in RoboTool's sense. If the claim holds, and time can stop
-    /// for ever, the report says so; the claim still holds.
+    /// RoboSim: a component that stops time is deadlock-free in RoboTool's sense. If the claim holds and time can stop
+    /// forever, the report states this; the claim still holds.
     std::optional<RecurrenceQuestion> time_goes_on;
     std::shared_ptr<const Premise> premise;  ///< premise of the answer "holds"; null if there is none. Several
                                              ///< claims may share one

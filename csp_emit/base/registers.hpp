@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: the registers of a component as channels of its CSPM module, with RoboTool's names, and the frame of a cycle
-// (docs/robosim.md).
+// RoboSim: declares the registers of a component as channels of its CSPM module, with RoboTool's names, and defines the
+// process of its cycles (docs/robosim.md).
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace robochart::csp_emit {
 /// An input or output of a component that runs in cycles.
 struct Register {
     std::string name;               ///< in the model
-    std::vector<ir::TypeId> types;  ///< an input event has its own type after boolean
+    std::vector<ir::TypeId> types;  ///< for an input event: boolean, then the type of its value
     MeaningKind kind = MeaningKind::output;
     ir::Origin origin;
     bool event = false;  ///< an event
@@ -29,7 +29,7 @@ struct Registers {
 [[nodiscard]] Register output_call(const ir::OperationSignature&);
 /// The registers of the contexts of a machine or operation.
 [[nodiscard]] Registers registers_of(const ir::Machine&);
-/// Adds the register unless one of this name is there.
+/// Adds the register unless the list contains one with this name.
 void add_register(std::vector<Register>&, Register);
 
 /// `registerRead.i_x`, `registerWrite.o_x`; with a part: `part::registerRead.part::i_x`.
@@ -37,12 +37,13 @@ void add_register(std::vector<Register>&, Register);
 [[nodiscard]] cspm::ExprPtr register_write(const std::string& name, const std::string& part = "");
 
 /// Declares the types RegisterDataInput and RegisterDataOutput, the sets RegisterInputs and RegisterOutputs and the
-/// channels; a component without inputs (outputs) has none of these. `also_named` are outputs that only the type has.
+/// channels; a component without inputs (outputs) has none of these. `also_named` are outputs that occur only in the
+/// type.
 void declare_registers(const Project&, const std::string& owner, const Registers&,
                        const std::vector<Register>& also_named, Provenance&, std::vector<cspm::DeclPtr>&);
 /// The channels of the registers with their constructors, as in ComponentEmission::visible: "registerRead.i_x".
 [[nodiscard]] std::vector<std::string> visible_registers(const Registers&);
-/// The event set that is named like in ComponentEmission::visible, of the component with this path.
+/// The events that have this name in ComponentEmission::visible of the component with this path.
 [[nodiscard]] cspm::ExprPtr visible_event(const std::string& path, const std::string& visible);
 
 /// `(events of each output -> STOP, interleaved) /\ endexec -> SKIP`: each output at most once, until the execution
@@ -50,7 +51,7 @@ void declare_registers(const Project&, const std::string& owner, const Registers
 [[nodiscard]] cspm::ExprPtr writes_of_cycle(const std::vector<std::vector<cspm::ExprPtr>>& events_of_outputs);
 /// The cycle of a component, a process that repeats
 ///     reads ; execution ; (terminate -> SKIP [] tock -> wait(c - 1) ; the next cycle)
-/// Time passes only at its end, and a component that has come to its own end may terminate there.
+/// Time passes only at the end of a cycle. There, a component that has reached its final state may terminate.
 [[nodiscard]] cspm::DeclPtr cycle_definition(const std::string& name, const std::string& length,
                                              const cspm::ExprPtr& reads, const cspm::ExprPtr& execution);
 

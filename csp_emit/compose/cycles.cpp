@@ -53,7 +53,8 @@ public:
         const auto declared = std::ranges::find(own, event, &ir::Event::name);
         if (declared == own.end()) return;
         connected_.insert(event);
-        // The contexts of the part decide; the direction of the connection does if both have the event.
+        // The contexts of the part determine the direction. If both have the event, the direction of the connection
+        // determines it.
         const Register* input = find_input_event(links_.parts[part.part], part.name);
         const bool output = find_register(links_.parts[part.part].outputs, part.name, MeaningKind::output) != nullptr;
         if (input != nullptr && (to || !output)) return add_input(*declared, part);
@@ -247,8 +248,8 @@ void CycleDefiner::add_write(const RegisterOfPart& writer, const std::string& ou
     writes_.push_back({writer, output});
 }
 
-/// `||| own input i : registerRead.i?x -> (each part) part::registerRead.i!x -> SKIP`, beside the reads of inner
-/// registers; then the events between parts are emptied.
+/// `||| own input i : registerRead.i?x -> (each part) part::registerRead.i!x -> SKIP`, in parallel with the reads of
+/// inner registers. Then the registers of events between parts are emptied.
 ExprPtr CycleDefiner::reads_of_cycle() const {
     b::Exprs all;
     for (const Register& input : links_.registers.inputs) {
@@ -265,9 +266,9 @@ ExprPtr CycleDefiner::reads_of_cycle() const {
     return b::sequential({b::interleave(all), b::prefix(b::name("emptied__"), b::skip())});
 }
 
-/// `P = part::registerWrite.o?x -> registerWrite.o'!x -> P [] endexec -> SKIP`: a write is passed on before the
-/// next one is taken. The limit of one write is on the outputs of the composition, over all parts; the execution ends
-/// when that of all parts has ended.
+/// `P = part::registerWrite.o?x -> registerWrite.o'!x -> P [] endexec -> SKIP`: a write is passed on before the next
+/// one is accepted. The limit of one write applies to the outputs of the composition, for all parts together. The
+/// execution ends when the executions of all parts have ended.
 ExprPtr CycleDefiner::execution() const {
     std::vector<std::vector<ExprPtr>> limited;
     b::Exprs taken{b::name("endexec")};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: controllers and modules in cycles (docs/robosim.md). The frame is that of a machine. At the beginning of a
-// cycle the inputs are read and passed to the parts; then the writes of the parts are passed on one by one; the
-// execution ends when every part has ended its own. Events between parts are seen in the next cycle and in no other.
+// RoboSim: controllers and modules in cycles (docs/robosim.md). The cycle has the same phases as that of a machine. At
+// the beginning of a cycle, the composition reads its inputs and passes them to the parts. Then it passes on the writes
+// of the parts one by one. The execution ends when every part has ended its own. A part sees an event from another part
+// only in the next cycle.
 #pragma once
 
 #include <map>
@@ -28,14 +29,15 @@ struct InnerRegister {
     std::vector<RegisterOfPart> writers, readers;
 };
 
-/// The registers of a composition and where those of its parts lead. A register of a part that is nowhere here is not
-/// connected: an input has any value in each cycle, and an output vanishes.
+/// The registers of a composition, and their connections to the registers of its parts. If no member contains a
+/// register of a part, this register is not connected: an unconnected input has an arbitrary value in each cycle, and
+/// an unconnected output is discarded.
 struct CycleLinks {
     std::vector<Registers> parts;
     Registers registers;
-    std::vector<Register> also_named;                            ///< outputs that only the type of outputs has
-    std::map<std::string, std::vector<RegisterOfPart>> inputs;   ///< by own input
-    std::map<std::string, std::vector<RegisterOfPart>> outputs;  ///< by own output
+    std::vector<Register> also_named;                            ///< outputs that occur only in the type of outputs
+    std::map<std::string, std::vector<RegisterOfPart>> inputs;   ///< by input of the composition
+    std::map<std::string, std::vector<RegisterOfPart>> outputs;  ///< by output of the composition
     std::vector<InnerRegister> inner;
 };
 

@@ -86,7 +86,7 @@ void SimulationEmitter::of_variable(const ir::Variable& variable, bool input) {
 }
 
 /// The events that the component receives and sends, the operations that it calls, the variables that others write or
-/// that it writes. The contexts of the simulation of a machine name what counts.
+/// that it writes. For a machine, only inputs and outputs in the contexts of the simulation are used.
 void SimulationEmitter::find_sides() {
     const ir::ComponentRef& subject = simulation_.subject;
     if (subject.kind == ir::ComponentKind::module) {
@@ -116,7 +116,7 @@ void SimulationEmitter::find_sides() {
     }
 }
 
-/// Of a machine, the inputs and outputs that the contexts name.
+/// Keeps, for a machine, only the inputs and outputs that the contexts name.
 void SimulationEmitter::keep_named() {
     const auto keep = [](std::vector<Side>& sides, const std::vector<std::string>& names) {
         std::erase_if(sides,
@@ -239,8 +239,8 @@ void SimulationEmitter::define_processes(const ComponentEmission& component,
     const auto define = [&](const std::string& name, const ExprPtr& process) {
         decls_.push_back(b::function_decl(name, b::variables(parameters), process));
     };
-    // M, or time for ever where M offers neither an output nor time: the lowest priority is that of the deadline that
-    // an input has missed
+    // M, or time forever if M offers neither an output nor time. The event for the missed deadline of an input has the
+    // lowest priority
     const ExprPtr missed = b::prefix(b::name("missed__"), b::call("RUN", {b::set({b::name("tock")})}));
     const ExprPtr first = with(events_of(outputs_), {"tock"});
     const ExprPtr free = b::hide(b::call("prioritise", {b::interrupt(subject, missed),

@@ -202,7 +202,7 @@ void ModuleDeclarations::add_cycle_events(b::Exprs& visible) {
     visible_ = visible_registers(registers);
 }
 
-/// RoboSim: the machine in the frame of its cycle,
+/// RoboSim: the machine in parallel with the process of its cycles,
 ///     (Cycle__(c) [| registers, startexec, endexec, terminate, tock |] machine) \ {startexec}.
 ExprPtr ModuleDeclarations::in_cycles(const ExprPtr& machine, std::vector<DeclPtr>& decls) const {
     const Registers registers = registers_of(tables_.machine());

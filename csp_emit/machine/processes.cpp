@@ -199,7 +199,7 @@ ExprPtr Processes::choice_of_branches(const Activation& config) {
     return b::choice(result);
 }
 
-/// First `shown__` with the truth of each fact, then the branches. Values and configuration are the same behind it.
+/// First `shown__` with the truth of each fact, then the branches. The event changes neither values nor configuration.
 ExprPtr Processes::show_facts(const Activation& config, const b::Exprs& branches) {
     const auto behind = [&](std::int64_t value) {
         return b::binary(cspm::ExprKind::equal, tables_.cells.parameter_name(*passed_), b::number(value));

@@ -20,12 +20,12 @@ struct CertifiedClaim {
 };
 
 /// Writes a certificate for each assertion of a claim that holds, to the folder that the settings name. If one of them
-/// has no certificate, none is written. If the program robochart-certify is found, beside this program or through PATH,
-/// it checks them.
+/// has no certificate, none is written. If the program robochart-certify is found, in the folder of this program or
+/// through PATH, it checks them.
 [[nodiscard]] CertificateReport write_certificates(cspm::Session&, const CertifiedClaim&, const SearchContext&);
 
-/// Certificates of earlier runs must not be taken for those of this run. Returns the reason if the folder contains
-/// files, "" if it is empty or does not exist.
+/// Certificates of earlier runs must not be mistaken for certificates of this run. Returns the reason if the folder
+/// contains files, "" if it is empty or does not exist.
 [[nodiscard]] std::string why_not_empty(const std::string& folder);
 
 /// One line about the certificates. The words "certified" and the level appear only if robochart-certify has accepted

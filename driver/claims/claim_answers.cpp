@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// A response without a limit is broken by a run in which time passes for ever while it is owed.
+    /// If a response has no limit, a run in which time passes forever while the response is owed breaks the claim.
     void decide_waiting() {
         const refine::Limits bounds = limits_of_check(search_, obligation_.title);
         try {
@@ -161,7 +161,7 @@ private:
         if (decision.happens && check(decision.happens).outcome == refine::Outcome::fails)
             never(fmt::format("never asked: no run has {}", claim_.body.events.text));
     }
-    /// The events without which a claim without scope asks nothing.
+    /// The events without which a claim without scope requires nothing.
     [[nodiscard]] const std::string& asked_text() const {
         return claim_.body.kind == claims::BodyKind::at_least ? claim_.body.others.text : claim_.body.events.text;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completes the answers to claims of claims files: why a run breaks a claim, whether time can stop while something is
-// owed, and whether the claim is about anything that happens.
+// Completes the answers to claims of claims files: why a run breaks a claim, whether time can stop while an answer is
+// owed, and whether the situation of the claim ever occurs.
 #pragma once
 
 #include "checker/cspm/session.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows a claim along one run outside of the model: a log, or a robot of a simulation. An input counts when it is
+// Monitors a claim in one run outside of the model: a log, or a robot of a simulation. An input counts as soon as it is
 // raised.
 #pragma once
 
@@ -23,14 +23,14 @@ public:
     void observe(std::string_view name, bool input, const std::vector<std::string>& values, std::uint64_t line = 0);
     void tock(std::uint64_t line = 0);
     void end(std::uint64_t line = 0);
-    /// From now on, nothing is known.
+    /// From now on, the verdict is unknown for this reason.
     void give_up(std::string why);
 
     [[nodiscard]] bool is_broken() const { return !reasons_.empty(); }
     /// The place in a log where the claim was broken, and at most three sentences about it.
     [[nodiscard]] std::uint64_t line() const { return line_; }
     [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
-    /// Why the run does not show whether the claim is kept; "" if it does.
+    /// The reason why the run does not show whether the claim holds; "" if it does.
     [[nodiscard]] const std::string& unknown() const { return unknown_; }
     [[nodiscard]] const claims::CheckedClaim& claim() const { return *claim_; }
 
@@ -47,7 +47,7 @@ private:
     std::string unknown_;
 };
 
-/// The channels of the component that the claim speaks of, ascending.
+/// The channels of the component that the claim mentions, ascending.
 [[nodiscard]] std::vector<std::size_t> channels_of(const claims::CheckedClaim& claim);
 
 }  // namespace robochart::driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Says why data keep their carriers (docs/data.md, "Data that keep their carriers").
+// Explains why data keep their carriers (docs/data.md, "Data that keep their carriers").
 #pragma once
 
 #include "base/diagnostics/source.hpp"

@@ -86,7 +86,7 @@ std::string failure_text(const Project& project, const cspm::EvaluationError& er
     return runs::placed_failure(error, project.system, project.sources) + cause_of(project, error);
 }
 
-/// Sets the answer of a claim that cannot be evaluated. A value that leaves its carrier is no fault of the model.
+/// Sets the answer of a claim that cannot be evaluated. A value that leaves its carrier is not a fault of the model.
 void set_failure(const Project& project, const cspm::EvaluationError& error, AssertionReport& report) {
     report.answer = Answer::error;
     report.reason = failure_text(project, error);
@@ -310,7 +310,7 @@ std::string cycles_of(const runs::Run& run) {
     return result;
 }
 
-/// A deadlock-free RoboSim component may stop time: says after which inputs.
+/// A deadlock-free RoboSim component may stop time. States after which inputs it does.
 void note_time_stop(const ClaimContext& context, const csp_emit::Obligation& claim, AssertionReport& report) {
     csp_emit::Obligation obligation;
     obligation.kind = ir::PropertyKind::refines;

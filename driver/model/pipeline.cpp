@@ -85,7 +85,7 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     return all;
 }
 
-/// Whether the command makes code of RoboSim components: of the named one, or of all if there are no others.
+/// Whether the command generates code for RoboSim components: for the named one, or for all if there are no others.
 bool uses_robosim(const ir::System& system, const LoadSettings& settings) {
     const auto chosen = code_components(system, settings.component, settings.robosim_code);
     return settings.robosim_code && !chosen.empty() && ir::is_robosim(system, chosen.front());

@@ -37,7 +37,7 @@ void add_swarm(Settings&);
 
 /// A project without model, for the same texts, with another system and instantiation.
 [[nodiscard]] std::unique_ptr<Project> with_data(const Project&, ir::System, ir::Instantiation);
-/// The project with the carriers of RoboTool, which the exported scripts have; null if its carriers are these.
+/// The project with RoboTool's carriers, which exported scripts use; null if the project already has these carriers.
 [[nodiscard]] std::unique_ptr<Project> with_carriers_of_robotool(const Project&);
 
 /// The name of a core property for --assertion: "P::S: deadlock-free".

@@ -19,8 +19,8 @@ namespace robochart::driver {
 struct ScriptedClaim {
     std::vector<claims::Letter> letters;
     claims::Decision decision;
-    /// Every run of the script is one of the model, with facts that hold at their places. Otherwise the script has more
-    /// runs: all claims that hold of them hold.
+    /// True if every run of the script is a run of the model, and the facts hold at their places. Otherwise the script
+    /// has additional runs; a claim that holds for all runs of the script still holds.
     bool exact = true;
 };
 

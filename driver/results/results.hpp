@@ -57,7 +57,7 @@ struct ProbabilityReport {
     std::vector<probability::Row> rows;
 };
 
-/// What robochart-certify says of certificates.
+/// The result of robochart-certify for certificates.
 enum class Certification {
     unchecked,  ///< it was not run, or did not decide
     certified,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws endless runs: rules and claims that demand an event without a limit are broken by a run that never has it.
+// Describes endless runs. A rule or claim that demands an event without a time limit is broken by a run in which this
+// event never occurs.
 #pragma once
 
 #include <optional>

@@ -25,8 +25,8 @@ struct LoadedRules {
     diagnostics::Diagnostics diagnostics;
     std::optional<sleec::CheckedRules> rules;  ///< no value: see the findings
 };
-/// Reads a rule file; "-" is standard input. Seconds are seconds if `unit` is the length of a time unit, otherwise time
-/// units.
+/// Reads a rule file; "-" is standard input. A second in a rule is a real second if `unit` gives the length of a time
+/// unit; otherwise it is a time unit.
 void load_rules(const std::string& path, LoadedRules& loaded, durations::Unit unit = {});
 /// True if a limit above 0 of these rules is a number of seconds, because no time unit is declared.
 [[nodiscard]] bool counts_seconds(const sleec::CheckedRules& rules);

@@ -19,7 +19,7 @@ enum class ClaimUse {
 
 /// A file whose text is given.
 struct TextInput {
-    std::string path;  ///< for messages; its ending tells models (.rct) and assertions (.assertions) apart
+    std::string path;  ///< for messages; its ending distinguishes models (.rct) from assertions (.assertions)
     std::string text;
 };
 
@@ -31,7 +31,7 @@ struct LoadSettings {
     bool deny_warnings = false;        ///< treats warnings as errors
     std::string component;             ///< only this module, controller or machine is used; "": all
     ClaimUse claims = ClaimUse::decide;
-    bool robosim_code = false;        ///< code is made of RoboSim components, too
+    bool robosim_code = false;        ///< code is also generated for RoboSim components
     bool split_broken_claims = true;  ///< claims are decided although other claims have errors
 };
 

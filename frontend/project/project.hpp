@@ -28,8 +28,8 @@ void update_toolkits(diagnostics::SourceManager&, Model&, diagnostics::Diagnosti
 /// all `.rct`, `.rst`, `.assertions` and `.rsa` files below it are loaded, sorted by path. If it is one file, the files
 /// of its folder that it needs are loaded as well, so that imports work. Assertions come only from the named file or,
 /// for a model, from the files of its dialect in its folder. If a named assertion file is in a folder without models,
-/// the models of the parent folder are used, and for a `.rsa` file also those of the folders in its folder. A missing
-/// path and unreadable or empty input are reported.
+/// the models of the parent folder are used. For a `.rsa` file, the models in the subfolders of its folder are also
+/// used. A missing path and unreadable or empty input are reported.
 [[nodiscard]] std::unique_ptr<Model> load_project(diagnostics::SourceManager&, const std::string& path,
                                                   diagnostics::Diagnostics&);
 

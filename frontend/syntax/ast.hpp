@@ -489,7 +489,7 @@ struct ComponentPath {
     const CspBlock* process = nullptr;      ///< set if the name is that of a csp block
 };
 
-/// What an assertion gives a value to.
+/// The kind of element to which an assertion gives a value.
 enum class ParameterKind {
     constant,   ///< `constant v of ctx`
     parameter,  ///< `parameter p of op`

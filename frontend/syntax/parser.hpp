@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recursive-descent parser over the tokens of one file (private to the front end). The productions are those of the
 // public RoboChart.xtext and Assertions.xtext, and of RoboSim.xtext in files of that dialect. Each method is named
-// after what it parses. A construct of the other dialect is reported and parsed (parser_robosim.cpp).
+// after the construct that it parses. A construct of the other dialect is reported and parsed (parser_robosim.cpp).
 //
 // Recovery: a missing token is assumed to be present, and a superfluous one is skipped, once per mistake. If this does
 // not repair the text, the parser throws a SyntaxError, which the nearest member list catches; it then skips to the

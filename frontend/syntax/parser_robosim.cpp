@@ -100,7 +100,7 @@ void Parser::register_member(Context& registers) {
     throw SyntaxError{};
 }
 
-/// `exec` after the ends of a transition.
+/// `exec` after the source and the target of a transition.
 bool Parser::exec_clause(Transition& transition) {
     const bool here = is_robosim() ? at_token("exec") : at_word("exec") && peek(1).kind == TokenKind::keyword;
     if (!here) return false;

@@ -2,14 +2,14 @@
 // Makes a model finite: carriers of the basic types, values of constants, the scale of reals. Defaults follow
 // RoboTool's generated instantiations.csp (semantics 3.13):
 // * nat {0..2}, int {-2..2}, real {-2..2}, each widened to the least and greatest literal used with the type, and to
-//   contain the type before it (nat in int, int in real). RoboTool counts every literal for every type. Here, by our
-//   choice, a literal counts for the type that its place requires (`x < 5` with x:real widens only real), and a negated
-//   literal is one literal (-5). Literals that are only a wait duration, a deadline, an index or compared with since()
-//   widen nothing, because they are times and positions and not values of variables. Values of constants that are used
-// only as such times widen nothing either.
-// * Literals in values that assertions and options give to constants count. Literals in postconditions, which define
-//   functions, count; those in preconditions do not.
-// * Strings are the empty one and those written in the model.
+//   contain the type before it (nat in int, int in real). RoboTool uses every literal for every type. Here, by our
+//   choice, a literal is used only for the type that its place requires (`x < 5` with x:real widens only real), and a
+//   negated literal is one literal (-5). A literal widens no carrier if it is only a wait duration, a deadline, an
+//   index, or compared with since(), because it is then a time or a position and not the value of a variable. Values of
+//   constants that are used only as such times widen no carrier either.
+// * Literals in values that assertions and options give to constants are included. Literals in postconditions, which
+//   define functions, are included; literals in preconditions are not.
+// * The strings are the empty string and the strings in the model.
 // * scale: the smallest power of ten that makes every decimal literal a whole number; 1 without decimal literals.
 // * Constants without a value, and undefined functions: 0, true, the first literal.
 #pragma once
@@ -24,7 +24,7 @@
 
 namespace robochart::ir {
 
-/// Which numbers the carriers contain that no option and no block Instantiations gives.
+/// The numbers in carriers that neither an option nor a block Instantiations gives.
 enum class Carriers {
     robotool,  ///< up to the least and the greatest literal
     beyond,    ///< also numbers on both sides of those that values are compared with (compared.hpp)
@@ -49,8 +49,8 @@ enum class Carriers {
 [[nodiscard]] std::vector<Value> constant_values(const System&, const Instantiation&, const Module*, const Controller*,
                                                  const std::string& part, const Machine&);
 /// The largest whole number that a clock is compared with, plus 1. This includes comparisons of operations that the
-/// machine may call and that share the clock. The clock may saturate at this value without changing any comparison. An
-/// expression that is not constant counts with the greatest value of its type.
+/// machine may call and that share the clock. The clock may saturate at this value without changing any comparison. For
+/// an expression that is not constant, the greatest value of its type is used.
 [[nodiscard]] std::int64_t clock_saturation(const System&, const Instantiation&, const Machine&, ClockId);
 
 }  // namespace robochart::ir

@@ -14,7 +14,7 @@ namespace robochart::ir {
 
 /// Number literals by the type that they are used with. Literals that are only a wait duration, a deadline or an
 /// operand of a comparison with since() are numbers of time units and not values of variables, so they are used only
-/// for the scale. Numbers that only select an element or field do not count.
+/// for the scale. Numbers that only select an element or field are not included.
 struct Literals {
     std::set<std::int64_t> nat, integer;
     std::vector<Decimal> real;                         ///< values

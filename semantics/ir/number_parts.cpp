@@ -10,7 +10,7 @@ bool is_number(TypeKind kind) {
     return kind == TypeKind::nat || kind == TypeKind::integer || kind == TypeKind::real;
 }
 
-/// False if a part is no number. Recursion depth: the depth of types.
+/// False if a part is not a number. Recursion depth: the depth of types.
 bool collect_parts(const System& system, TypeId id, std::vector<std::size_t>& path, std::vector<NumberPart>& parts) {
     const Type& type = system.type(id);
     if (is_number(type.kind)) {

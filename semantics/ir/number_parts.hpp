@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers in values of a type that consists of numbers alone.
+// The numbers in values of a type that consists only of numbers.
 #pragma once
 
 #include <compare>

@@ -285,7 +285,7 @@ bool touches_registers(const Machine& machine, const Stmt& stmt) {
 }
 
 void remove_robosim(System& system) {
-    // lowering puts them behind those of RoboChart
+    // lowering puts them after those of RoboChart
     std::erase_if(system.machines, [](const Machine& machine) { return machine.robosim; });
     std::erase_if(system.controllers, [](const Controller& controller) { return controller.robosim; });
     std::erase_if(system.modules, [](const Module& module) { return module.robosim; });

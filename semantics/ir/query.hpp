@@ -36,9 +36,8 @@ namespace robochart::ir {
 /// MachineInstance, or of its entry in Controller::definition_names):
 /// * A required constant of an operation (semantics 3.7: process parameters, not memory) is the constant of that name
 ///   of the machine or operation that calls it.
-/// * Any other required constant is the controller's constant with this name. If the controller requires it too and
-/// runs
-///   in a module, it is the platform's constant.
+/// * Any other required constant is the controller's constant with this name. If the controller also requires it and
+///   runs in a module, it is the platform's constant.
 /// * All other constants, and required ones that are not provided, are the component's own: `const_P_C_part_c`. If
 ///   `controller` is null, the machine is not in a controller: `const_P_S_c`. If `module` is null, the controller is
 ///   not in a module.
@@ -85,7 +84,7 @@ struct NamedConstant {
 [[nodiscard]] std::vector<ComponentRef> robosim_components(const System&);
 /// Whether the component is one of RoboSim.
 [[nodiscard]] bool is_robosim(const System&, const ComponentRef&);
-/// RoboSim: the input event whose register the variable of the machine is; null for other variables.
+/// RoboSim: the input event whose register the machine's variable represents; null for other variables.
 [[nodiscard]] const Input* event_register(const Machine&, VariableId);
 /// Whether the statement itself, without the statements inside it, reads or writes a register or ends the cycle.
 [[nodiscard]] bool touches_registers(const Machine&, const Stmt&);

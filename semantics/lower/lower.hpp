@@ -13,7 +13,7 @@ namespace robochart::ir {
 /// table semantics/rules.hpp) and omitted. The sources provide paths and the wording of assertions.
 [[nodiscard]] System lower(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
-/// Leaves out the components of RoboSim, for a command that is built for RoboChart only (RC-S26). If there are no other
+/// Removes the components of RoboSim, for a command that handles only RoboChart (RC-S26). If there are no other
 /// components, this is an error.
 void leave_out_robosim(System&, diagnostics::Diagnostics&);
 

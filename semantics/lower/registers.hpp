@@ -14,8 +14,8 @@ void add_registers(Lowering&, const frontend::Machine&, const std::string& eleme
                    std::vector<Input>& inputs);
 /// The length in `cycle == e`, `{ cycle == e }` or `e`.
 [[nodiscard]] ExprPtr lower_cycle_length(Lowering&, const Names&, const frontend::Expr&);
-/// The constant cycle_length of a component; its value is null if the component has no `cycleDef`. `required`: the
-/// component around it gives the value, if there is one.
+/// The constant cycle_length of a component; its value is null if the component has no `cycleDef`. `required`: an
+/// enclosing component, if there is one, gives the value.
 [[nodiscard]] Constant cycle_constant(Lowering&, const Names&, const frontend::Context&, bool required);
 
 }  // namespace robochart::ir

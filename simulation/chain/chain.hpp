@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A Markov chain of a swarm, estimated from trials, and its answers to questions. Fresh trials show whether they
-// contradict the chain. An answer bounds all chains within intervals that hold jointly. The answer applies to the swarm
-// only if the swarm is such a chain; the fresh trials may refute this assumption.
+// contradict the chain. An answer is a bound for every chain within the intervals; the intervals hold jointly. The
+// answer applies to the swarm only if the swarm is such a chain; the fresh trials may refute this assumption.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ struct ChainAnswer {
     double low = 0;
     double high = 0;                 ///< infinite if no bound was found
     std::vector<ChainCheck> checks;  ///< the checks at the times of the chain's states
-    bool of_no_chain = false;        ///< the order of the chain is refuted, for all questions
+    bool of_no_chain = false;  ///< the sequences refute the order of the chain, and so the answers to all questions
 
     /// True if trials contradict the chain, so that its bounds do not apply to the swarm.
     [[nodiscard]] bool is_refuted() const;
@@ -84,8 +84,8 @@ struct Excluded {
                                                                   std::vector<Excluded>& excluded);
 
 /// Answers a question by a chain whose intervals are estimated from the first half of the sequences, and checks the
-/// answer on the other half. Half of the question's error is used for the intervals, half for the checks. The samples
-/// are those of the trials.
+/// answer on the other half. Half of the question's error is used for the intervals, half for the checks. The sequences
+/// must be those of the trials.
 [[nodiscard]] ChainAnswer chain_answer(const Scenario&, const ChainAsked&, const statistics::Permitted&,
                                        const std::vector<statistics::StateSequence>&, const std::vector<TrialResult>&,
                                        diagnostics::Budget*);

@@ -92,7 +92,7 @@ private:
         result_.charts.push_back(std::move(chart));
     }
 
-    /// The links of the scenario's measures of clusters, shortest first.
+    /// The link lengths of the scenario's `cluster` measures, shortest first.
     [[nodiscard]] std::set<double> cluster_links() const {
         std::set<double> lengths;
         for (const Measure& measure : scenario_.measures)

@@ -126,7 +126,8 @@ TEST(RoboSim, RoboChartKeepsItsWords) {
     EXPECT_EQ(reading->codes(), "") << reading->report();
 }
 
-/// The same simple name in both dialects: each file means the component of its own, and a simulation that of RoboChart.
+/// If a RoboChart and a RoboSim component have the same simple name, a file refers to the component of its own dialect,
+/// and a simulation refers to the RoboChart component.
 TEST(RoboSim, EachDialectMeansItsOwnComponents) {
     const std::string machine = "initial i state A { } transition t0 { from i to A } ";
     const auto reading = resolved(

@@ -16,7 +16,8 @@ namespace robochart::cspm {
 
 class Evaluator;
 
-/// Owns the list of comprehensions from which streams continue. Errors are thrown by `Work::fail` with the given place.
+/// Owns the comprehensions that compute the remaining elements of streams. Errors are thrown by `Work::fail` with the
+/// given place.
 class ByNeed {
 public:
     /// The first element of a sequence, and the sequence of the remaining elements.
@@ -56,7 +57,8 @@ public:
     std::optional<Cut> split_first(Value sequence, Span span);
     /// The sequence with all its elements in `items`.
     Value written_out(Value sequence, Span span);
-    /// The sequence itself if it is finite; otherwise the stream in which only elements may be unevaluated.
+    /// Returns a finite sequence with all its elements. For an infinite sequence, returns the stream; only its elements
+    /// may be unevaluated.
     Value share_stream(Value value);
     /// Equality of tuples, sequences and maps part by part, up to the first difference.
     bool are_equal(Value a, Value b, Span span);

@@ -19,7 +19,7 @@ namespace robochart::cspm {
 /// Code that shares one frame of variables: a function's clause, a constant, a prefix, a let's environment.
 struct Unit {
     Unit* parent = nullptr;
-    const Group* group = nullptr;               ///< the let whose environment this unit is
+    const Group* group = nullptr;               ///< the let whose environment this unit represents
     const Group* member_of = nullptr;           ///< the let to which this unit's member belongs
     std::vector<std::pair<int, int>> captures;  ///< (slot in the parent's frame, slot here)
     int self_slot = -1;                         ///< the slot for the member's own group object
@@ -63,7 +63,7 @@ struct Code {
     Span span;
     Reference reference = Reference::none;
     int slot = -1;   ///< local, member: slot; global, head, builtin: index
-    int index = -1;  ///< member: which
+    int index = -1;  ///< member: the index of the member
     Value constant = nullptr;
     std::vector<const Code*> args;
     std::vector<FieldCode> fields;

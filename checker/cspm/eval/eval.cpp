@@ -126,9 +126,9 @@ Value Evaluator::delay_argument(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// Evaluates a part of a value at once if that takes little work, because it may never be needed. If the work limit is
-// reached, the current evaluations are completed with unevaluated parts. If that takes too long too, the whole part
-// stays unevaluated.
+// The part of a value may never be needed, so this evaluates it at once only if that takes little work. If the work
+// limit is reached, the current evaluations are completed with unevaluated parts. If that also takes too long, the
+// whole part stays unevaluated.
 Value Evaluator::promise_part(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
     if (code.constant != nullptr) return code.constant;

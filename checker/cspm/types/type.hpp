@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types during inference: nodes of an arena, variables bound by links, undone by a trail. Dotted types follow the FDR
-// manual: `a => b` (dotable) becomes b when dotted with an a; `a =>* b` (extendable) becomes b after some unknown
-// arguments, which are stored in the variable on its left.
+// Types during inference are nodes of an arena. Links bind variables, and a trail undoes these bindings. Dotted types
+// follow the FDR manual: `a => b` (dotable) becomes b when dotted with an a; `a =>* b` (extendable) becomes b after
+// some unknown arguments, which are stored in the variable on its left.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Unification of types. The rules of dotted types are those of FDR. If a value is expected, a dotted value takes as
-// many arguments as its head can take ("longest match"). If an extendable is expected, it takes as few as possible.
+// many arguments as its head can take ("longest match"). If an extendable is expected, the dotted value takes as few
+// arguments as possible.
 #pragma once
 
 #include <string>
@@ -12,7 +13,7 @@
 
 namespace robochart::cspm::types {
 
-/// A finding as an exception. The check of the declaration that contains the error catches it.
+/// A type error, thrown as an exception. It is caught where the enclosing declaration is checked.
 struct TypeFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;

@@ -121,7 +121,7 @@ std::vector<Branch> cycle_branches(MachineTables& tables, const Activation& conf
         if (auto branch = head_branch(tables, running, alone)) result.push_back(std::move(*branch));
     // an operation alone may require variables of its caller
     for (Branch& write : external_writes(tables, config, now)) result.push_back(std::move(write));
-    // the frame of a machine lets no time pass here; an operation alone has no frame
+    // the cycle process of a machine lets no time pass here; an operation alone has no such process
     if (tables.machine().kind == ir::MachineKind::operation && !is_urgent(tables, now))
         result.push_back(tock_branch(tables, config, now));
     return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoboSim: the steps of a machine in its cycles (docs/robosim.md). Between `endexec` and `startexec` the machine takes
 // no transition and touches no register; its registers are read, time passes, and a machine in its final state may
-// terminate. The frame of the cycle (csp_emit/base/registers.hpp) decides when each of these happens.
+// terminate. The process of the cycle (csp_emit/base/registers.hpp) determines when each of these happens.
 #pragma once
 
 #include <vector>

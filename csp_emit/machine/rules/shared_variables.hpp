@@ -19,8 +19,8 @@ namespace robochart::csp_emit {
 /// Adds the step that leaves `node`, if this step is observable. `next` is the action that follows; it may be null.
 void left_before(const MachineTables&, const ir::StmtPtr& next, ir::NodeId node, const ir::Transition&,
                  std::vector<Item>& items);
-/// Adds a step that leaves the source of the transition, if the machine shows in which states it is: a state that a
-/// transition leaves and enters again is then seen to be left. Nobody writes before this step.
+/// Adds a step that leaves the source of the transition, if the machine shows in which states it is. So an observer
+/// sees that a state is left even if the transition enters it again. No other component writes before this step.
 void left_and_shown(const MachineTables&, std::uint32_t frame, const ir::Transition&, std::vector<Item>& items);
 /// The branch for the steps `exit` and `exited` of a node. They do not synchronise, but others may write until they
 /// happen.

@@ -75,8 +75,8 @@ std::uint32_t ActivationRecords::open_frame(const ir::Machine& opened, std::uint
     return static_cast<std::uint32_t>(frames_.size() - 1);
 }
 
-/// A machine may have own variables with one name, also with the name of a shared variable. The shared variable has the
-/// channels of RoboTool, and the own ones have other channels.
+/// A machine may have several own variables with the same name, which may also be the name of a shared variable. The
+/// shared variable has RoboTool's channels, and the own variables have other channels.
 void ActivationRecords::add_variables(Frame& frame, bool root) {
     std::set<std::string> channels;
     for (const ir::Variable& variable : frame.machine->variables)

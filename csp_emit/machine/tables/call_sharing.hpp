@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One definition of an operation for all its calls (semantics 3.8). While an operation called by the control thread
-// runs, its caller only waits. So the configuration contains only the operation, and one parameter holds the return
-// addresses, a sequence of numbers with the innermost call first: a stack. An operation that is called concurrently
-// with during actions, or under a deadline, is inlined: it runs in a configuration with its caller.
+// runs, its caller only waits. So the configuration contains only the operation. One parameter is the stack of return
+// addresses: a sequence of numbers, innermost call first. An operation that is called concurrently with during actions,
+// or under a deadline, is inlined: it runs in a configuration with its caller.
 #pragma once
 
 #include <map>
@@ -22,8 +22,8 @@ struct Continuation {
     std::string name;         ///< name of its function
 };
 
-/// Owns the continuations of shared calls and the values of the stack. The number of a call is known only after all
-/// calls have been collected; until then its node is empty.
+/// Owns the continuations of shared calls and the values of the stack. A call is numbered after all calls have been
+/// collected; until then, the expression node for its number is empty.
 class CallSharing {
 public:
     CallSharing(ParameterTable& cells, PointTable& points, FamilyCalls& calls)
@@ -41,8 +41,9 @@ public:
     [[nodiscard]] cspm::ExprPtr select_continuation(std::uint32_t frame);
     /// Fills in the values of the stack. An operation with a single continuation needs no number.
     void fill_values();
-    /// Handles operations with a single continuation that only calls a point: their end becomes that point, and the
-    /// function for the end is removed. `behind` contains the functions of the continuations.
+    /// If an operation has a single continuation and this continuation only calls a point, replaces the end of the
+    /// operation by that point, and removes the function for the end. `behind` contains the functions of the
+    /// continuations.
     void skip_returns(std::vector<Function>& functions, const std::vector<Function>& behind);
     /// Records which parameter is the stack, and the meaning of its values.
     void describe_stack(Candidates&) const;
@@ -50,7 +51,8 @@ public:
     void declare_functions(std::vector<cspm::DeclPtr>& decls) const;
 
 private:
-    /// The continuations of a shared operation: indices into `continuations_`, and by key the index in that list.
+    /// The continuations of a shared operation, as indices into `continuations_`. `number` maps the key of a
+    /// continuation to its index in this list.
     struct Returns {
         std::map<std::string, std::size_t> number;
         std::vector<std::size_t> continuations;

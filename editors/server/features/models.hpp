@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboChart models and their assertions: the features of the server, one file each.
+// The language server for RoboChart models and their assertions. Each feature has its own source file.
 #pragma once
 
 #include <memory>

@@ -172,8 +172,8 @@ TEST(ClaimsOfTrials, DoNotDependOnWhatIsKept) {
     EXPECT_LT(bare.claims[1].steps, 100 * bare.claims[1].trial_count()) << "trials that succeed end then";
 }
 
-/// A robot that starts within 20 cm of the lamp succeeds immediately. The distance after 10 s at 10 cm/s and every
-/// outcome follow from the straight line.
+/// A robot that starts within 20 cm of the lamp succeeds immediately. The robot drives straight at 10 cm/s, which
+/// determines its distance after 10 s and the outcome of every trial.
 TEST(ClaimsOfTrials, AreThoseOfTheStraightLine) {
     Experiment experiment(model, scenario);
     const RunResult result = run(experiment, 2, false);
