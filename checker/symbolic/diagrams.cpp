@@ -165,6 +165,7 @@ std::vector<bool> Diagrams::mark() const {
         const Node node = open.back();
         open.pop_back();
         if (marked[node]) continue;
+        budget_.poll();
         marked[node] = true;
         const Record& record = records_[node];
         assert(record.level != 0);
@@ -262,6 +263,21 @@ Node Diagrams::intersect(Level level, Node a, Node b) {
     return result;
 }
 
+Node Diagrams::subtract(Level level, Node a, Node b) {
+    if (a == b || a == nothing || b == everything) return nothing;
+    if (b == nothing) return a;
+    Node result = nothing;
+    if (find_result(Operation::subtract, level, a, b, 0, result)) return result;
+    const std::size_t begun = begin_node();
+    for (std::size_t i = 0; i < entry_count(level, a); ++i) {
+        const auto [value, rest] = entry(a, i);
+        push(value, subtract(level - 1, rest, child(b, value)));
+    }
+    result = end_node(level, begun);
+    store_result(Operation::subtract, level, a, b, 0, result);
+    return result;
+}
+
 Node Diagrams::lift(Node node, Level level) {
     while (node > everything && level_of(node) < level) {
         const Level above = level_of(node) + 1;
@@ -294,9 +310,11 @@ long double Diagrams::count_tuples(Node set) const {
         return node == everything ? full[level] : counts[node];
     };
     for (Level level = 1; level <= levels(); ++level)
-        for (const Node node : by_level[level])
+        for (const Node node : by_level[level]) {
+            budget_.poll();
             for (std::size_t i = 0; i < records_[node].count; ++i)
                 counts[node] += count_of(level - 1, entry(node, i).child);
+        }
     return count_of(levels(), set);
 }
 
@@ -308,6 +326,7 @@ std::size_t Diagrams::count_nodes(Node set) const {
         const Node node = open.back();
         open.pop_back();
         if (node <= everything || found[node]) continue;
+        budget_.poll();
         found[node] = true;
         ++count;
         for (std::size_t i = 0; i < records_[node].count; ++i) open.push_back(entry(node, i).child);

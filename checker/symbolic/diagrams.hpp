@@ -46,7 +46,7 @@ public:
         Node child;
     };
     /// The kinds of stored results.
-    enum class Operation : std::uint32_t { none, unite, intersect, fire, saturate, disable, precede };
+    enum class Operation : std::uint32_t { none, unite, intersect, subtract, fire, saturate, disable, precede };
 
     /// `domains`: the number of values of each variable, by level; the first element is unused.
     Diagrams(std::vector<Value> domains, const Space& space, diagnostics::Pollable& budget);
@@ -86,6 +86,8 @@ public:
 
     [[nodiscard]] Node unite(Level level, Node a, Node b);
     [[nodiscard]] Node intersect(Level level, Node a, Node b);
+    /// The tuples of `a` that are not in `b`.
+    [[nodiscard]] Node subtract(Level level, Node a, Node b);
     /// Returns the set of this level whose tuples have their lower part in the set of a lower level.
     [[nodiscard]] Node lift(Node node, Level level);
 
@@ -152,6 +154,7 @@ private:
     [[nodiscard]] std::size_t node_bytes() const;
     [[nodiscard]] std::size_t all_bytes() const;
     [[nodiscard]] static std::uint32_t key_of(Operation operation, Level level) {
+        static_assert(static_cast<std::uint32_t>(Operation::precede) < 8);
         return static_cast<std::uint32_t>(operation) | level << 3U;
     }
 
