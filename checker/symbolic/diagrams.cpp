@@ -48,6 +48,22 @@ bool Diagrams::contains(Node set, const std::vector<Value>& values) const {
     return set == everything;
 }
 
+Node Diagrams::least_tuple(Node set) {
+    assert(set != nothing);
+    std::vector<Value> values(levels() + std::size_t{1});
+    for (Level level = levels(); level > 0 && set > everything; --level) {
+        values[level] = entry(set, 0).value;
+        set = entry(set, 0).child;
+    }
+    Node tuple = everything;
+    for (Level level = 1; level <= levels(); ++level) {
+        const std::size_t begun = begin_node();
+        push(values[level], tuple);
+        tuple = end_node(level, begun);
+    }
+    return tuple;
+}
+
 std::uint64_t Diagrams::hash_of(Level level, const Entry* entries, std::size_t count) const {
     std::uint64_t hash = level;
     for (std::size_t i = 0; i < count; ++i)

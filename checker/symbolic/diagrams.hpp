@@ -74,6 +74,9 @@ public:
     /// Whether the set contains the tuple; `values` by level, the first element is unused.
     [[nodiscard]] bool contains(Node set, const std::vector<Value>& values) const;
 
+    /// The set of the least tuple of a set that is not empty. The caller keeps the set.
+    [[nodiscard]] Node least_tuple(Node set);
+
     /// Begins a node, whose entries are then pushed. Nodes may be nested. Entries that were pushed are kept.
     [[nodiscard]] std::size_t begin_node() const { return building_.size(); }
     void push(Value value, Node child) {

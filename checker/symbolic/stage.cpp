@@ -53,6 +53,21 @@ public:
         if (now() > end_) throw OutOfTime();
     }
 
+    /// Shortens the time to a part of what is left, while the object exists.
+    class Part {
+    public:
+        Part(StageBudget& budget, double part) : budget_(budget), end_(budget.end_) {
+            budget.end_ -= (1 - part) * std::max(0.0, end_ - now());
+        }
+        Part(const Part&) = delete;
+        Part& operator=(const Part&) = delete;
+        ~Part() { budget_.end_ = end_; }
+
+    private:
+        StageBudget& budget_;
+        double end_;
+    };
+
 private:
     static double now() {
         timespec time{};
@@ -70,13 +85,14 @@ class Exploration {
 public:
     /// `table`: the specification; null for a question without one.
     Exploration(lts::TransitionSystem& system, const Supercombinator& combined, const RegionRules& rules,
-                Variables variables, const std::shared_ptr<const NormalTable>& table, const Space& space,
-                StageBudget& own, refine::Budget& budget)
+                Variables variables, const std::shared_ptr<const NormalTable>& table, const StageOptions& options,
+                const Space& space, StageBudget& own, refine::Budget& budget)
         : system_(system),
           combined_(combined),
           rules_(rules),
           variables_(std::move(variables)),
           table_(table),
+          part_for_rings_(options.part_for_rings),
           own_(own),
           budget_(budget),
           diagrams_(domains_of(variables_, table.get()), space, own),
@@ -114,7 +130,8 @@ private:
     };
     struct Path {
         Run run;
-        Value node = 0;  ///< at the end of the run
+        Value node = 0;         ///< at the end of the run
+        bool shortest = false;  ///< whether it is known to be a shortest one
         [[nodiscard]] Place end() const { return {node, run.last_state()}; }
     };
 
@@ -154,13 +171,13 @@ private:
         const Node refusing = diagrams_.keep_always(with_refusals ? product_->refusing(reached_) : nothing);
         const Node forbidden = diagrams_.keep_always(product_->forbidden(reached_));
         std::optional<Path> to_forbidden;
-        if (forbidden != nothing) to_forbidden = shortest_path_to(forbidden);
+        if (forbidden != nothing) to_forbidden = path_to(forbidden);
         if (refusing != nothing)
-            if (auto path = shortest_path_to(refusing, to_forbidden ? to_forbidden->run.steps.size() : no_bound))
-                return Violation{ViolationKind::refusal, std::move(path->run), {}, {}};
+            if (auto path = path_to(refusing, to_forbidden ? to_forbidden->run.steps.size() : no_bound))
+                return Violation{ViolationKind::refusal, std::move(path->run), {}, {}, path->shortest};
         if (!to_forbidden) return std::nullopt;
         to_forbidden->run.steps.push_back(forbidden_step(to_forbidden->end()));
-        return Violation{ViolationKind::trace, std::move(to_forbidden->run), {}, {}};
+        return Violation{ViolationKind::trace, std::move(to_forbidden->run), {}, {}, to_forbidden->shortest};
     }
 
     RunStep forbidden_step(const Place& place) {
@@ -175,7 +192,8 @@ private:
         const Diagrams::Kept stuck(diagrams_, diagrams_.lift(lowest.get(), top));
         const Node bad = diagrams_.keep_always(diagrams_.intersect(top, reached_, stuck.get()));
         if (bad == nothing) return std::nullopt;
-        return Violation{ViolationKind::deadlock, shortest_path_to(bad).value().run, {}, {}};
+        const Path path = path_to(bad).value();
+        return Violation{ViolationKind::deadlock, path.run, {}, {}, path.shortest};
     }
 
     /// A state diverges iff it is in the greatest set of reachable states each of which has a tau into the set. Only
@@ -192,7 +210,7 @@ private:
         }
         const Node bad = diagrams_.keep_always(diverging.get());
         if (bad == nothing) return std::nullopt;
-        const Path path = shortest_path_to(bad).value();
+        const Path path = path_to(bad).value();
         Violation violation{ViolationKind::divergence, path.run, {}, {}};
         walk_to_cycle(violation, path.end(), bad);
         return violation;
@@ -209,10 +227,19 @@ private:
         return taus;
     }
 
+    /// A shortest path if there is time for it, and otherwise some path. No value if it needs more than `most` steps.
+    std::optional<Path> path_to(Node bad, std::size_t most = no_bound) {
+        try {
+            const StageBudget::Part part(own_, part_for_rings_);
+            own_.check();
+            return shortest_path_to(bad, most);
+        } catch (const OutOfTime&) {
+            return some_path_to(bad);
+        }
+    }
+
     /// Backward from the bad states: the ring of number n contains the states that reach a bad one in at most n steps.
-    /// Then forward by the transitions of the process, each time into the next ring. No value if the run needs more
-    /// than `most` steps.
-    std::optional<Path> shortest_path_to(Node bad, std::size_t most = no_bound) {
+    std::optional<Path> shortest_path_to(Node bad, std::size_t most) {
         const Level top = diagrams_.levels();
         const std::vector<Value> first = values_of(initial());
         std::vector<Node> rings{bad};
@@ -224,13 +251,45 @@ private:
             if (next == rings.back()) throw std::logic_error("decision diagrams: a reachable state has no run");
             rings.push_back(next);
         }
+        Path path = walk_down(rings);
+        path.shortest = true;
+        return path;
+    }
+
+    /// Backward from one of the bad states by one step after the other. A set contains the states of the set before it,
+    /// and those from which one step leads there. There are far fewer sets than in rings that wait for all steps.
+    Path some_path_to(Node bad) {
+        const Level top = diagrams_.levels();
+        const std::vector<Value> first = values_of(initial());
+        std::vector<Node> sets{diagrams_.keep_always(diagrams_.least_tuple(bad))};
+        // The order of the steps changes its direction, because it may be that of the run or the opposite one.
+        for (bool forward = true; !diagrams_.contains(sets.back(), first); forward = !forward) {
+            const Node before_all = sets.back();
+            for (std::size_t i = 0; i < steps_.size(); ++i) {
+                const Step& step = steps_[forward ? i : steps_.size() - 1 - i];
+                const Diagrams::Kept earlier(diagrams_, relations_.before(sets.back(), step));
+                const Diagrams::Kept inside(diagrams_, diagrams_.intersect(top, earlier.get(), reached_));
+                const Node next = diagrams_.unite(top, sets.back(), inside.get());
+                if (next != sets.back()) sets.push_back(diagrams_.keep_always(next));
+            }
+            if (sets.back() == before_all) throw std::logic_error("decision diagrams: a reachable state has no run");
+        }
+        return walk_down(sets);
+    }
+
+    /// Forward from the initial state by the transitions of the process. Each set contains those before it. A state
+    /// that is in a set, but not in the one before it, has a transition into the latter.
+    Path walk_down(const std::vector<Node>& sets) {
         Path path{{initial().state, {}}, 0};
-        for (std::size_t ring = rings.size() - 1; ring-- > 0;) {
-            RunStep step = step_into(rings[ring], path.end());
+        for (;;) {
+            const std::vector<Value> values = values_of(path.end());
+            const auto found =
+                std::ranges::partition_point(sets, [&](Node set) { return !diagrams_.contains(set, values); });
+            if (found == sets.begin()) return path;
+            RunStep step = step_into(*std::prev(found), path.end());
             path.node = advance(path.node, step.event).node;
             path.run.steps.push_back(std::move(step));
         }
-        return path;
     }
 
     /// What an event does to the node.
@@ -278,6 +337,7 @@ private:
     const RegionRules& rules_;
     const Variables variables_;
     const std::shared_ptr<const NormalTable> table_;
+    const double part_for_rings_;
     StageBudget& own_;
     refine::Budget& budget_;
     Diagrams diagrams_;
@@ -342,7 +402,8 @@ std::optional<Findings> DiagramStage::explore(const lts::TransitionSystem& syste
         if (!rules) return std::nullopt;
         Variables variables =
             options_.order.empty() ? make_variables(combined, *rules, own) : make_variables(combined, options_.order);
-        return Exploration(*copy, combined, *rules, std::move(variables), table, space, own, budget).decide(question);
+        return Exploration(*copy, combined, *rules, std::move(variables), table, options_, space, own, budget)
+            .decide(question);
     } catch (const OutOfTime&) {
         return std::nullopt;
     } catch (const OutOfSpace&) {

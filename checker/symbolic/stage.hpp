@@ -19,6 +19,7 @@ namespace robochart::symbolic {
 struct StageOptions {
     std::chrono::duration<double> delay{3};  ///< CPU time of the search of states before the stage
     std::chrono::duration<double> share{3};  ///< CPU time of the stage
+    double part_for_rings = 0.5;             ///< of the time left when a violation is known: for its shortest run
     Space space = {};                        ///< at most an eighth of the memory of the run
     std::vector<std::uint32_t> order = {};   ///< for tests: slots from the lowest level up; empty: a good order
 };

@@ -49,11 +49,12 @@ std::vector<std::uint32_t> random_order(std::size_t size, std::mt19937_64& numbe
 }
 
 std::vector<StageOptions> settings(std::size_t slots, std::mt19937_64& numbers) {
-    std::vector<StageOptions> result(3);
+    std::vector<StageOptions> result(4);
     result[1].order = random_order(slots, numbers);
     result[1].space.most_results = 2;
     result[2].order = random_order(slots, numbers);
     result[2].space.always_collect = true;
+    result[3].part_for_rings = 0;
     return result;
 }
 
@@ -99,8 +100,12 @@ TEST_F(Symbolic, AgreesWithTheSearchOnRandomRules) {
                 << "round " << round;
             ASSERT_EQ(dead->violation.has_value(), expected.deadlock.outcome == Outcome::fails) << "round " << round;
             if (dead->violation) {
-                ASSERT_TRUE(dead->violation->shortest);
-                ASSERT_EQ(dead->violation->run.steps.size(), expected.deadlock.counterexample->steps.size());
+                const std::size_t length = expected.deadlock.counterexample->steps.size();
+                ASSERT_EQ(dead->violation->shortest, options.part_for_rings > 0);
+                if (dead->violation->shortest) {
+                    ASSERT_EQ(dead->violation->run.steps.size(), length);
+                }
+                ASSERT_GE(dead->violation->run.steps.size(), length);
             }
             const auto divergent = decide(system, {false, true}, options);
             ASSERT_TRUE(divergent) << "round " << round;
@@ -174,17 +179,23 @@ void compare_refinement(SupercombinatorSystem& system, lts::TransitionSystem& sp
     ASSERT_EQ(found->violation.has_value(), expected.outcome == Outcome::fails);
     if (!found->violation) {
         ++answers.holds;
-        ASSERT_EQ(std::llround(std::pow(10.0, found->statistics.log10_states)), expected.statistics.states);
+        constexpr std::uint64_t few_nodes = 256;  // with more, the search may leave out pairs (antichains)
+        if (found->statistics.spec_nodes <= few_nodes) {
+            ASSERT_EQ(std::llround(std::pow(10.0, found->statistics.log10_states)), expected.statistics.states);
+        }
         return;
     }
-    ASSERT_EQ(found->violation->kind, expected.counterexample->kind);
+    const bool divergent = found->violation->kind == refine::ViolationKind::divergence;
+    ASSERT_EQ(divergent, expected.counterexample->kind == refine::ViolationKind::divergence);
+    ASSERT_EQ(found->violation->shortest, options.part_for_rings > 0 && !divergent);
+    ASSERT_GE(found->violation->run.steps.size(), expected.counterexample->steps.size());
+    if (options.part_for_rings > 0) {
+        ASSERT_EQ(found->violation->kind, expected.counterexample->kind);
+    }
     answers.forbidden += found->violation->kind == refine::ViolationKind::trace ? 1 : 0;
     answers.refusals += found->violation->kind == refine::ViolationKind::refusal ? 1 : 0;
     answers.divergences += found->violation->kind == refine::ViolationKind::divergence ? 1 : 0;
-    if (!found->violation->shortest) {
-        ASSERT_EQ(found->violation->kind, refine::ViolationKind::divergence);
-        ASSERT_GE(found->violation->run.steps.size(), expected.counterexample->steps.size());
-    } else {
+    if (found->violation->shortest) {
         ASSERT_EQ(found->violation->run.steps.size(), expected.counterexample->steps.size());
     }
 }
