@@ -35,12 +35,22 @@ Right(i) = think.i -> sit.i -> take.i.i -> take.i.right(i) -> eat.i -> return.i.
 Greedy = (|| i : Seats @ [Actions(i)] Right(i)) [| {|take, return|} |] (||| f : Seats @ Fork(f))
 """
 ORDER = "Turns(i) = start.i -> Turns(next(i))\n"
+# Specifications with visible events in all parts, so that few steps are confluent.
+LOOSE_ORDER = ORDER + "Loose = Turns(0) ||| RUN({|finish|})\nLate = Turns(0) ||| CHAOS({|finish|})\n"
+FIRST_CELL = """
+First(k) = count.0.k -> First((k + 1) % 4)
+Others = {|count.i | i <- {1..N-1}|}
+"""
+FILLING = "Fill(k) = (k < N & link.0?x -> Fill(k + 1)) [] (k > 0 & link.N?x -> Fill(k - 1))\n"
+FIRST_ROBOT = "First = ROBOT(1, 1) [| {tock} |] CHAOS(diff({|tock, step|}, {|step.1|}))\n"
 
 QUESTIONS = [
     Question("scheduler", "System :[deadlock free [F]]", (15, 40, 100, 500), (15,)),
     Question("scheduler", "System \\ {|turn|} :[divergence free]", (15, 40, 100, 500), (15,)),
     Question("scheduler", "System :[deterministic [FD]]", (15, 40, 100, 500), (15,)),
     Question("scheduler", "Turns(0) [FD= System \\ {|turn, finish|}", (15, 40, 100), (), "holds", ORDER),
+    Question("scheduler", "Loose [T= System \\ {|turn|}", (15, 40, 100), (), "holds", LOOSE_ORDER),
+    Question("scheduler", "Late [FD= System \\ {|turn|}", (15, 40), (), "fails", LOOSE_ORDER),
     Question("philosophers", "System :[deadlock free [F]]", (7, 8, 10, 12, 20, 100, 500), (7,)),
     Question("philosophers", "System :[deadlock free [FD]]", (7, 8, 10), (7,)),
     Question("philosophers", "System :[divergence free]", (7, 100, 500), (7,)),
@@ -48,9 +58,13 @@ QUESTIONS = [
     Question("philosophers", "Greedy :[deadlock free [F]]", (5, 7, 15), (5, 7), "fails", SYMMETRIC),
     Question("cells", "System :[deadlock free [F]]", (10, 50, 200), (10,)),
     Question("cells", "System :[deterministic [FD]]", (10, 50, 200), (10,)),
+    Question("cells", "First(0) ||| RUN(Others) [T= System", (8, 50, 200), (8,), "holds", FIRST_CELL),
+    Question("cells", "First(0) ||| CHAOS(Others) [FD= System", (8, 50, 200), (8,), "holds", FIRST_CELL),
     Question("buffers", "System :[deadlock free [F]]", (12, 50, 100), (12,)),
     Question("buffers", "System :[divergence free]", (12, 50, 100), (12,)),
+    Question("buffers", "Fill(0) [T= System", (10, 50, 100), (10,), "holds", FILLING),
     Question("robots", "SWARM :[deadlock free]", (6, 20, 200), (6,)),
+    Question("robots", "First [F= SWARM", (5, 20, 200), (5,), "holds", FIRST_ROBOT),
 ]
 
 
@@ -91,7 +105,7 @@ def main() -> int:
                 script = Path(folder, f"{question.model}{size}.csp")
                 script.write_text(script_of(question, size))
                 result, cpu, rss = decide(arguments.program, script, arguments.timeout)
-                row = [f"{question.model} {size}", f"`{question.assertion}`", result["answer"], result["decided_by"],
+                row = [f"{question.model} {size}", "`%s`" % question.assertion.replace("|", "\\|"), result["answer"], result["decided_by"],
                        f"{result['visited_states']:,}", f"{cpu:.2f}", f"{rss / 2**20:.0f}"]
                 wrong += result["answer"] != question.answer
                 if size in question.whole:

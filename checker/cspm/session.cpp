@@ -553,16 +553,24 @@ struct Session::Impl {
         machine::Compiler parts(loaded.semantics, bounds_of_parts());
         parts.add_components_of(compiler);
         CompilationBudget compilation_budget(parts, budget);
+        const auto term_of_side = [&](const ExprPtr& expr) {
+            return loaded.term_of(loaded.compile_side(expr, assertion));
+        };
         const auto side = [&](const ExprPtr& expr) -> std::unique_ptr<lts::TransitionSystem> {
             if (!expr) return nullptr;
-            const process::TermId term = loaded.term_of(loaded.compile_side(expr, assertion));
+            const process::TermId term = term_of_side(expr);
             if (auto compiled = parts.compile(term, compilation_budget)) return compiled;
             return system(term, expr->span, compilation_budget);
         };
         try {
-            const Sides both{side(assertion.assertion.specification), side(assertion.assertion.implementation)};
+            // Combining the parts takes longer than their compression.
+            for (const ExprPtr& expr : {assertion.assertion.specification, assertion.assertion.implementation})
+                if (expr) parts.compress_parts(term_of_side(expr), compilation_budget);
             if (parts.shrinkage() < least_shrinkage) return std::nullopt;
-            refine::Verdict verdict = ask_of(both, assertion, in, limits, nullptr);
+            const Sides both{side(assertion.assertion.specification), side(assertion.assertion.implementation)};
+            refine::Limits few = limits;
+            few.max_states = first_states / 4;  // because the parts are much smaller
+            refine::Verdict verdict = ask_of(both, assertion, in, few, nullptr);
             if (verdict.outcome != refine::Outcome::holds) return std::nullopt;
             verdict.statistics.decided_by = refine::DecidedBy::compressed_parts;
             verdict.statistics.seconds = budget.seconds();

@@ -305,6 +305,14 @@ void Compiler::find_parts(TermId term, std::set<TermId>& parts, diagnostics::Pol
     }
 }
 
+void Compiler::compress_parts(TermId term, diagnostics::Pollable& budget) {
+    process::unless_refused([&] {
+        std::set<TermId> parts;
+        find_parts(term, parts, budget);
+        return true;
+    });
+}
+
 /// Makes a component of the part: its quotient under branching bisimilarity that respects divergence, which is a
 /// congruence for all operators above it (bisimulation.hpp). Returns false if the part has too many states, or the
 /// parts before it have, or if it is one component already.

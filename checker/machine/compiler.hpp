@@ -51,6 +51,9 @@ public:
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, diagnostics::Pollable& budget);
     /// Uses the components that another compiler of the same terms has explored, but not its compiled processes.
     void add_components_of(const Compiler& other);
+    /// Compresses the parts of the process, as compile() would before it combines them. Only with
+    /// Bounds::compress_parts. Polls the budget.
+    void compress_parts(TermId term, diagnostics::Pollable& budget);
     /// Whether a part of some compiled process was compressed (Bounds::compress_parts).
     [[nodiscard]] bool has_compressed_parts() const;
     /// The product, over these parts, of the number of their states divided by the number after compression.

@@ -40,6 +40,7 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void set_budget(diagnostics::Pollable& budget) override { budget_ = &budget; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
+    [[nodiscard]] const std::shared_ptr<const Supercombinator>& share_combined() const { return combined_; }
     /// The number of transitions of components that were examined for successors so far.
     [[nodiscard]] std::uint64_t examined_step_count() const { return work_; }
 

@@ -48,6 +48,22 @@ bool Diagrams::contains(Node set, const std::vector<Value>& values) const {
     return set == everything;
 }
 
+Node Diagrams::least_tuple(Node set) {
+    assert(set != nothing);
+    std::vector<Value> values(levels() + std::size_t{1});
+    for (Level level = levels(); level > 0 && set > everything; --level) {
+        values[level] = entry(set, 0).value;
+        set = entry(set, 0).child;
+    }
+    Node tuple = everything;
+    for (Level level = 1; level <= levels(); ++level) {
+        const std::size_t begun = begin_node();
+        push(values[level], tuple);
+        tuple = end_node(level, begun);
+    }
+    return tuple;
+}
+
 std::uint64_t Diagrams::hash_of(Level level, const Entry* entries, std::size_t count) const {
     std::uint64_t hash = level;
     for (std::size_t i = 0; i < count; ++i)
@@ -165,6 +181,7 @@ std::vector<bool> Diagrams::mark() const {
         const Node node = open.back();
         open.pop_back();
         if (marked[node]) continue;
+        budget_.poll();
         marked[node] = true;
         const Record& record = records_[node];
         assert(record.level != 0);
@@ -262,6 +279,21 @@ Node Diagrams::intersect(Level level, Node a, Node b) {
     return result;
 }
 
+Node Diagrams::subtract(Level level, Node a, Node b) {
+    if (a == b || a == nothing || b == everything) return nothing;
+    if (b == nothing) return a;
+    Node result = nothing;
+    if (find_result(Operation::subtract, level, a, b, 0, result)) return result;
+    const std::size_t begun = begin_node();
+    for (std::size_t i = 0; i < entry_count(level, a); ++i) {
+        const auto [value, rest] = entry(a, i);
+        push(value, subtract(level - 1, rest, child(b, value)));
+    }
+    result = end_node(level, begun);
+    store_result(Operation::subtract, level, a, b, 0, result);
+    return result;
+}
+
 Node Diagrams::lift(Node node, Level level) {
     while (node > everything && level_of(node) < level) {
         const Level above = level_of(node) + 1;
@@ -294,9 +326,11 @@ long double Diagrams::count_tuples(Node set) const {
         return node == everything ? full[level] : counts[node];
     };
     for (Level level = 1; level <= levels(); ++level)
-        for (const Node node : by_level[level])
+        for (const Node node : by_level[level]) {
+            budget_.poll();
             for (std::size_t i = 0; i < records_[node].count; ++i)
                 counts[node] += count_of(level - 1, entry(node, i).child);
+        }
     return count_of(levels(), set);
 }
 
@@ -308,6 +342,7 @@ std::size_t Diagrams::count_nodes(Node set) const {
         const Node node = open.back();
         open.pop_back();
         if (node <= everything || found[node]) continue;
+        budget_.poll();
         found[node] = true;
         ++count;
         for (std::size_t i = 0; i < records_[node].count; ++i) open.push_back(entry(node, i).child);

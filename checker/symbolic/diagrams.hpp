@@ -46,7 +46,7 @@ public:
         Node child;
     };
     /// The kinds of stored results.
-    enum class Operation : std::uint32_t { none, unite, intersect, fire, saturate, disable, precede };
+    enum class Operation : std::uint32_t { none, unite, intersect, subtract, fire, saturate, disable, precede };
 
     /// `domains`: the number of values of each variable, by level; the first element is unused.
     Diagrams(std::vector<Value> domains, const Space& space, diagnostics::Pollable& budget);
@@ -74,6 +74,9 @@ public:
     /// Whether the set contains the tuple; `values` by level, the first element is unused.
     [[nodiscard]] bool contains(Node set, const std::vector<Value>& values) const;
 
+    /// The set of the least tuple of a set that is not empty. The caller keeps the set.
+    [[nodiscard]] Node least_tuple(Node set);
+
     /// Begins a node, whose entries are then pushed. Nodes may be nested. Entries that were pushed are kept.
     [[nodiscard]] std::size_t begin_node() const { return building_.size(); }
     void push(Value value, Node child) {
@@ -86,6 +89,8 @@ public:
 
     [[nodiscard]] Node unite(Level level, Node a, Node b);
     [[nodiscard]] Node intersect(Level level, Node a, Node b);
+    /// The tuples of `a` that are not in `b`.
+    [[nodiscard]] Node subtract(Level level, Node a, Node b);
     /// Returns the set of this level whose tuples have their lower part in the set of a lower level.
     [[nodiscard]] Node lift(Node node, Level level);
 
@@ -152,6 +157,7 @@ private:
     [[nodiscard]] std::size_t node_bytes() const;
     [[nodiscard]] std::size_t all_bytes() const;
     [[nodiscard]] static std::uint32_t key_of(Operation operation, Level level) {
+        static_assert(static_cast<std::uint32_t>(Operation::precede) < 8);
         return static_cast<std::uint32_t>(operation) | level << 3U;
     }
 

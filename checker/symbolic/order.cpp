@@ -14,7 +14,9 @@ using Indices = std::vector<std::uint32_t>;
 
 class Ordering {
 public:
-    Ordering(const std::vector<std::uint32_t>& domains, const std::vector<Indices>& groups) : size_(domains.size()) {
+    Ordering(const std::vector<std::uint32_t>& domains, const std::vector<Indices>& groups,
+             diagnostics::Pollable& budget)
+        : size_(domains.size()), budget_(budget) {
         for (const std::uint32_t domain : domains) weight_.push_back(std::log2(static_cast<double>(domain) + 1));
         // A group of most variables is as wide in each order.
         const std::size_t most = std::max<std::size_t>(8, size_ / 3);
@@ -47,6 +49,7 @@ private:
         for (const std::uint32_t variable : order) before.push_back(before.back() + weight_[variable]);
         double sum = 0;
         for (const Indices& group : groups_) {
+            budget_.poll();
             const auto by_place = [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; };
             const auto [first, last] = std::ranges::minmax_element(group, by_place);
             sum += before[places[*last] + std::size_t{1}] - before[places[*first]];
@@ -63,6 +66,7 @@ private:
             const Indices places = places_of(order);
             std::vector<double> sums(size_), counts(size_);
             for (const Indices& group : groups_) {
+                budget_.poll();
                 double centre = 0;
                 for (const std::uint32_t variable : group) centre += places[variable];
                 centre /= static_cast<double>(group.size());
@@ -87,9 +91,11 @@ private:
     Indices order_breadth_first() const {
         std::vector<Indices> neighbours(size_);
         for (const Indices& group : groups_)
-            for (const std::uint32_t a : group)
+            for (const std::uint32_t a : group) {
+                budget_.poll();
                 for (const std::uint32_t b : group)
                     if (a != b) neighbours[a].push_back(b);
+            }
         for (Indices& list : neighbours) diagnostics::sort_unique(list);
         for (Indices& list : neighbours)
             std::ranges::stable_sort(list, {}, [&](std::uint32_t variable) { return neighbours[variable].size(); });
@@ -112,16 +118,19 @@ private:
         Indices reached{start};
         std::vector<bool> found(size_);
         found[start] = true;
-        for (std::size_t at = 0; at < reached.size(); ++at)
+        for (std::size_t at = 0; at < reached.size(); ++at) {
+            budget_.poll();
             for (const std::uint32_t next : neighbours[reached[at]])
                 if (!found[next]) {
                     found[next] = true;
                     reached.push_back(next);
                 }
+        }
         return reached;
     }
 
     std::size_t size_;
+    diagnostics::Pollable& budget_;
     std::vector<double> weight_;
     std::vector<Indices> groups_;
 };
@@ -129,8 +138,9 @@ private:
 }  // namespace
 
 std::vector<std::uint32_t> order_variables(const std::vector<std::uint32_t>& domains,
-                                           const std::vector<std::vector<std::uint32_t>>& groups) {
-    return Ordering(domains, groups).best();
+                                           const std::vector<std::vector<std::uint32_t>>& groups,
+                                           diagnostics::Pollable& budget) {
+    return Ordering(domains, groups, budget).best();
 }
 
 }  // namespace robochart::symbolic

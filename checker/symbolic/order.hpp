@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/diagnostics/pollable.hpp"
+
 namespace robochart::symbolic {
 
 /// Returns variables in an order in which those of one group are close: the best of the given order, FORCE (Aloul,
 /// Markov and Sakallah, GLSVLSI 2003), and a breadth-first order as in Cuthill and McKee (1969). `domains`: the numbers
-/// of values. `groups`: variables that change together.
+/// of values. `groups`: variables that change together. Polls the budget.
 [[nodiscard]] std::vector<std::uint32_t> order_variables(const std::vector<std::uint32_t>& domains,
-                                                         const std::vector<std::vector<std::uint32_t>>& groups);
+                                                         const std::vector<std::vector<std::uint32_t>>& groups,
+                                                         diagnostics::Pollable& budget);
 
 }  // namespace robochart::symbolic

@@ -32,6 +32,10 @@ std::span<const Value> LocalRelation::targets(Value value) const {
     return std::span(targets_).subspan(first_[place], first_[place + 1] - first_[place]);
 }
 
+bool LocalRelation::is_identity(Value domain) const {
+    return sources_.size() == domain && targets_ == sources_;
+}
+
 std::vector<std::pair<Value, Value>> LocalRelation::pairs() const {
     std::vector<std::pair<Value, Value>> result;
     for (const Value source : sources_)
@@ -52,21 +56,23 @@ Variables make_variables(const machine::Supercombinator& combined, const std::ve
     return variables;
 }
 
-Variables make_variables(const machine::Supercombinator& combined, const RegionRules& rules) {
+Variables make_variables(const machine::Supercombinator& combined, const RegionRules& rules,
+                         diagnostics::Pollable& budget) {
     std::vector<Value> domains;
     for (const machine::ComponentPtr& component : combined.components)
         domains.push_back(static_cast<Value>(component->size()));
     std::vector<std::vector<std::uint32_t>> groups;
     for (const WholeRule& rule : rules.back()) {
+        budget.poll();
         std::vector<std::uint32_t>& group = groups.emplace_back();
         for (const Part& part : rule.parts) group.push_back(part.slot);
     }
-    return make_variables(combined, order_variables(domains, groups));
+    return make_variables(combined, order_variables(domains, groups, budget));
 }
 
 Relations::Relations(const machine::Supercombinator& combined, const RegionRules& rules, const Variables& variables,
-                     Diagrams& diagrams)
-    : combined_(combined), rules_(rules), variables_(variables), diagrams_(diagrams) {
+                     Diagrams& diagrams, diagnostics::Pollable& budget)
+    : combined_(combined), rules_(rules), variables_(variables), diagrams_(diagrams), budget_(budget) {
     for (const WholeRule& rule : rules_.back())
         steps_.push_back({chain_of(rule), diagrams_.keep_always(guard_of(rule, std::nullopt))});
 }
@@ -75,9 +81,12 @@ Value Relations::value_of(std::uint32_t slot, machine::Local local) const {
     return std::min(local, static_cast<Value>(combined_.components[slot]->size()));
 }
 
+Level Relations::highest_level(Node set) const {
+    return set <= everything ? 0 : diagrams_.level_of(set);
+}
+
 Level Relations::level_of(const Step& step) const {
-    const Level of_guard = step.guard <= everything ? 0 : diagrams_.level_of(step.guard);
-    return std::max(level_of(step.chain), of_guard);
+    return std::max(level_of(step.chain), highest_level(step.guard));
 }
 
 /// A component performs the event, if the part has one, and then the rule sets its state, if the part says so.
@@ -93,6 +102,7 @@ std::uint32_t Relations::relation_of(const Part& part) {
             pairs.emplace_back(value, value_of(part.slot, *part.assigned));
             continue;
         }
+        budget_.poll();
         for (const machine::Component::Edge& edge : component.edges(value, *part.event))
             pairs.emplace_back(value, value_of(part.slot, part.assigned.value_or(edge.target)));
     }
@@ -105,23 +115,36 @@ Chain Relations::chain_of(const WholeRule& rule) {
     for (const Part& part : rule.parts) parts.emplace_back(variables_.level_of[part.slot], relation_of(part));
     std::ranges::sort(parts);
     Chain chain = no_link;
-    for (const auto& [level, relation] : parts) {
-        const auto key = std::tuple(level, relation, chain);
-        const auto [place, is_new] = chain_numbers_.try_emplace(key, static_cast<Chain>(links_.size()));
-        if (is_new) links_.push_back({level, relation, chain});
-        chain = place->second;
-    }
+    for (const auto& [level, relation] : parts) chain = chain_from({level, relation, chain});
     return chain;
+}
+
+/// The number of the list that begins with this link.
+Chain Relations::chain_from(const Link& link) {
+    budget_.poll();
+    const auto key = std::tuple(link.level, link.relation, link.next);
+    const auto [place, is_new] = chain_numbers_.try_emplace(key, static_cast<Chain>(links_.size()));
+    if (is_new) links_.push_back(link);
+    return place->second;
+}
+
+Step Relations::extend(const Step& step, Level level, const LocalRelation& relation) {
+    assert(level > level_of(step));
+    const auto number = static_cast<std::uint32_t>(relations_.size());
+    relations_.push_back(relation);
+    return {chain_from({level, number, step.chain}), step.guard};
 }
 
 /// The states in which the regions that can prevent the rule, except one, do not.
 Node Relations::guard_of(const WholeRule& rule, std::optional<std::uint32_t> except) {
-    const Level top = diagrams_.levels();
     Diagrams::Kept guard(diagrams_, everything);
     for (const Passage& passage : rule.prevented) {
         if (passage.region == except) continue;
-        const Diagrams::Kept own(diagrams_, diagrams_.lift(region_guard(passage.region, passage.level), top));
-        guard.set(diagrams_.intersect(top, guard.get(), own.get()));
+        const Node own = region_guard(passage.region, passage.level);
+        const Level level = std::max(highest_level(guard.get()), highest_level(own));
+        guard.set(diagrams_.lift(guard.get(), level));
+        const Diagrams::Kept lifted(diagrams_, diagrams_.lift(own, level));
+        guard.set(diagrams_.intersect(level, guard.get(), lifted.get()));
     }
     return strip(guard.get());
 }
@@ -134,7 +157,7 @@ Node Relations::region_guard(std::uint32_t region, std::uint32_t level) {
     std::vector<Step> better;
     for (const WholeRule& rule : rules_[region])
         if (rule.level < level) better.push_back({chain_of(rule), diagrams_.keep_always(guard_of(rule, region))});
-    const Node guard = diagrams_.keep_always(strip(none_possible(std::move(better))));
+    const Node guard = diagrams_.keep_always(none_possible(std::move(better)));
     guards_[{region, level}] = guard;
     return guard;
 }
@@ -162,6 +185,7 @@ Node Relations::none_possible(std::vector<Step> steps) {
     diagnostics::erase_repeated(steps);
     Diagrams::Kept result(diagrams_, everything);
     for (const Step& step : steps) {
+        budget_.poll();
         if (step.guard == nothing) continue;
         const Level level = level_of(step);
         if (level == 0) return nothing;
@@ -169,7 +193,7 @@ Node Relations::none_possible(std::vector<Step> steps) {
         result.set(disable(level, result.get(), step.chain, step.guard));
         if (result.get() == nothing) return nothing;
     }
-    return diagrams_.lift(result.get(), diagrams_.levels());
+    return strip(result.get());
 }
 
 /// The states in which the step is not possible.

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] std::span<const Value> targets(Value value) const;
     /// The values that have targets, ascending.
     [[nodiscard]] const std::vector<Value>& sources() const { return sources_; }
+    /// Whether the relation leads from each value below `domain` to itself alone.
+    [[nodiscard]] bool is_identity(Value domain) const;
     /// All pairs, ascending.
     [[nodiscard]] std::vector<std::pair<Value, Value>> pairs() const;
 
@@ -60,8 +62,9 @@ struct Variables {
     std::vector<Value> domains;          ///< by level; the first element is unused
 };
 
-/// Returns the variables in the order of order_variables.
-[[nodiscard]] Variables make_variables(const machine::Supercombinator& combined, const RegionRules& rules);
+/// Returns the variables in the order of order_variables. Polls the budget.
+[[nodiscard]] Variables make_variables(const machine::Supercombinator& combined, const RegionRules& rules,
+                                       diagnostics::Pollable& budget);
 /// Returns the variables in this order of slots, the lowest first. `rules` may assign values beyond those of
 /// components.
 [[nodiscard]] Variables make_variables(const machine::Supercombinator& combined,
@@ -69,8 +72,9 @@ struct Variables {
 
 class Relations {
 public:
+    /// The diagrams may have further levels above those of the variables. Polls the budget.
     Relations(const machine::Supercombinator& combined, const RegionRules& rules, const Variables& variables,
-              Diagrams& diagrams);
+              Diagrams& diagrams, diagnostics::Pollable& budget);
 
     /// The step of each rule of the whole process.
     [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
@@ -85,10 +89,13 @@ public:
         if (guard <= everything || diagrams_.level_of(guard) < level) return guard;
         return diagrams_.child(guard, value);
     }
-    /// The states in which no one of these steps is possible.
+    /// The step that also changes a variable above those of the step, by these pairs of values.
+    [[nodiscard]] Step extend(const Step& step, Level level, const LocalRelation& relation);
+    /// The states in which no one of these steps is possible, as a set of the highest level on which it depends.
     [[nodiscard]] Node none_possible(std::vector<Step> steps);
     /// The states from which the step can lead into the set.
     [[nodiscard]] Node before(Node states, const Step& step) {
+        assert(level_of(step) <= diagrams_.levels());
         return precede(diagrams_.levels(), states, step.chain, step.guard);
     }
     /// The local state that a value of a variable represents is the value; larger local states are the last value.
@@ -97,8 +104,10 @@ public:
 private:
     [[nodiscard]] std::uint32_t relation_of(const machine::Part& part);
     [[nodiscard]] Chain chain_of(const machine::WholeRule& rule);
+    [[nodiscard]] Chain chain_from(const Link& link);
     [[nodiscard]] Node guard_of(const machine::WholeRule& rule, std::optional<std::uint32_t> except);
     [[nodiscard]] Node region_guard(std::uint32_t region, std::uint32_t level);
+    [[nodiscard]] Level highest_level(Node set) const;
     [[nodiscard]] Node strip(Node guard) const;
     [[nodiscard]] Node disable(Level level, Node states, Chain chain, Node guard);
     [[nodiscard]] Node precede(Level level, Node states, Chain chain, Node guard);
@@ -107,6 +116,7 @@ private:
     const RegionRules& rules_;
     const Variables& variables_;
     Diagrams& diagrams_;
+    diagnostics::Pollable& budget_;
     std::vector<LocalRelation> relations_;
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::uint32_t> relation_numbers_;
     std::vector<Link> links_;

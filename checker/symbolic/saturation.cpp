@@ -8,7 +8,8 @@
 
 namespace robochart::symbolic {
 
-Saturation::Saturation(const Relations& relations, Diagrams& diagrams)
+Saturation::Saturation(const Relations& relations, const std::vector<Step>& steps, Diagrams& diagrams,
+                       diagnostics::Pollable& budget)
     : relations_(relations),
       diagrams_(diagrams),
       rows_(diagrams.levels() + std::size_t{1}),
@@ -17,17 +18,18 @@ Saturation::Saturation(const Relations& relations, Diagrams& diagrams)
         rows_[level].children.resize(diagrams_.domain(level), nothing);
         rows_[level].waits.resize(diagrams_.domain(level));
     }
-    list_steps();
+    list_steps(steps, budget);
     diagrams_.set_users([this](std::vector<Node>& used) {
         for (const Row& row : rows_)
             for (const Value value : row.values) used.push_back(row.children[value]);
     });
 }
 
-void Saturation::list_steps() {
+void Saturation::list_steps(const std::vector<Step>& steps, diagnostics::Pollable& budget) {
     constexpr std::uint32_t unchanged = 0xffffffffU;  // only the guard depends on the level
     std::map<std::tuple<Level, Chain, Node>, std::vector<std::uint32_t>> groups;
-    for (const Step& step : relations_.steps()) {
+    for (const Step& step : steps) {
+        budget.poll();
         const Level level = relations_.level_of(step);
         if (level == 0 || step.guard == nothing) continue;
         const bool changes = relations_.level_of(step.chain) == level;
@@ -42,6 +44,7 @@ void Saturation::list_steps() {
             if (local == unchanged) {
                 for (Value value = 0; value < diagrams_.domain(level); ++value) pairs.emplace_back(value, value);
             } else {
+                budget.poll();
                 const auto more = relations_.relation(local).pairs();
                 pairs.insert(pairs.end(), more.begin(), more.end());
             }

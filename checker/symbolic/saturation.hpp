@@ -14,7 +14,9 @@ namespace robochart::symbolic {
 
 class Saturation {
 public:
-    Saturation(const Relations& relations, Diagrams& diagrams);
+    /// Polls the budget.
+    Saturation(const Relations& relations, const std::vector<Step>& steps, Diagrams& diagrams,
+               diagnostics::Pollable& budget);
     ~Saturation() { diagrams_.set_users({}); }
     Saturation(const Saturation&) = delete;
     Saturation& operator=(const Saturation&) = delete;
@@ -37,7 +39,7 @@ private:
         Node guard = everything;
     };
 
-    void list_steps();
+    void list_steps(const std::vector<Step>& steps, diagnostics::Pollable& budget);
     void clear(Level level);
     bool add(Level level, Value value, Node more);
     [[nodiscard]] Node pack(Level level);

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 #include <memory>
 
+#include "base/diagnostics/containers.hpp"
 #include "checker/machine/static_proofs.hpp"
 #include "checker/machine/supercombinator_system.hpp"
 #include "checker/refine/search/steps.hpp"
+#include "checker/refine/verdict/normal_table.hpp"
+#include "checker/symbolic/product.hpp"
 #include "checker/symbolic/saturation.hpp"
 
 namespace robochart::symbolic {
@@ -16,6 +20,8 @@ namespace {
 
 using machine::Supercombinator;
 using refine::Findings;
+using refine::Monitor;
+using refine::NormalTable;
 using refine::Run;
 using refine::RunStep;
 using refine::Violation;
@@ -37,10 +43,30 @@ public:
         : budget_(budget), end_(now() + share.count()) {}
     void poll() override {
         constexpr std::uint32_t between_checks = 4096;
-        if (++polls_ % between_checks != 0) return;
+        if (++polls_ % between_checks == 0) check();
+    }
+    /// The stage gives up before the memory limit of the check is reached, because the search may need no more memory.
+    void check() {
+        const std::uint64_t most = budget_.limits().memory_bytes;
+        if (diagnostics::resident_bytes() > most - most / 16) throw OutOfSpace();
         budget_.check();
         if (now() > end_) throw OutOfTime();
     }
+
+    /// Shortens the time to a part of what is left, while the object exists.
+    class Part {
+    public:
+        Part(StageBudget& budget, double part) : budget_(budget), end_(budget.end_) {
+            budget.end_ -= (1 - part) * std::max(0.0, end_ - now());
+        }
+        Part(const Part&) = delete;
+        Part& operator=(const Part&) = delete;
+        ~Part() { budget_.end_ = end_; }
+
+    private:
+        StageBudget& budget_;
+        double end_;
+    };
 
 private:
     static double now() {
@@ -54,42 +80,77 @@ private:
     std::uint32_t polls_ = 0;
 };
 
-/// The exploration of one process.
+/// The exploration of one process, or of its pairs with the nodes of a specification.
 class Exploration {
 public:
+    /// `table`: the specification; null for a question without one.
     Exploration(lts::TransitionSystem& system, const Supercombinator& combined, const RegionRules& rules,
-                Variables variables, const Space& space, StageBudget& own, refine::Budget& budget)
+                Variables variables, const std::shared_ptr<const NormalTable>& table, const StageOptions& options,
+                const Space& space, StageBudget& own, refine::Budget& budget)
         : system_(system),
           combined_(combined),
           rules_(rules),
           variables_(std::move(variables)),
+          table_(table),
+          part_for_rings_(options.part_for_rings),
           own_(own),
           budget_(budget),
-          diagrams_(variables_.domains, space, own),
-          relations_(combined, rules, variables_, diagrams_) {}
+          diagrams_(domains_of(variables_, table.get()), space, own),
+          relations_(combined, rules, variables_, diagrams_, own) {}
 
     std::optional<Findings> decide(const refine::SymbolicQuestion& question) {
-        Findings findings;
-        {
-            Saturation saturation(relations_, diagrams_);
-            reached_ = diagrams_.keep_always(saturation.reachable(values_of(refine::initial_of(system_))));
+        if (table_) {
+            product_.emplace(*table_, rules_.back(), relations_, diagrams_, own_);
+            monitor_.emplace(table_, question.model);
         }
+        steps_ = product_ ? product_->steps() : relations_.steps();
+        diagnostics::sort_unique(steps_);
+        {
+            Saturation saturation(relations_, steps_, diagrams_, own_);
+            reached_ = diagrams_.keep_always(saturation.reachable(values_of(initial())));
+        }
+        Findings findings;
         findings.statistics.decided_by = refine::DecidedBy::diagrams;
         findings.statistics.diagram_nodes = diagrams_.count_nodes(reached_);
         findings.statistics.log10_states = static_cast<double>(std::log10(diagrams_.count_tuples(reached_)));
-        if (question.deadlock) findings.violation = find_deadlock();
+        if (product_) {
+            findings.statistics.spec_nodes = table_->nodes.size();
+            findings.violation = find_fault(question.model);
+        }
+        if (question.deadlock && !findings.violation) findings.violation = find_deadlock();
         if (question.divergence && !findings.violation) findings.violation = find_divergence();
         return findings;
     }
 
 private:
-    /// The values of a state by level; the first element is unused.
-    std::vector<Value> values_of(lts::StateView state) const {
+    /// A state, and the node of the specification after the same events; 0 without a specification.
+    struct Place {
+        Value node = 0;
+        std::vector<lts::Word> state;
+    };
+    struct Path {
+        Run run;
+        Value node = 0;         ///< at the end of the run
+        bool shortest = false;  ///< whether it is known to be a shortest one
+        [[nodiscard]] Place end() const { return {node, run.last_state()}; }
+    };
+
+    static std::vector<Value> domains_of(const Variables& variables, const NormalTable* table) {
+        std::vector<Value> domains = variables.domains;
+        if (table != nullptr) domains.push_back(static_cast<Value>(table->nodes.size()));
+        return domains;
+    }
+
+    [[nodiscard]] Place initial() const { return {0, refine::initial_of(system_)}; }
+
+    /// The values of a place by level; the first element is unused.
+    [[nodiscard]] std::vector<Value> values_of(const Place& place) const {
         std::vector<Value> values(variables_.slot_at.size());
         for (Level level = 1; level < values.size(); ++level) {
             const std::uint32_t slot = variables_.slot_at[level];
-            values[level] = relations_.value_of(slot, combined_.fields[slot].get(state));
+            values[level] = relations_.value_of(slot, combined_.fields[slot].get(place.state));
         }
+        if (table_) values.push_back(place.node);
         return values;
     }
 
@@ -103,11 +164,36 @@ private:
         return sum.get();
     }
 
+    /// The fault with the shortest run. Among runs to equally near pairs, a refusal comes before a forbidden event, as
+    /// in the search of states.
+    std::optional<Violation> find_fault(refine::Model model) {
+        const bool with_refusals = model != refine::Model::traces;
+        const Node refusing = diagrams_.keep_always(with_refusals ? product_->refusing(reached_) : nothing);
+        const Node forbidden = diagrams_.keep_always(product_->forbidden(reached_));
+        std::optional<Path> to_forbidden;
+        if (forbidden != nothing) to_forbidden = path_to(forbidden);
+        if (refusing != nothing)
+            if (auto path = path_to(refusing, to_forbidden ? to_forbidden->run.steps.size() : no_bound))
+                return Violation{ViolationKind::refusal, std::move(path->run), {}, {}, path->shortest};
+        if (!to_forbidden) return std::nullopt;
+        to_forbidden->run.steps.push_back(forbidden_step(to_forbidden->end()));
+        return Violation{ViolationKind::trace, std::move(to_forbidden->run), {}, {}, to_forbidden->shortest};
+    }
+
+    RunStep forbidden_step(const Place& place) {
+        for (const RunStep& step : refine::steps_from(system_, place.state, budget_))
+            if (advance(place.node, step.event).effect == Monitor::Effect::violation) return step;
+        throw std::logic_error("decision diagrams: a state has no forbidden event");
+    }
+
     std::optional<Violation> find_deadlock() {
-        const Diagrams::Kept stuck(diagrams_, relations_.none_possible(relations_.steps()));
-        const Node bad = diagrams_.keep_always(diagrams_.intersect(diagrams_.levels(), reached_, stuck.get()));
+        const Level top = diagrams_.levels();
+        const Diagrams::Kept lowest(diagrams_, relations_.none_possible(relations_.steps()));
+        const Diagrams::Kept stuck(diagrams_, diagrams_.lift(lowest.get(), top));
+        const Node bad = diagrams_.keep_always(diagrams_.intersect(top, reached_, stuck.get()));
         if (bad == nothing) return std::nullopt;
-        return Violation{ViolationKind::deadlock, shortest_run_to(bad), {}, {}};
+        const Path path = path_to(bad).value();
+        return Violation{ViolationKind::deadlock, path.run, {}, {}, path.shortest};
     }
 
     /// A state diverges iff it is in the greatest set of reachable states each of which has a tau into the set. Only
@@ -124,8 +210,9 @@ private:
         }
         const Node bad = diagrams_.keep_always(diverging.get());
         if (bad == nothing) return std::nullopt;
-        Violation violation{ViolationKind::divergence, shortest_run_to(bad), {}, {}};
-        walk_to_cycle(violation, bad);
+        const Path path = path_to(bad).value();
+        Violation violation{ViolationKind::divergence, path.run, {}, {}};
+        walk_to_cycle(violation, path.end(), bad);
         return violation;
     }
 
@@ -136,47 +223,99 @@ private:
         std::vector<Step> taus;
         for (std::size_t rule = 0; rule < on_cycles.size(); ++rule)
             if (on_cycles[rule] && rules_.back()[rule].event == process::tau) taus.push_back(relations_.steps()[rule]);
-        std::ranges::sort(taus);
-        taus.erase(std::unique(taus.begin(), taus.end()), taus.end());
+        diagnostics::sort_unique(taus);
         return taus;
     }
 
+    /// A shortest path if there is time for it, and otherwise some path. No value if it needs more than `most` steps.
+    std::optional<Path> path_to(Node bad, std::size_t most = no_bound) {
+        try {
+            const StageBudget::Part part(own_, part_for_rings_);
+            own_.check();
+            return shortest_path_to(bad, most);
+        } catch (const OutOfTime&) {
+            return some_path_to(bad);
+        }
+    }
+
     /// Backward from the bad states: the ring of number n contains the states that reach a bad one in at most n steps.
-    /// Then forward by the transitions of the process, each time into the next ring.
-    Run shortest_run_to(Node bad) {
-        std::vector<Step> steps = relations_.steps();
-        std::ranges::sort(steps);
-        steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+    std::optional<Path> shortest_path_to(Node bad, std::size_t most) {
         const Level top = diagrams_.levels();
-        const std::vector<Value> initial = values_of(refine::initial_of(system_));
+        const std::vector<Value> first = values_of(initial());
         std::vector<Node> rings{bad};
-        while (!diagrams_.contains(rings.back(), initial)) {
-            const Diagrams::Kept earlier(diagrams_, before(rings.back(), steps));
+        while (!diagrams_.contains(rings.back(), first)) {
+            if (rings.size() > most) return std::nullopt;
+            const Diagrams::Kept earlier(diagrams_, before(rings.back(), steps_));
             const Diagrams::Kept inside(diagrams_, diagrams_.intersect(top, earlier.get(), reached_));
             const Node next = diagrams_.keep_always(diagrams_.unite(top, rings.back(), inside.get()));
             if (next == rings.back()) throw std::logic_error("decision diagrams: a reachable state has no run");
             rings.push_back(next);
         }
-        Run run{refine::initial_of(system_), {}};
-        for (std::size_t ring = rings.size() - 1; ring-- > 0;)
-            run.steps.push_back(step_into(rings[ring], run.last_state()));
-        return run;
+        Path path = walk_down(rings);
+        path.shortest = true;
+        return path;
     }
 
-    /// The first transition of the process from the state into the set.
-    RunStep step_into(Node set, const std::vector<lts::Word>& state, bool by_tau = false) {
-        for (const RunStep& step : refine::steps_from(system_, state, budget_))
-            if ((!by_tau || step.event == process::tau) && diagrams_.contains(set, values_of(step.state))) return step;
+    /// Backward from one of the bad states by one step after the other. A set contains the states of the set before it,
+    /// and those from which one step leads there. There are far fewer sets than in rings that wait for all steps.
+    Path some_path_to(Node bad) {
+        const Level top = diagrams_.levels();
+        const std::vector<Value> first = values_of(initial());
+        std::vector<Node> sets{diagrams_.keep_always(diagrams_.least_tuple(bad))};
+        // The order of the steps changes its direction, because it may be that of the run or the opposite one.
+        for (bool forward = true; !diagrams_.contains(sets.back(), first); forward = !forward) {
+            const Node before_all = sets.back();
+            for (std::size_t i = 0; i < steps_.size(); ++i) {
+                const Step& step = steps_[forward ? i : steps_.size() - 1 - i];
+                const Diagrams::Kept earlier(diagrams_, relations_.before(sets.back(), step));
+                const Diagrams::Kept inside(diagrams_, diagrams_.intersect(top, earlier.get(), reached_));
+                const Node next = diagrams_.unite(top, sets.back(), inside.get());
+                if (next != sets.back()) sets.push_back(diagrams_.keep_always(next));
+            }
+            if (sets.back() == before_all) throw std::logic_error("decision diagrams: a reachable state has no run");
+        }
+        return walk_down(sets);
+    }
+
+    /// Forward from the initial state by the transitions of the process. Each set contains those before it. A state
+    /// that is in a set, but not in the one before it, has a transition into the latter.
+    Path walk_down(const std::vector<Node>& sets) {
+        Path path{{initial().state, {}}, 0};
+        for (;;) {
+            const std::vector<Value> values = values_of(path.end());
+            const auto found =
+                std::ranges::partition_point(sets, [&](Node set) { return !diagrams_.contains(set, values); });
+            if (found == sets.begin()) return path;
+            RunStep step = step_into(*std::prev(found), path.end());
+            path.node = advance(path.node, step.event).node;
+            path.run.steps.push_back(std::move(step));
+        }
+    }
+
+    /// What an event does to the node.
+    Monitor::Advance advance(Value node, process::Event event) {
+        if (!monitor_ || event == process::tau) return {Monitor::Effect::follow, node};
+        return monitor_->advance(node, event);
+    }
+
+    /// The first transition of the process from the place into the set.
+    RunStep step_into(Node set, const Place& place, bool by_tau = false) {
+        for (const RunStep& step : refine::steps_from(system_, place.state, budget_)) {
+            if (by_tau && step.event != process::tau) continue;
+            const auto [effect, node] = advance(place.node, step.event);
+            if (effect != Monitor::Effect::follow) continue;
+            if (diagrams_.contains(set, values_of({node, step.state}))) return step;
+        }
         throw std::logic_error("decision diagrams: a state has no transition that its rules give it");
     }
 
     /// Follows taus inside the set until a state repeats. The run then ends in this state.
-    void walk_to_cycle(Violation& violation, Node diverging) {
-        std::vector<std::vector<lts::Word>> states{violation.run.last_state()};
+    void walk_to_cycle(Violation& violation, const Place& start, Node diverging) {
+        std::vector<std::vector<lts::Word>> states{start.state};
         std::vector<RunStep> taus;
         for (;;) {
             own_.poll();
-            taus.push_back(step_into(diverging, states.back(), true));
+            taus.push_back(step_into(diverging, {start.node, states.back()}, true));
             const auto repeated = std::ranges::find(states, taus.back().state);
             if (repeated == states.end()) {
                 states.push_back(taus.back().state);
@@ -191,34 +330,80 @@ private:
         }
     }
 
+    static constexpr std::size_t no_bound = std::numeric_limits<std::size_t>::max();
+
     lts::TransitionSystem& system_;
     const Supercombinator& combined_;
     const RegionRules& rules_;
     const Variables variables_;
+    const std::shared_ptr<const NormalTable> table_;
+    const double part_for_rings_;
     StageBudget& own_;
     refine::Budget& budget_;
     Diagrams diagrams_;
     Relations relations_;
+    std::optional<Product> product_;
+    std::optional<refine::TableMonitor> monitor_;
+    std::vector<Step> steps_;  // ascending
     Node reached_ = nothing;
 };
+
+/// The whole normal form of the specification. No value if it has too many nodes, if there is not enough time, or if a
+/// part of it that a search may never reach cannot be evaluated.
+std::optional<NormalTable> specification_table(const refine::SymbolicQuestion& question,
+                                               std::chrono::duration<double> share, refine::Budget& budget) {
+    constexpr std::size_t most_nodes = 100'000;
+    refine::Limits limits = budget.limits();
+    limits.max_states = 1'000'000;
+    limits.progress = {};
+    refine::Budget own(limits);
+    own.call_after(share, refine::CallMoment::any_poll, [] { throw OutOfTime(); });
+    try {
+        refine::NormalForm normal(*question.specification, own);
+        return refine::table_of(normal, question.model, most_nodes);
+    } catch (const process::Interrupted&) {
+        budget.check();  // unless the limit is that of states
+        return std::nullopt;
+    } catch (const std::logic_error&) {
+        throw;
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+}
 
 }  // namespace
 
 std::optional<Findings> DiagramStage::decide(lts::TransitionSystem& system, const refine::SymbolicQuestion& question,
                                              refine::Budget& budget) {
     const auto* const compiled = dynamic_cast<const machine::SupercombinatorSystem*>(&system);
-    if (compiled == nullptr || compiled->combined().components.size() > most_levels) return std::nullopt;
-    const Supercombinator& combined = compiled->combined();
+    if (compiled == nullptr || compiled->combined().components.size() >= most_levels) return std::nullopt;
+    const GivenUp attempt{compiled->share_combined(), question};
+    if (given_up_ == attempt) return std::nullopt;
+    std::optional<Findings> findings = explore(system, compiled->combined(), question, budget);
+    if (!findings) given_up_ = attempt;
+    return findings;
+}
+
+std::optional<Findings> DiagramStage::explore(const lts::TransitionSystem& system, const Supercombinator& combined,
+                                              const refine::SymbolicQuestion& question, refine::Budget& budget) const {
     const std::unique_ptr<lts::TransitionSystem> copy = system.clone_for_thread();
     StageBudget own(budget, options_.share);
     Space space = options_.space;
     space.bytes = std::min<std::uint64_t>(space.bytes, budget.limits().memory_bytes / 8);
     try {
+        own.check();
+        std::shared_ptr<const NormalTable> table;
+        if (question.specification != nullptr) {
+            std::optional<NormalTable> made = specification_table(question, options_.share, budget);
+            if (!made || made->nodes.front().diverges) return std::nullopt;
+            table = std::make_shared<const NormalTable>(std::move(*made));
+        }
         const std::optional<RegionRules> rules = machine::rules_of_regions(combined, own);
         if (!rules) return std::nullopt;
         Variables variables =
-            options_.order.empty() ? make_variables(combined, *rules) : make_variables(combined, options_.order);
-        return Exploration(*copy, combined, *rules, std::move(variables), space, own, budget).decide(question);
+            options_.order.empty() ? make_variables(combined, *rules, own) : make_variables(combined, options_.order);
+        return Exploration(*copy, combined, *rules, std::move(variables), table, options_, space, own, budget)
+            .decide(question);
     } catch (const OutOfTime&) {
         return std::nullopt;
     } catch (const OutOfSpace&) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers questions about compiled processes by decision diagrams. Nothing here is faster than a search of states in
-// general: it decides networks of many parts whose rules join few parts.
+// Answers questions about compiled processes by decision diagrams: deadlock, divergence, and refinement in each model.
+// Nothing here is faster than a search of states in general: it decides networks of many parts whose rules join few
+// parts.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
+#include "checker/machine/supercombinator.hpp"
 #include "checker/refine/verdict/symbolic_stage.hpp"
 #include "checker/symbolic/diagrams.hpp"
 
@@ -15,6 +19,7 @@ namespace robochart::symbolic {
 struct StageOptions {
     std::chrono::duration<double> delay{3};  ///< CPU time of the search of states before the stage
     std::chrono::duration<double> share{3};  ///< CPU time of the stage
+    double part_for_rings = 0.5;             ///< of the time left when a violation is known: for its shortest run
     Space space = {};                        ///< at most an eighth of the memory of the run
     std::vector<std::uint32_t> order = {};   ///< for tests: slots from the lowest level up; empty: a good order
 };
@@ -28,7 +33,18 @@ public:
                                                          refine::Budget& budget) override;
 
 private:
+    struct GivenUp {
+        std::shared_ptr<const machine::Supercombinator> process;
+        refine::SymbolicQuestion question;
+        friend bool operator==(const GivenUp&, const GivenUp&) = default;
+    };
+    [[nodiscard]] std::optional<refine::Findings> explore(const lts::TransitionSystem& system,
+                                                          const machine::Supercombinator& combined,
+                                                          const refine::SymbolicQuestion& question,
+                                                          refine::Budget& budget) const;
+
     const StageOptions options_;
+    std::optional<GivenUp> given_up_;  // the last attempt without an answer, which another search does not repeat
 };
 
 }  // namespace robochart::symbolic

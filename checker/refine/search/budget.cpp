@@ -53,15 +53,32 @@ void Budget::report_progress(Time now) {
     limits_.progress(progress);
 }
 
-void Budget::call_after(std::chrono::duration<double> cpu_time, std::function<void()> function) {
+void Budget::call_after(std::chrono::duration<double> cpu_time, CallMoment moment, std::function<void()> function) {
     call_ = std::move(function);
+    call_moment_ = moment;
+    call_is_due_ = false;
     work_ = (work_ + 1023U) & ~std::uint64_t{1023};  // the next charge checks the time
     call_time_ = std::clock() + static_cast<std::clock_t>(cpu_time.count() * CLOCKS_PER_SEC);
 }
 
+void Budget::cancel_call() {
+    call_ = {};
+    call_is_due_ = false;
+}
+
+void Budget::make_call() {
+    call_is_due_ = false;
+    std::exchange(call_, {})();
+}
+
 void Budget::check_and_report() {
     run_.check();
-    if (call_ && std::clock() >= call_time_) std::exchange(call_, {})();
+    if (call_ && std::clock() >= call_time_) {
+        if (call_moment_ == CallMoment::any_poll)
+            make_call();
+        else
+            call_is_due_ = true;
+    }
     const Time now = std::chrono::steady_clock::now();
     if (limits_.progress && now - reported_ >= between_reports) report_progress(now);
 }

@@ -15,6 +15,12 @@ namespace robochart::refine {
 
 using diagnostics::LimitReached;
 
+/// When Budget::call_after may call its function.
+enum class CallMoment : std::uint8_t {
+    any_poll,        ///< when any work polls the budget
+    between_states,  ///< when a search calls Budget::between_states, so that the function may use the searched systems
+};
+
 /// The budget of the run, with a limit on states. The search charges it for work, and it reports progress.
 class Budget final : public diagnostics::Pollable {
 public:
@@ -42,8 +48,12 @@ public:
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
     /// Calls the function once, when the program has used this much CPU time more. The function may throw an exception
     /// to end the work that polls the budget.
-    void call_after(std::chrono::duration<double> cpu_time, std::function<void()> function);
-    void cancel_call() { call_ = {}; }
+    void call_after(std::chrono::duration<double> cpu_time, CallMoment moment, std::function<void()> function);
+    void cancel_call();
+    /// Called by a search while no thread of it uses its systems.
+    void between_states() {
+        if (call_is_due_) make_call();
+    }
     /// The number of threads that may work on the check, at least one.
     [[nodiscard]] unsigned threads() const;
     [[nodiscard]] std::size_t wide_level() const { return limits_.wide_level; }
@@ -52,6 +62,7 @@ private:
     using Time = std::chrono::steady_clock::time_point;
 
     void check_and_report();
+    void make_call();
     void report_progress(Time now);
 
     const Limits& limits_;
@@ -63,7 +74,9 @@ private:
     std::uint64_t work_ = 0;
     std::function<void(Progress&)> source_;
     std::function<void()> call_;  // empty: none is left
+    CallMoment call_moment_ = CallMoment::any_poll;
     std::clock_t call_time_ = 0;  // CPU time of the program at which it is due
+    bool call_is_due_ = false;    // it waits for between_states
 };
 
 }  // namespace robochart::refine

@@ -125,6 +125,7 @@ std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex en
 /// Records the results of a block like those of single expansions.
 void Search::record_block(const ParallelLevel::Block& block) {
     budget_.charge(block.pairs);
+    budget_.between_states();
     expanded_ += block.pairs;
     transitions_ += block.transitions;
     chased_ += block.chased;
@@ -137,6 +138,7 @@ std::optional<Finding> Search::enter_results(const Expansion& expansion, StateIn
     std::size_t row = 0;
     for (const Expansion::Pair& pair : expansion.pairs) {
         budget_.charge();
+        budget_.between_states();
         ++expanded_;
         transitions_ += pair.transitions;
         chased_ += pair.chased;
@@ -237,6 +239,7 @@ private:
 /// If the search has visited everything, all targets are in the store. Otherwise, others are left out.
 void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     budget_.charge();
+    budget_.between_states();
     TauRows rows(pairs_, nodes_ ? std::optional(node(pair)) : std::nullopt);
     (cycle_system_ ? *cycle_system_ : system_).successors(state(pair), rows);
     for (std::size_t i = 0; i < rows.hashes.size(); ++i) {

@@ -214,13 +214,14 @@ void decide_refinement(lts::TransitionSystem& specification, lts::TransitionSyst
     verdict.outcome = Outcome::holds;
     Indifference indifference(specification, model, budget);
     RefinementQuestion refinement{normal, model, pairs, false};
-    const SearchQuestion question{
-        [&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
-            return search_refinement(refinement, system, own, size, known);
-        },
-        [&](const lts::EventPermutation& exchange) { return indifference.holds_for(exchange); }};
+    SearchQuestion question{[&](lts::TransitionSystem& system, Budget& own, Statistics& size, const Violation* known) {
+                                return search_refinement(refinement, system, own, size, known);
+                            },
+                            [&](const lts::EventPermutation& exchange) { return indifference.holds_for(exchange); }};
     const std::optional<Violation> violation = reuse_or_search(earlier, verdict, [&] {
         refinement.may_diverge = model == Model::failures_divergences && !is_tau_acyclic(implementation, budget);
+        if (pairs == Search::Pairs::all)
+            question.symbolic = SymbolicQuestion{false, refinement.may_diverge, &specification, model};
         return search_reduced(implementation, budget, verdict.statistics, question);
     });
     if (!violation) return;

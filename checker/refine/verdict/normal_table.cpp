@@ -32,13 +32,13 @@ private:
 
 }  // namespace
 
-std::optional<NormalTable> table_of(NormalForm& normal, Model model) {
+std::optional<NormalTable> table_of(NormalForm& normal, Model model, std::size_t most_nodes) {
     NormalTable table;
     Numbering numbering;
     try {
         numbering.number_of(normal.initial());
         for (std::size_t at = 0; at < numbering.met.size(); ++at) {
-            if (numbering.met.size() > most_table_nodes) return std::nullopt;
+            if (numbering.met.size() > most_nodes) return std::nullopt;
             const NormalForm::Node node = numbering.met[at];
             NormalTable::Node& row = table.nodes.emplace_back();
             row.diverges = model == Model::failures_divergences && normal.diverges(node);

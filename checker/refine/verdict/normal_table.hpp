@@ -26,10 +26,11 @@ struct NormalTable {
 /// The maximal number of nodes in a table, because each rank stores all of them.
 inline constexpr std::size_t most_table_nodes = 1'000'000;
 
-/// Returns the parts of the whole normal form that refinement in the model uses. No value if there are more nodes than
-/// a table can contain, or too many to be useful (see SpecificationGrows). Throws the exceptions of the specification,
+/// Returns the parts of the whole normal form that refinement in the model uses. No value if there are more than
+/// `most_nodes` nodes, or too many to be useful (see SpecificationGrows). Throws the exceptions of the specification,
 /// and LimitReached.
-[[nodiscard]] std::optional<NormalTable> table_of(NormalForm& normal, Model model);
+[[nodiscard]] std::optional<NormalTable> table_of(NormalForm& normal, Model model,
+                                                  std::size_t most_nodes = most_table_nodes);
 
 /// A monitor that gives the answers of RefinementMonitor from a table.
 class TableMonitor final : public Monitor {

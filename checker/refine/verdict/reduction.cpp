@@ -116,7 +116,9 @@ std::optional<Violation> search_with_stage(lts::TransitionSystem& system, Budget
     SymbolicStage* const stage = budget.limits().symbolic;
     const auto search = [&] { return ReducedSearch(system, budget, question).run(statistics); };
     if (stage == nullptr || !question.symbolic || budget.limits().by_levels != nullptr) return search();
-    budget.call_after(stage->delay(), [&] {
+    const bool uses_specification = question.symbolic->specification != nullptr;
+    const CallMoment moment = uses_specification ? CallMoment::between_states : CallMoment::any_poll;
+    budget.call_after(stage->delay(), moment, [&] {
         if (std::optional<Findings> findings = stage->decide(system, *question.symbolic, budget))
             throw Decided{std::move(*findings)};
     });

@@ -8,13 +8,19 @@
 
 #include "checker/refine/search/budget.hpp"
 #include "checker/refine/verdict/findings.hpp"
+#include "checker/refine/verdict/verdict.hpp"
 
 namespace robochart::refine {
 
 /// What must not be reachable.
 struct SymbolicQuestion {
     bool deadlock = false;    ///< a state without transitions
-    bool divergence = false;  ///< a cycle of taus
+    bool divergence = false;  ///< a cycle of taus; with a specification, only before it diverges
+    /// If not null: an event that this process does not allow after the same trace and, except in the traces model, a
+    /// refusal. Runs on which the specification diverges are ignored in the failures-divergences model.
+    lts::TransitionSystem* specification = nullptr;
+    Model model = Model::traces;  ///< with a specification
+    friend bool operator==(const SymbolicQuestion&, const SymbolicQuestion&) = default;
 };
 
 class SymbolicStage {
@@ -25,9 +31,9 @@ public:
     virtual ~SymbolicStage() = default;
     /// The CPU time of a search before the stage is tried.
     [[nodiscard]] virtual std::chrono::duration<double> delay() const = 0;
-    /// Returns the findings of a complete exploration. No value if the system has no rules, or if the stage reaches its
-    /// bounds. A violation is a run of the system, which the caller confirms. Throws LimitReached if the budget's
-    /// limits are reached.
+    /// Returns the findings of a complete exploration. No other work may use the specification meanwhile. No value if
+    /// the system has no rules, or if the stage reaches its bounds. A violation is a run of the system, which the
+    /// caller confirms. Throws LimitReached if the budget's limits are reached.
     [[nodiscard]] virtual std::optional<Findings> decide(lts::TransitionSystem& system,
                                                          const SymbolicQuestion& question, Budget& budget) = 0;
 };

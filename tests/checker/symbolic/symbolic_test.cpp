@@ -49,11 +49,12 @@ std::vector<std::uint32_t> random_order(std::size_t size, std::mt19937_64& numbe
 }
 
 std::vector<StageOptions> settings(std::size_t slots, std::mt19937_64& numbers) {
-    std::vector<StageOptions> result(3);
+    std::vector<StageOptions> result(4);
     result[1].order = random_order(slots, numbers);
     result[1].space.most_results = 2;
     result[2].order = random_order(slots, numbers);
     result[2].space.always_collect = true;
+    result[3].part_for_rings = 0;
     return result;
 }
 
@@ -64,7 +65,12 @@ std::optional<refine::Findings> decide(SupercombinatorSystem& system, const refi
     refine::Budget budget(limits);
     DiagramStage stage(options);
     std::optional<refine::Findings> findings = stage.decide(system, question, budget);
-    if (findings && findings->violation) refine::confirm_property_violation(system, *findings->violation, budget);
+    if (!findings || !findings->violation) return findings;
+    if (question.specification == nullptr)
+        refine::confirm_property_violation(system, *findings->violation, budget);
+    else
+        refine::confirm_refinement_violation(*question.specification, system, question.model, *findings->violation,
+                                             budget);
     return findings;
 }
 
@@ -94,8 +100,12 @@ TEST_F(Symbolic, AgreesWithTheSearchOnRandomRules) {
                 << "round " << round;
             ASSERT_EQ(dead->violation.has_value(), expected.deadlock.outcome == Outcome::fails) << "round " << round;
             if (dead->violation) {
-                ASSERT_TRUE(dead->violation->shortest);
-                ASSERT_EQ(dead->violation->run.steps.size(), expected.deadlock.counterexample->steps.size());
+                const std::size_t length = expected.deadlock.counterexample->steps.size();
+                ASSERT_EQ(dead->violation->shortest, options.part_for_rings > 0);
+                if (dead->violation->shortest) {
+                    ASSERT_EQ(dead->violation->run.steps.size(), length);
+                }
+                ASSERT_GE(dead->violation->run.steps.size(), length);
             }
             const auto divergent = decide(system, {false, true}, options);
             ASSERT_TRUE(divergent) << "round " << round;
@@ -111,15 +121,127 @@ TEST_F(Symbolic, AgreesWithTheSearchOnRandomRules) {
     EXPECT_GT(large * 10, rounds);
 }
 
+/// The same process, whose first visible event is termination.
+std::shared_ptr<const Supercombinator> with_tick(const Supercombinator& combined) {
+    Supercombinator result = combined;
+    machine::Region& whole = result.regions.back();
+    const auto first =
+        std::ranges::find_if(whole.alphabet, [](process::Event e) { return e >= process::first_visible; });
+    if (first == whole.alphabet.end()) return std::make_shared<const Supercombinator>(std::move(result));
+    for (machine::Rule& rule : whole.rules)
+        if (rule.event == *first) rule.event = rule.revealed = process::tick;
+    *first = process::tick;
+    return std::make_shared<const Supercombinator>(std::move(result));
+}
+
+/// A specification that differs little from the process, or not at all: some transitions of some states are left out,
+/// added, or have another event or target.
+lts::Graph similar_graph(const lts::Graph& graph, std::mt19937_64& numbers) {
+    const std::uint64_t changes = numbers() % 3;
+    const auto some_event = [&] { return static_cast<process::Event>(numbers() % (process::first_visible + 4)); };
+    const auto some_state = [&] { return static_cast<lts::StateIndex>(numbers() % graph.size()); };
+    lts::Graph result;
+    std::vector<std::vector<lts::Edge>> edges;
+    for (lts::StateIndex state = 0; state < graph.size(); ++state)
+        edges.emplace_back(graph.edges(state).begin(), graph.edges(state).end());
+    for (std::uint64_t change = 0; change < changes; ++change) {
+        std::vector<lts::Edge>& row = edges[some_state()];
+        const std::uint64_t kind = row.empty() ? 0 : numbers() % 4;
+        if (kind == 0) row.push_back({some_event(), some_state()});
+        if (kind == 1) row.erase(row.begin() + static_cast<std::ptrdiff_t>(numbers() % row.size()));
+        if (kind == 2) row[numbers() % row.size()].event = some_event();
+        if (kind == 3) row[numbers() % row.size()].target = some_state();
+    }
+    for (const std::vector<lts::Edge>& row : edges) {
+        for (const lts::Edge& edge : row) result.add_edge(edge);
+        result.finish_state();
+    }
+    return result;
+}
+
+/// How often the comparison with the search met which answer.
+struct Answers {
+    int holds = 0, forbidden = 0, refusals = 0, divergences = 0, with_tick = 0;
+};
+
+/// Compares the answer, the kind and the length of the run, and the number of pairs with those of the search.
+void compare_refinement(SupercombinatorSystem& system, lts::TransitionSystem& specification, refine::Model model,
+                        const StageOptions& options, Answers& answers) {
+    const refine::Verdict expected = refine::refines(specification, system, model, {});
+    const bool divergence = model == refine::Model::failures_divergences;
+    const auto found = decide(system, {false, divergence, &specification, model}, options);
+    if (!found) {  // the specification diverges at once
+        ASSERT_TRUE(divergence);
+        ASSERT_EQ(expected.outcome, Outcome::holds);
+        ASSERT_LE(expected.statistics.states, 1U);
+        return;
+    }
+    ASSERT_EQ(found->violation.has_value(), expected.outcome == Outcome::fails);
+    if (!found->violation) {
+        ++answers.holds;
+        constexpr std::uint64_t few_nodes = 256;  // with more, the search may leave out pairs (antichains)
+        if (found->statistics.spec_nodes <= few_nodes) {
+            ASSERT_EQ(std::llround(std::pow(10.0, found->statistics.log10_states)), expected.statistics.states);
+        }
+        return;
+    }
+    const bool divergent = found->violation->kind == refine::ViolationKind::divergence;
+    ASSERT_EQ(divergent, expected.counterexample->kind == refine::ViolationKind::divergence);
+    ASSERT_EQ(found->violation->shortest, options.part_for_rings > 0 && !divergent);
+    ASSERT_GE(found->violation->run.steps.size(), expected.counterexample->steps.size());
+    if (options.part_for_rings > 0) {
+        ASSERT_EQ(found->violation->kind, expected.counterexample->kind);
+    }
+    answers.forbidden += found->violation->kind == refine::ViolationKind::trace ? 1 : 0;
+    answers.refusals += found->violation->kind == refine::ViolationKind::refusal ? 1 : 0;
+    answers.divergences += found->violation->kind == refine::ViolationKind::divergence ? 1 : 0;
+    if (found->violation->shortest) {
+        ASSERT_EQ(found->violation->run.steps.size(), expected.counterexample->steps.size());
+    }
+}
+
+TEST_F(Symbolic, RefinementAgreesWithTheSearchOnRandomRules) {
+    using refine::Model;
+    const int rounds = refine::wanted_checks(static_cast<int>(tests::rounds(600)));
+    RandomRules rules(3706);
+    std::mt19937_64 numbers(3707);
+    Answers answers;
+    for (int round = 0; round < rounds; ++round) {
+        std::shared_ptr<const Supercombinator> combined = rules.next(s.stop());
+        if (round % 3 == 0) combined = with_tick(*combined);
+        SupercombinatorSystem system(combined, s.store);
+        const lts::Graph graph = lts::graph_of(system, 1'000'000);
+        if (graph.size() > 3'000) continue;
+        const lts::Graph similar = similar_graph(graph, numbers);
+        lts::GraphSystem specification(similar, s.store.events());
+        std::vector<StageOptions> options = settings(combined->components.size(), numbers);
+        for (const Model model : {Model::traces, Model::failures, Model::failures_divergences}) {
+            SCOPED_TRACE("round " + std::to_string(round) + ", model " + std::to_string(static_cast<int>(model)));
+            for (const StageOptions& setting : options) {
+                compare_refinement(system, specification, model, setting, answers);
+                if (HasFatalFailure()) return;
+            }
+        }
+    }
+    std::cout << answers.holds << " hold, " << answers.forbidden << " forbidden events, " << answers.refusals
+              << " refusals, " << answers.divergences << " divergences\n";
+    EXPECT_GT(answers.holds, rounds);
+    EXPECT_GT(answers.forbidden, rounds / 4);
+    EXPECT_GT(answers.refusals, rounds / 4);
+    EXPECT_GT(answers.divergences, rounds / 50);
+}
+
 /// The numbers of reachable states and of deadlocks by these rules.
 std::pair<long double, long double> counts_of(const Supercombinator& combined, const RegionRules& rules) {
-    const Variables variables = make_variables(combined, rules);
+    const Variables variables = make_variables(combined, rules, diagnostics::unlimited);
     Diagrams diagrams(variables.domains, {}, diagnostics::unlimited);
-    Relations relations(combined, rules, variables, diagrams);
+    Relations relations(combined, rules, variables, diagrams, diagnostics::unlimited);
     std::vector<Value> initial(variables.slot_at.size());
     for (Level level = 1; level < initial.size(); ++level) initial[level] = combined.initial[variables.slot_at[level]];
-    const Node reached = diagrams.keep_always(Saturation(relations, diagrams).reachable(initial));
-    const Node stuck = diagrams.keep_always(relations.none_possible(relations.steps()));
+    Saturation saturation(relations, relations.steps(), diagrams, diagnostics::unlimited);
+    const Node reached = diagrams.keep_always(saturation.reachable(initial));
+    const Diagrams::Kept lowest(diagrams, relations.none_possible(relations.steps()));
+    const Node stuck = diagrams.keep_always(diagrams.lift(lowest.get(), diagrams.levels()));
     return {diagrams.count_tuples(reached),
             diagrams.count_tuples(diagrams.intersect(diagrams.levels(), reached, stuck))};
 }

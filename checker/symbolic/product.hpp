@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Refinement as a question about a set of pairs: a node of the specification's normal form, and a state of the
+// implementation (Roscoe, "Understanding Concurrent Systems", 16.1). The node is the highest variable. An event that
+// can change the node is a relation on the node and on the variables of the event's rule; all other events leave the
+// node as it is (docs/search.md, "Decision diagrams").
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "checker/refine/verdict/normal_table.hpp"
+#include "checker/symbolic/relations.hpp"
+
+namespace robochart::symbolic {
+
+class Product {
+public:
+    /// The level of the node is the highest one of the diagrams; all others belong to the variables of `relations`. The
+    /// rules are those of its steps. Polls the budget.
+    Product(const refine::NormalTable& table, const std::vector<machine::WholeRule>& rules, Relations& relations,
+            Diagrams& diagrams, diagnostics::Pollable& budget);
+
+    /// The steps between pairs. Events that the node does not allow are left out, and so are events after which the
+    /// specification diverges.
+    [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+    /// The pairs of this set whose state has an event that the node does not allow.
+    [[nodiscard]] Node forbidden(Node pairs);
+    /// The pairs of this set whose state refuses more than the node allows: it is stable or has tick, and its
+    /// acceptance includes none of the node's (refine/search/stability.hpp).
+    [[nodiscard]] Node refusing(Node pairs);
+
+private:
+    [[nodiscard]] LocalRelation relation_of(process::Event event) const;
+    [[nodiscard]] Node none_possible(std::vector<Step> steps);
+    [[nodiscard]] Node none_possible_of(const std::vector<process::Event>& events);
+    [[nodiscard]] std::vector<process::Event> forbidden_events(Value node) const;
+    [[nodiscard]] Node refusing(const std::vector<process::EventSet>& acceptances, Node states, Node stable,
+                                Node without_tick);
+    [[nodiscard]] Node lacking(const process::EventSet& acceptance, Node states);
+
+    const refine::NormalTable& table_;
+    Relations& relations_;
+    Diagrams& diagrams_;
+    diagnostics::Pollable& budget_;
+    std::map<process::Event, std::vector<Step>> by_event_;      // steps of the implementation
+    std::map<std::vector<process::Event>, Node> not_possible_;  // by events: the states in which none is possible
+    std::vector<Step> steps_;
+};
+
+}  // namespace robochart::symbolic
