@@ -686,17 +686,8 @@ Exit print_phases(const std::vector<driver::Part>& parts, const Options& options
     return exit;
 }
 
-/// Reports components with which logs cannot be compared.
-void refuse_unlike_models(driver::Project& project) {
-    for (const ir::ComponentRef& component : driver::code_components(project.system, ""))
-        if (const std::string why = why_unlike_model(project, component); !why.empty())
-            project.diagnostics.report(rules::no_monitor, driver::declared_at(project.system, component),
-                                       {component.path, why});
-}
-
 /// Compares logs with the parts. A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
-    for (const driver::Part& part : parts) refuse_unlike_models(*part.project);
     const auto refused = std::ranges::find_if(
         parts, [&](const driver::Part& part) { return !is_acceptable(*part.project, options.load); });
     if (refused != parts.end()) {
@@ -722,7 +713,8 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
                             options.code.target == cpp_emit::Target::argos;
     if (!options.conform.traces.empty() || of_a_robot) options.load.robosim_code = false;
     parts = driver::load_parts(options, options.run->budget());
-    if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor)
+    if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
+        options.verb == Verb::emit_tests)
         for (const driver::Part& part : parts) driver::read_ignored_claims(*part.project, options.load);
     record_projects(parts, options, options);
     if (options.output.phase != Phase::none) return print_phases(parts, options);
