@@ -480,6 +480,8 @@ void check_conformance(driver::Project& project, const Options& options, Report&
             unlike_blocks = values_unlike_blocks(project, model->script.definitions);
         }
         one.result = conformance::conform(*model, component, conformance_options, project.diagnostics);
+        for (const conformance::CycleAnswers& claim : one.result.claims)
+            one.claim_regions.push_back(driver::region_of(project.sources, claim.span));
         one.order = order_text(project.system, conformance_options.generator.order);
         if (!unlike_blocks.empty())
             one.result.warnings.push_back(fmt::format(
