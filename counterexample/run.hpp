@@ -118,6 +118,8 @@ struct Step {
     std::vector<Machine> machines;  ///< all machines, after the step
     std::vector<Event> offered;     ///< the alternatives before it
     std::size_t more_offered = 0;   ///< the number of alternatives that are not listed
+    bool in_scope = false;          ///< the run breaks a claim with a scope: the scope lasts after the step
+    bool owed = false;              ///< the run breaks a claim: something is owed after the step
 };
 
 /// The violation at the end of a run. For a claim that no such run exists, the fact that the run shows.

@@ -6,49 +6,196 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "claims/checks/components.hpp"
+#include "claims/checks/rules.hpp"
+#include "cpp_emit/plan/resolve_component.hpp"
+#include "driver/model/places.hpp"
 #include "driver/model/project_claims.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
 namespace {
 
-/// True if the order is about the component, a part of it, or a machine that runs in it.
-bool is_about(const claims::CheckedOrder& order, const claims::Component& component) {
-    const std::string& path = order.component.path;
-    if (path == component.path || path.starts_with(component.path + "::")) return true;
-    return order.component.kind == ir::ComponentKind::machine &&
-           std::ranges::any_of(component.machines, [&](const claims::MachinePart& part) {
-               return part.machine == order.component.machines.front().machine;
-           });
+using claims::CheckedOrder;
+using Drop = cpp_emit::EventOrder::Drop;
+
+/// The number of a received event among the inputs of the component, by its name at the boundary.
+std::optional<std::uint32_t> input_named(const cpp_emit::Component& component, const std::string& outside) {
+    std::uint32_t number = 0;
+    for (const cpp_emit::EventPort& port : component.events) {
+        if (!port.received) continue;
+        if (port.outside == outside) return number;
+        ++number;
+    }
+    return std::nullopt;
 }
 
-}  // namespace
+/// Two events at the boundary; no value if the platform raises one of them not.
+std::optional<Drop> drop_of(const cpp_emit::Component& component, const std::optional<std::string>& event,
+                            const std::optional<std::string>& dropped) {
+    if (!event || !dropped) return std::nullopt;
+    const auto one = input_named(component, *event), other = input_named(component, *dropped);
+    if (!one || !other) return std::nullopt;
+    return Drop{*event, *dropped, *one, *other};
+}
 
-cpp_emit::EventOrder event_order(const driver::Project& project, const ir::ComponentRef& component) {
+/// The event at the boundary that a machine in the component receives as `name`.
+std::optional<std::string> outside_of_part(const cpp_emit::Component& component, const cpp_emit::Part& part,
+                                           const std::string& name) {
+    const auto use = std::ranges::find(part.events, name, &cpp_emit::EventUse::name);
+    if (use == part.events.end() || use->ports.empty()) return std::nullopt;
+    return component.events[use->ports.front()].outside;
+}
+
+/// The event at the boundary of a module that its controller receives as `name`.
+std::optional<std::string> outside_of_controller(const ir::Module& module, std::uint32_t controller,
+                                                 const std::string& name) {
+    const auto is_controller = [&](const ir::ConnectionEnd& end) {
+        return end.kind == ir::EndKind::part && end.part == controller && end.event == name;
+    };
+    for (const ir::Connection& connection : module.connections) {  // an event may go either way
+        if (is_controller(connection.to) && connection.from.kind == ir::EndKind::self) return connection.from.event;
+        if (is_controller(connection.from) && connection.to.kind == ir::EndKind::self) return connection.to.event;
+    }
+    return std::nullopt;
+}
+
+/// Translates the orders of a component, of its parts, and of the machines and controllers that run in it.
+class Translator {
+public:
+    Translator(const driver::Project& project, const claims::Component& component)
+        : project_(project), of_(component) {}
+
+    /// True if the order is about the component or about something in it.
+    [[nodiscard]] bool is_about(const CheckedOrder& order) const {
+        const std::string& path = order.component.path;
+        if (path == of_.path || path.starts_with(of_.path + "::")) return true;
+        if (order.component.part) return false;
+        if (order.component.kind == ir::ComponentKind::machine)
+            return std::ranges::any_of(of_.machines, [&](const claims::MachinePart& part) {
+                return part.machine == order.component.machines.front().machine;
+            });
+        return order.component.kind == ir::ComponentKind::controller && !instances_of(order).empty();
+    }
+
+    void add_first(const CheckedOrder& order, cpp_emit::EventOrder& result) const {
+        for (const std::string& name : order.first) {
+            const ir::MachineId id = order.component.machines.front().machine;
+            const std::vector<ir::Event>& events = project_.system.machine(id).events;
+            const auto event = std::ranges::find(events, name, &ir::Event::name);
+            result.first[id.index].push_back(ir::EventId{static_cast<std::uint32_t>(event - events.begin())});
+        }
+    }
+
+    /// The drop for each part that the order is about; empty if the platform does not raise its events.
+    [[nodiscard]] std::vector<Drop> drops_of(const CheckedOrder& order, const CheckedOrder::Drop& drop,
+                                             const cpp_emit::Component& plan) const {
+        std::vector<Drop> result;
+        const auto add = [&](const std::optional<Drop>& found) {
+            if (found) result.push_back(*found);
+        };
+        if (order.component.path == of_.path) {
+            add(drop_of(plan, drop.event, drop.dropped));
+        } else if (order.component.kind == ir::ComponentKind::machine) {
+            for (const cpp_emit::Part& part : plan.parts)
+                if (is_of(order, part, plan))
+                    add(drop_of(plan, outside_of_part(plan, part, drop.event),
+                                outside_of_part(plan, part, drop.dropped)));
+        } else {
+            for (const std::uint32_t instance : instances_of(order)) {
+                const ir::Module& module = project_.system.modules[plan.ref.definition];
+                add(drop_of(plan, outside_of_controller(module, instance, drop.event),
+                            outside_of_controller(module, instance, drop.dropped)));
+            }
+        }
+        return result;
+    }
+
+private:
+    [[nodiscard]] bool is_of(const CheckedOrder& order, const cpp_emit::Part& part,
+                             const cpp_emit::Component& plan) const {
+        if (order.component.part) return order.component.path == of_.path + "::" + part.name;
+        return plan.units[part.root].id == order.component.machines.front().machine;
+    }
+
+    /// The controllers of this module that the order is about.
+    [[nodiscard]] std::vector<std::uint32_t> instances_of(const CheckedOrder& order) const {
+        std::vector<std::uint32_t> result;
+        if (of_.kind != ir::ComponentKind::module) return result;
+        for (const ir::Module& module : project_.system.modules) {
+            if ((module.package.empty() ? "" : module.package + "::") + module.name != of_.path) continue;
+            for (std::uint32_t i = 0; i < module.controllers.size(); ++i) {
+                const ir::ControllerInstance& instance = module.controllers[i];
+                const ir::Controller& controller = project_.system.controller(instance.controller);
+                const std::string path =
+                    order.component.part
+                        ? of_.path + "::" + instance.name
+                        : (controller.package.empty() ? "" : controller.package + "::") + controller.path;
+                if (path == order.component.path) result.push_back(i);
+            }
+        }
+        return result;
+    }
+
+    const driver::Project& project_;
+    const claims::Component& of_;
+};
+
+/// A drop that a component cannot obey.
+struct Foreign {
+    const CheckedOrder* order = nullptr;
+    CheckedOrder::Drop drop;
+};
+
+cpp_emit::EventOrder translate(const driver::Project& project, const ir::ComponentRef& component,
+                               std::vector<Foreign>& foreign) {
     cpp_emit::EventOrder result;
-    const std::vector<claims::CheckedOrder>& orders = project.claims->checked.orders;
+    const std::vector<CheckedOrder>& orders = project.claims->checked.orders;
     if (orders.empty()) return result;
     const std::vector<claims::Component> components = claims::components_of(project.system);
     const auto of = std::ranges::find(components, ir::qualified_name(component), &claims::Component::path);
     if (of == components.end()) return result;
-    for (const claims::CheckedOrder& order : orders) {
-        if (!is_about(order, *of)) continue;
-        for (const std::string& name : order.first) {
-            const ir::MachineId id = order.component.machines.front().machine;
-            const std::vector<ir::Event>& events = project.system.machine(id).events;
-            const auto event = std::ranges::find(events, name, &ir::Event::name);
-            result.first[id.index].push_back(ir::EventId{static_cast<std::uint32_t>(event - events.begin())});
+    const Translator translator(project, *of);
+    diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
+    std::optional<cpp_emit::Component> plan;
+    for (const CheckedOrder& order : orders) {
+        if (!translator.is_about(order)) continue;
+        translator.add_first(order, result);
+        if (order.drops.empty()) continue;
+        if (!plan) plan = cpp_emit::resolve_component(project.system, project.instantiation, component, apart);
+        if (!plan) return result;
+        for (const CheckedOrder::Drop& drop : order.drops) {
+            const std::vector<Drop> drops = translator.drops_of(order, drop, *plan);
+            if (drops.empty()) foreign.push_back({&order, drop});
+            result.drops.insert(result.drops.end(), drops.begin(), drops.end());
         }
-        for (const claims::CheckedOrder::Drop& drop : order.drops) result.drops.push_back({drop.event, drop.dropped});
     }
     return result;
 }
 
-std::string why_unlike_model(const driver::Project& project, const ir::ComponentRef& component) {
-    return event_order(project, component).drops.empty() ? ""
-                                                         : "its declared order drops events, and the model does not";
+}  // namespace
+
+cpp_emit::EventOrder event_order(driver::Project& project, const ir::ComponentRef& component) {
+    std::vector<Foreign> foreign;
+    cpp_emit::EventOrder result = translate(project, component, foreign);
+    for (const Foreign& one : foreign)
+        project.diagnostics.report(
+            claims::rules::wrong_form, one.order->span,
+            {fmt::format("the platform of {} does not raise both `{}` and `{}` of {}, so it cannot drop one",
+                         ir::qualified_name(component), one.drop.event, one.drop.dropped, one.order->component.path)});
+    return result;
+}
+
+driver::FollowedClaim::Drops dropped_events(const driver::Project& project, const std::string& path) {
+    driver::FollowedClaim::Drops result;
+    std::vector<Foreign> foreign;
+    for (const ir::ComponentRef& component : driver::code_components(project.system, ""))
+        if (ir::qualified_name(component) == path)
+            for (const Drop& drop : translate(project, component, foreign).drops)
+                result.push_back({drop.event, drop.dropped});
+    return result;
 }
 
 std::string order_text(const ir::System& system, const cpp_emit::EventOrder& order) {

@@ -132,6 +132,7 @@ private:
     void write_steps(const std::string& id, const runs::Run& run);
     void write_row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
                    const std::vector<runs::Machine>& after);
+    void write_scope_legend(const runs::Run& run);
     [[nodiscard]] std::vector<std::set<std::string>> marked_elements(const runs::Run& run) const;
     void write_figures(const std::string& id, const runs::Run& run);
     void write_figure(const std::string& attributes, const std::string& caption, const std::string& svg);
@@ -348,8 +349,9 @@ void ReportPage::write_row(std::size_t number, const runs::Step* step, const std
                            const std::vector<runs::Machine>& after) {
     const std::string what = step == nullptr ? "the beginning" : step_with_changes(*step);
     out_ += fmt::format(
-        "<tr class=\"step\" data-on=\"{}\" data-fired=\"{}\" data-values=\"{}\" data-text=\"{}\"><td "
+        "<tr class=\"step{}{}\" data-on=\"{}\" data-fired=\"{}\" data-values=\"{}\" data-text=\"{}\"><td "
         "class=\"number\">{}</td>",
+        step != nullptr && step->in_scope ? " scope" : "", step != nullptr && step->owed ? " owed" : "",
         text_of(active_marks(after)), step == nullptr ? "" : text_of(fired_marks(*step)),
         xml_text(values_json(before, after)), xml_text(what), number);
     if (timed_)
@@ -417,7 +419,20 @@ void ReportPage::write_steps(const std::string& id, const runs::Run& run) {
     }
     if (run.end.kind == runs::EndKind::no_trace && !run.end.why.empty())
         out_ += fmt::format("<tr><td colspan=\"{}\">here: {}</td></tr>\n", columns, xml_text(run.end.why));
-    out_ += "</tbody></table>\n</div>\n";
+    out_ += "</tbody></table>\n";
+    write_scope_legend(run);
+    out_ += "</div>\n";
+}
+
+/// Says what the bars beside the steps mean, if the run has some.
+void ReportPage::write_scope_legend(const runs::Run& run) {
+    const bool scope = std::ranges::any_of(run.steps, &runs::Step::in_scope);
+    const bool owed = std::ranges::any_of(run.steps, &runs::Step::owed);
+    if (scope || owed)
+        out_ += fmt::format("<p class=\"legend\">{}{}{}</p>\n",
+                            scope ? "<span class=\"scope\">bar</span>: the scope of the claim lasts" : "",
+                            scope && owed ? "; " : "",
+                            owed ? "<span class=\"owed\">double bar</span>: the claim waits for something" : "");
 }
 
 /// The elements that some step of the run marks, by machine.

@@ -215,8 +215,8 @@ void write_cycle_answer(std::string& out, const conformance::CycleAnswers& claim
 
 void write_cycle_claims(std::string& out, const conformance::Result& r) {
     for (const conformance::CycleAnswers& claim : r.claims) {
-        write_cycle_answer(out, claim, "the model in cycles", claim.model);
-        write_cycle_answer(out, claim, "this code", claim.code);
+        write_cycle_answer(out, claim, model_in_cycles, claim.model);
+        write_cycle_answer(out, claim, this_code, claim.code);
         if (!claim.asked) out += "                            never asked: no cycle of the code is in its scope\n";
     }
 }
@@ -682,6 +682,13 @@ std::string render_text(const Report& report, const Options& options) {
 
 std::string assertion_text(const driver::AssertionReport& assertion, const std::string& subject) {
     return assertion_block(assertion, subject, 0, {}, false);
+}
+
+std::string cycle_answer_text(const conformance::CycleAnswers& claim, std::string_view subject,
+                              const conformance::CycleAnswer& answer) {
+    std::string text;
+    write_cycle_answer(text, claim, subject, answer);
+    return text;
 }
 
 std::string conformance_text(const ConformanceReport& component) {

@@ -31,7 +31,11 @@ struct ConformanceReport {
     conformance::Result result;
     double seconds = 0;
     std::string order = {};  ///< the declared order of events in a cycle: "estop first"; "" if there is none
+    std::vector<std::optional<runs::Place>> claim_regions = {};  ///< of Result::claims
 };
+
+/// What a claim about control cycles is decided for.
+inline constexpr std::string_view model_in_cycles = "the model in cycles", this_code = "this code";
 
 /// A file that was written.
 struct FileReport {
@@ -79,6 +83,9 @@ extern const std::string_view indent_of_runs;
 /// The text of one assertion or one component, without colours.
 [[nodiscard]] std::string assertion_text(const driver::AssertionReport&, const std::string& subject);
 [[nodiscard]] std::string conformance_text(const ConformanceReport&);
+/// One answer to a claim about control cycles as text.
+[[nodiscard]] std::string cycle_answer_text(const conformance::CycleAnswers&, std::string_view subject,
+                                            const conformance::CycleAnswer&);
 /// Schema "robochart-verify/report/1" (docs/cli.md).
 [[nodiscard]] std::string render_json(const Report&);
 /// SARIF 2.1.0: claims that are false or unknown, each with its run as a code flow.

@@ -63,6 +63,23 @@ JunitCase case_of(const ConformanceReport& c) {
     return made;
 }
 
+/// A claim about control cycles: for the model in cycles, or for the generated code.
+JunitCase case_of(const conformance::CycleAnswers& claim, const conformance::CycleAnswer& answer,
+                  std::string_view subject, const std::string& component) {
+    using conformance::Outcome;
+    JunitCase made;
+    made.group = component;
+    made.name = fmt::format("{} [{}]: {}", claim.claim, subject, claim.wording);
+    if (answer.outcome == Outcome::conforms) {
+        if (!claim.asked) made.text = "never asked: no cycle of the code is in its scope";
+        return made;
+    }
+    made.kind = answer.outcome == Outcome::differs ? CaseKind::failed : CaseKind::error;
+    made.message = answer.reason;
+    made.text = cycle_answer_text(claim, subject, answer);
+    return made;
+}
+
 /// A case about the whole run, not about one claim.
 JunitCase about_run(const std::string& name, const std::string& message, const std::string& text) {
     return {"run", name, CaseKind::error, message, text, 0};
@@ -74,7 +91,13 @@ std::string render_junit(const Report& report) {
     std::vector<JunitCase> cases;
     for (const driver::AssertionReport& assertion : report.assertions)
         if (!assertion.core || !assertion.core->information) cases.push_back(case_of(assertion, report.subject));
-    for (const ConformanceReport& component_report : report.conformance) cases.push_back(case_of(component_report));
+    for (const ConformanceReport& component_report : report.conformance) {
+        cases.push_back(case_of(component_report));
+        for (const conformance::CycleAnswers& claim : component_report.result.claims) {
+            cases.push_back(case_of(claim, claim.model, model_in_cycles, component_report.component));
+            cases.push_back(case_of(claim, claim.code, this_code, component_report.component));
+        }
+    }
     for (const RefusedReport& refused : report.refused)
         cases.push_back(about_run(refused.model, "refused, with errors", refused.text));
     const bool nothing = report.assertions.empty() && report.conformance.empty() && !report.unclaimed.empty();

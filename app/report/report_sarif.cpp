@@ -124,6 +124,19 @@ void add(const ConformanceReport& c, const std::string& file, Json& results) {
                                    c.component, c.region, file));
 }
 
+/// A claim about control cycles that fails or is not decided, for the model in cycles or for the code.
+void add(const conformance::CycleAnswers& claim, const conformance::CycleAnswer& answer, std::string_view subject,
+         const std::optional<runs::Place>& region, const std::string& file, Json& results) {
+    using conformance::Outcome;
+    if (answer.outcome == Outcome::conforms) return;
+    const bool known = answer.outcome == Outcome::differs;
+    const std::string name = fmt::format("{} [{}]", claim.claim, subject);
+    results.push_back(sarif_result(
+        Rule::assertion, known ? failure : left_open,
+        fmt::format("{}: {}: {}: {}", name, claim.wording, known ? "FAILS" : "is not decided", answer.reason), name,
+        region, file));
+}
+
 /// The reason why the results are incomplete.
 std::string why_incomplete(const Report& report) {
     if (!report.limit.empty()) return report.limit;
@@ -141,7 +154,15 @@ std::string render_sarif(const Report& report, const std::string& verb) {
     const std::string file = report.file.empty() ? report.model : report.file;
     for (const driver::AssertionReport& assertion : report.assertions)
         if (!assertion.core || !assertion.core->information) add(assertion, file, run.results);
-    for (const ConformanceReport& component_report : report.conformance) add(component_report, file, run.results);
+    for (const ConformanceReport& component_report : report.conformance) {
+        add(component_report, file, run.results);
+        for (std::size_t i = 0; i < component_report.result.claims.size(); ++i) {
+            const conformance::CycleAnswers& claim = component_report.result.claims[i];
+            const std::optional<runs::Place>& region = component_report.claim_regions.at(i);
+            add(claim, claim.model, model_in_cycles, region, file, run.results);
+            add(claim, claim.code, this_code, region, file, run.results);
+        }
+    }
     run.limit = why_incomplete(report);
     run.properties = {{"model", report.model}, {"exit", static_cast<int>(report.exit_code())}};
     return diagnostics::sarif_log(run);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/claims/event_order.hpp"
 #include "app/command/run.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/spelling.hpp"
@@ -148,8 +149,8 @@ private:
         const driver::Project& project = *all_.kinds_[robot.kind].project;
         for (std::size_t i = 0; i < all_.watched_.size(); ++i)
             if (all_.watched_[i].kind == robot.kind)
-                robot.followed.push_back(
-                    {i, driver::FollowedClaim(*all_.watched_[i].claim, project.system, project.unit)});
+                robot.followed.push_back({i, driver::FollowedClaim(*all_.watched_[i].claim, project.system,
+                                                                   project.unit, all_.watched_[i].drops)});
     }
 
     void follow_cycle(driver::FollowedClaim& run, const cpp_emit::DriveEmission& emission, const rc_signal* inputs,
@@ -260,6 +261,9 @@ private:
     [[nodiscard]] const std::vector<CheckedClaim>& claims(std::size_t kind) const {
         return kinds_[kind].project->claims->checked.claims;
     }
+    [[nodiscard]] driver::FollowedClaim::Drops drops(const CheckedClaim& claim, std::size_t kind) const {
+        return dropped_events(*kinds_[kind].project, claim.component.path);
+    }
     /// Why the claim cannot be followed; "" if it can.
     [[nodiscard]] std::string reason_against(const CheckedClaim& claim, std::size_t kind) const {
         if (const std::string why = claims::why_not_monitored(claim); !why.empty())
@@ -281,7 +285,7 @@ private:
                 const std::string against = reason_against(claim, kind);
                 if (!against.empty())
                     reports_.diagnostics.report(simulation::rules::out_of_range, measure.state.span, {against});
-                watched_.push_back({&claim, kind, false, number});
+                watched_.push_back({&claim, kind, false, number, drops(claim, kind)});
                 return;
             }
         }
@@ -304,7 +308,7 @@ private:
                                       ? reason_against(claim, kind)
                                       : fmt::format("{} is about {}", claim.name, claim.component.path);
             if (against.empty())
-                watched_.push_back({&claim, kind, true, std::nullopt});
+                watched_.push_back({&claim, kind, true, std::nullopt, drops(claim, kind)});
             else
                 left_out_.push_back(std::move(against));
         }

@@ -34,6 +34,7 @@ public:
         std::size_t kind = 0;
         bool stops = false;                  ///< a robot that breaks it stops its trial
         std::optional<std::size_t> measure;  ///< the measure of the robots that keep it
+        driver::FollowedClaim::Drops drops;  ///< by the declared order of the controller
     };
 
     ClaimGuard(const simulation::Scenario& scenario, std::vector<FollowedKind> kinds, std::vector<Watched> watched);

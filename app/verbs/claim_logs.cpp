@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "app/base/numbers.hpp"
+#include "app/claims/event_order.hpp"
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
@@ -92,10 +94,15 @@ private:
         for (const CheckedClaim& claim : of.checked.claims) {
             const std::string& path = claim.component.path;
             if (path != header_.component && !path.ends_with("::" + header_.component)) continue;
-            followed_.emplace_back(claim, project_.system, project_.unit);
+            followed_.emplace_back(claim, project_.system, project_.unit, drops_of(path));
             if (const std::string why = claims::why_not_followed(claim); !why.empty()) followed_.back().give_up(why);
             for (const std::string& word : header_.unobserved) hide(followed_.back(), word);
         }
+    }
+    const FollowedClaim::Drops& drops_of(const std::string& component) {
+        const auto [known, fresh] = drops_.try_emplace(component);
+        if (fresh) known->second = dropped_events(project_, component);
+        return known->second;
     }
     static void hide(FollowedClaim& followed, const std::string& word) {
         const std::string name = word.substr(0, word.find_first_of("?!"));
@@ -142,7 +149,8 @@ private:
 
     void end() {
         ++report_.runs;
-        for (const FollowedClaim& followed : followed_) {
+        for (FollowedClaim& followed : followed_) {
+            followed.finish();
             const bool open = !followed.is_broken() && !followed.unknown().empty();
             if (followed.is_broken())
                 ++report_.broken;
@@ -161,6 +169,7 @@ private:
     const Options& options_;
     conformance::TraceHeader header_;
     std::vector<FollowedClaim> followed_;
+    std::map<std::string, FollowedClaim::Drops> drops_;  ///< by component
     std::string name_;
     std::uint64_t begun_ = 0;
 };

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/claims/event_order.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/recording.hpp"
 #include "app/command/rules.hpp"
@@ -38,7 +39,10 @@ public:
     ClaimTables(const CheckedClaim& claim, const driver::Project& project, std::uint32_t cycle)
         : claim_(claim), instantiation_(project.instantiation) {
         letters_ = claims::letters_of(claim, project.system, project.instantiation, {});
-        fill_states(claims::make_automaton(claim, letters_, project.diagnostics.budget()));
+        const std::vector<claims::DroppedChannel> drops = add_drops(project);
+        fill_states(drops.empty() && input_count() < 2
+                        ? claims::make_automaton(claim, letters_, project.diagnostics.budget())
+                        : claims::make_cycle_automaton(claim, letters_, drops, project.diagnostics.budget()));
         std::set<std::size_t> channels;
         for (const Letter& letter : letters_) channels.insert(letter.occurrence.channel);
         for (const std::size_t channel : channels) add_channel(channel, project.system);
@@ -56,6 +60,36 @@ private:
         std::vector<std::uint16_t> columns;
     };
 
+    [[nodiscard]] bool has_letter(std::size_t channel) const {
+        return std::ranges::any_of(letters_,
+                                   [&](const Letter& letter) { return letter.occurrence.channel == channel; });
+    }
+    /// The number of inputs that the claim names.
+    [[nodiscard]] std::size_t input_count() const {
+        std::set<std::size_t> inputs;
+        for (const Letter& letter : letters_)
+            if (claim_.component.channels[letter.occurrence.channel].kind == claims::ChannelKind::input)
+                inputs.insert(letter.occurrence.channel);
+        return inputs.size();
+    }
+    /// The drops of the declared order that change what the claim sees, and letters for their events.
+    std::vector<claims::DroppedChannel> add_drops(const driver::Project& project) {
+        std::vector<claims::DroppedChannel> result;
+        const auto& channels = claim_.component.channels;
+        const auto input = [&](const std::string& name) {
+            const auto found = std::ranges::find_if(channels, [&](const claims::Channel& channel) {
+                return channel.name == name && channel.kind == claims::ChannelKind::input;
+            });
+            return static_cast<std::size_t>(found - channels.begin());
+        };
+        for (const claims::CheckedOrder::Drop& drop : dropped_events(project, claim_.component.path))
+            result.push_back({input(drop.event), input(drop.dropped)});
+        if (std::ranges::none_of(result, [&](const auto& drop) { return has_letter(drop.dropped); })) return {};
+        for (const claims::DroppedChannel& drop : result)
+            for (const std::size_t channel : {drop.event, drop.dropped})
+                if (!has_letter(channel)) letters_.push_back({{channel, {}}, {}, {}, {}, channels[channel].name});
+        return result;
+    }
     [[nodiscard]] std::size_t column_count() const { return letters_.size() + 3; }
 
     void fill_states(const claims::Automaton& automaton) {

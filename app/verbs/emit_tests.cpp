@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/base/numbers.hpp"
+#include "app/claims/event_order.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
@@ -39,9 +40,11 @@ std::string suite_summary(const Made& made, const Options& options, const ir::Co
 Made make_suite(driver::Project& project, const Options& options, const ir::ComponentRef& component,
                 const refine::Limits& bounds) {
     std::string error;
+    const cpp_emit::EventOrder order = event_order(project, component);
+    if (!project.diagnostics.ok()) throw std::length_error("its order of events is wrong");
     const auto model =
         conformance::CyclicModel::load(project.system, project.instantiation, component, options.code.cycle, bounds,
-                                       project.sources, project.diagnostics, error);
+                                       project.sources, project.diagnostics, error, order);
     if (model == nullptr) throw std::length_error(error);
     const auto choices = conformance::choice_automaton(*model, bounds);
     const std::string name = file_name(project, component);

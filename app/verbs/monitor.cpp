@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Implements `emit monitor` and `simulate --monitor`.
 #include "app/verbs/monitor.hpp"
-#include "app/claims/event_order.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "app/base/numbers.hpp"
+#include "app/claims/event_order.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
 #include "app/command/rules.hpp"
@@ -48,13 +48,14 @@ std::unique_ptr<conformance::MonitorBuild> build_monitor(driver::Project& projec
                                    {component.path, why});
         return nullptr;
     };
-    if (const std::string why = why_unlike_model(project, component); !why.empty()) return refuse(why);
+    const cpp_emit::EventOrder order = event_order(project, component);
+    if (!project.diagnostics.ok()) return nullptr;
     const refine::Limits bounds = limits(options, "monitor of " + component.path);
     try {
         std::string error;
         const auto model =
             conformance::CyclicModel::load(project.system, project.instantiation, component, cycle_length, bounds,
-                                           project.sources, project.diagnostics, error);
+                                           project.sources, project.diagnostics, error, order);
         if (model == nullptr) return refuse(error);
         return conformance::MonitorBuild::make(*model, bounds, project.sources);
     } catch (const std::length_error& large) {

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "app/base/numbers.hpp"
+#include "app/claims/event_order.hpp"
 #include "app/command/answer.hpp"
 #include "app/command/findings.hpp"
 #include "app/command/output.hpp"
@@ -169,9 +170,14 @@ private:
         return std::nullopt;
     }
     void load_entry(Entry& entry, driver::Project& project, const ir::ComponentRef& component, std::uint32_t cycle) {
+        const cpp_emit::EventOrder order = event_order(project, component);
+        if (!project.diagnostics.ok()) {
+            entry.error = "its order of events is wrong";
+            return;
+        }
         entry.instantiation = conformance::with_more_numbers(project.system, project.instantiation, component);
         entry.model = conformance::CyclicModel::load(project.system, entry.instantiation, component, cycle, limits_,
-                                                     project.sources, project.diagnostics, entry.error);
+                                                     project.sources, project.diagnostics, entry.error, order);
         if (entry.model == nullptr) return;
         entry.checker = std::make_unique<conformance::TraceChecker>(
             *entry.model, std::vector<std::string>{ir::qualified_name(component), component.path}, limits_,

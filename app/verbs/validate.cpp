@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/command/answer.hpp"
 #include "app/command/output.hpp"
@@ -20,6 +21,7 @@
 #include "csp_emit/blocks/check_blocks.hpp"
 #include "driver/model/claim_files.hpp"
 #include "driver/model/project_claims.hpp"
+#include "frontend/project/move_claims.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "semantics/lower/lower.hpp"
@@ -78,6 +80,34 @@ std::string repair_part(const driver::Part& part, const Options& options, diagno
     return {};
 }
 
+/// Moves the claims of assertion files into claims files. Returns an error, or "".
+std::string move_claims_of(const driver::Part& part, const Options& options, diagnostics::Repaired& sum) {
+    const driver::Project& project = *part.project;
+    for (const auto& file : project.model->files) {
+        const auto moved = frontend::move_claims(*file, project.sources);
+        if (!moved || file->has_syntax_errors) continue;
+        std::string text;
+        std::error_code code;
+        if (std::filesystem::exists(moved->path, code)) {
+            std::string error;
+            diagnostics::SourceManager there;
+            const auto source = there.load_file(moved->path, error);
+            if (!source) return fmt::format("{}: {}", moved->path, error);
+            text = std::string(there.source_text(*source)) + "\n";
+        }
+        std::vector<diagnostics::FixIt> removals;
+        for (const diagnostics::Span span : moved->removals) removals.push_back({span, "", ""});
+        diagnostics::Budget* const budget = &options.run->budget();
+        const std::string path(project.sources.path(file->source));
+        const std::string rest = diagnostics::apply_fixes(project.sources.source_text(file->source), removals);
+        if (std::string error = diagnostics::replace_text(moved->path, text + moved->text, budget); !error.empty())
+            return error;
+        if (std::string error = diagnostics::replace_text(path, rest, budget); !error.empty()) return error;
+        ++sum.made;
+    }
+    return {};
+}
+
 /// Prints how many fixes were applied, and which were not.
 void report_repair(const diagnostics::Repaired& sum) {
     print_error("{} place{} fixed\n", sum.made, sum.made == 1 ? "" : "s");
@@ -121,6 +151,12 @@ Exit validate(const Options& options) {
         diagnostics::Repaired sum;
         for (const driver::Part& part : parts)
             if (const std::string error = repair_part(part, options, sum); !error.empty()) {
+                print_error("robochart-verify: {}\n", error);
+                return Exit::bad_input;
+            }
+        if (sum.made > 0) parts = read_with_blocks(options);
+        for (const driver::Part& part : parts)
+            if (const std::string error = move_claims_of(part, options, sum); !error.empty()) {
                 print_error("robochart-verify: {}\n", error);
                 return Exit::bad_input;
             }

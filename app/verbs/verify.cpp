@@ -480,6 +480,8 @@ void check_conformance(driver::Project& project, const Options& options, Report&
             unlike_blocks = values_unlike_blocks(project, model->script.definitions);
         }
         one.result = conformance::conform(*model, component, conformance_options, project.diagnostics);
+        for (const conformance::CycleAnswers& claim : one.result.claims)
+            one.claim_regions.push_back(driver::region_of(project.sources, claim.span));
         one.order = order_text(project.system, conformance_options.generator.order);
         if (!unlike_blocks.empty())
             one.result.warnings.push_back(fmt::format(
@@ -686,17 +688,8 @@ Exit print_phases(const std::vector<driver::Part>& parts, const Options& options
     return exit;
 }
 
-/// Reports components with which logs cannot be compared.
-void refuse_unlike_models(driver::Project& project) {
-    for (const ir::ComponentRef& component : driver::code_components(project.system, ""))
-        if (const std::string why = why_unlike_model(project, component); !why.empty())
-            project.diagnostics.report(rules::no_monitor, driver::declared_at(project.system, component),
-                                       {component.path, why});
-}
-
 /// Compares logs with the parts. A log may belong to any part, so all parts must be correct.
 Exit compare_traces(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
-    for (const driver::Part& part : parts) refuse_unlike_models(*part.project);
     const auto refused = std::ranges::find_if(
         parts, [&](const driver::Part& part) { return !is_acceptable(*part.project, options.load); });
     if (refused != parts.end()) {
@@ -722,7 +715,8 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
                             options.code.target == cpp_emit::Target::argos;
     if (!options.conform.traces.empty() || of_a_robot) options.load.robosim_code = false;
     parts = driver::load_parts(options, options.run->budget());
-    if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor)
+    if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
+        options.verb == Verb::emit_tests)
         for (const driver::Part& part : parts) driver::read_ignored_claims(*part.project, options.load);
     record_projects(parts, options, options);
     if (options.output.phase != Phase::none) return print_phases(parts, options);

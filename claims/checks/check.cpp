@@ -194,6 +194,10 @@ private:
         result.span = claim.span;
         result.component = claim.component ? named_component(*claim.component, file) : only_component(claim, file);
         result.assumption = claim.assumption;
+        for (const Spontaneous& event : result.component.spontaneous)
+            diagnostics_.report(
+                rules::spontaneous_event, claim.name.span,
+                {event.event, event.machine, result.component.path, sources_.path_and_line(event.span)});
         result.raised = claim.scope.kind == ScopeKind::cycle;
         inputs_.clear();
         for (const Channel& channel : result.component.channels)

@@ -24,6 +24,20 @@ void add_call(const ir::OperationSignature& operation, Component& component) {
     component.channels.push_back({operation.name, ChannelKind::call, operation.parameters});
 }
 
+/// The other ends of the connections of an event of a part.
+std::vector<const ir::ConnectionEnd*> ends_of(const std::vector<ir::Connection>& connections, std::size_t part,
+                                              const std::string& event) {
+    const auto is_here = [&](const ir::ConnectionEnd& end) {
+        return end.kind == ir::EndKind::part && end.part == part && end.event == event;
+    };
+    std::vector<const ir::ConnectionEnd*> result;
+    for (const ir::Connection& connection : connections) {
+        if (is_here(connection.from)) result.push_back(&connection.to);
+        if (is_here(connection.to)) result.push_back(&connection.from);
+    }
+    return result;
+}
+
 class Lister {
 public:
     explicit Lister(const ir::System& system) : system_(system) {}
@@ -52,11 +66,35 @@ private:
         for (const ir::ControllerInstance& instance : module.controllers)
             add_definitions(system_.controller(instance.controller), component);
         const std::string path = component.path;
+        for (std::size_t i = 0; i < module.controllers.size(); ++i)
+            add_spontaneous(system_.controller(module.controllers[i].controller), &module, i, component);
         for (const ir::ControllerInstance& instance : module.controllers)
             add_machines(system_.controller(instance.controller), path + "::" + instance.name, component);
         result_.push_back(std::move(component));
         for (const ir::ControllerInstance& instance : module.controllers)
             add_controller(system_.controller(instance.controller), path + "::" + instance.name, module.package, true);
+    }
+
+    /// `module`: the module in which the controller runs, as its part `number`; null: it is alone.
+    void add_spontaneous(const ir::Controller& controller, const ir::Module* module, std::size_t number,
+                         Component& component) const {
+        const auto raised = [&](std::size_t part, const std::string& event) {
+            return std::ranges::any_of(ends_of(controller.connections, part, event), [&](const ir::ConnectionEnd* end) {
+                return end->kind == ir::EndKind::part || module == nullptr ||
+                       !ends_of(module->connections, number, end->event).empty();
+            });
+        };
+        for (std::size_t part = 0; part < controller.machines.size(); ++part) {
+            const ir::Machine& machine = system_.machine(controller.machines[part].machine);
+            for (std::size_t event = 0; event < machine.events.size(); ++event) {
+                const ir::Event& declared = machine.events[event];
+                const bool awaited = std::ranges::any_of(machine.transitions, [&](const ir::Transition& transition) {
+                    return transition.trigger && transition.trigger->event.index == event;
+                });
+                if (awaited && !raised(part, declared.name))
+                    component.spontaneous.push_back({declared.name, machine.name, declared.origin.span});
+            }
+        }
     }
 
     void add_definitions(const ir::Controller& controller, Component& component) {
@@ -76,6 +114,7 @@ private:
         for (const ir::OperationSignature& operation : controller.operations) add_call(operation, component);
         add_definitions(controller, component);
         add_machines(controller, path, component);
+        add_spontaneous(controller, nullptr, 0, component);
         result_.push_back(std::move(component));
         for (const ir::MachineInstance& instance : controller.machines)
             add_machine(instance.machine, instance.definitions, path + "::" + instance.name, package, true);

@@ -27,6 +27,12 @@ struct MachinePart {
     ir::MachineId machine;
 };
 
+/// An event that triggers transitions of a machine, and that nothing raises: its triggers fire by themselves.
+struct Spontaneous {
+    std::string event, machine;
+    diagnostics::Span span;  ///< of the event
+};
+
 /// A module, a controller or a machine, alone or as a part of another component.
 struct Component {
     ir::ComponentKind kind = ir::ComponentKind::module;
@@ -36,6 +42,7 @@ struct Component {
     std::vector<Channel> channels;
     std::vector<std::string> defined = {};  ///< operations that the model defines for this component
     std::vector<MachinePart> machines = {};
+    std::vector<Spontaneous> spontaneous = {};
 };
 
 /// The components of a system; each before its parts.

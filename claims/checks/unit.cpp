@@ -9,9 +9,7 @@
 namespace robochart::claims {
 namespace {
 
-std::optional<DeclaredUnit> unit_of(const ClaimFile& file, diagnostics::Diagnostics& diagnostics) {
-    if (!file.unit) return std::nullopt;
-    const Duration& unit = *file.unit;
+std::optional<DeclaredUnit> declared_unit(const Duration& unit, diagnostics::Diagnostics& diagnostics) {
     const bool time = unit.unit != TimeUnit::none && unit.unit != TimeUnit::units;
     const auto length = time && !unit.negative ? nanoseconds_of(unit) : std::nullopt;
     if (length && *length > 0) return DeclaredUnit{*length, unit.span};
@@ -26,13 +24,14 @@ std::optional<DeclaredUnit> find_unit(const std::vector<std::shared_ptr<const Cl
                                       const diagnostics::SourceManager& sources,
                                       diagnostics::Diagnostics& diagnostics) {
     std::optional<DeclaredUnit> result;
-    for (const auto& file : files) {
-        const std::optional<DeclaredUnit> unit = unit_of(*file, diagnostics);
-        if (unit && result && unit->nanoseconds != result->nanoseconds)
-            report_difference(*result, *unit, sources, diagnostics);
-        else if (unit && !result)
-            result = unit;
-    }
+    for (const auto& file : files)
+        for (const Duration& declared : file->units) {
+            const std::optional<DeclaredUnit> unit = declared_unit(declared, diagnostics);
+            if (unit && result && unit->nanoseconds != result->nanoseconds)
+                report_difference(*result, *unit, sources, diagnostics);
+            else if (unit && !result)
+                result = unit;
+        }
     return result;
 }
 

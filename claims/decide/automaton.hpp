@@ -29,4 +29,14 @@ using Automaton = std::vector<AutomatonState>;
 [[nodiscard]] Automaton make_automaton(const CheckedClaim& claim, const std::vector<Letter>& letters,
                                        diagnostics::Budget* budget);
 
+/// Channels of two inputs: where `event` is raised, `dropped` does not count.
+struct DroppedChannel {
+    std::size_t event = 0, dropped = 0;
+};
+
+/// The automaton for cycles, in which inputs are raised: those of one cycle are simultaneous (Monitor::order_raised),
+/// so it takes them into account when an output, time or the end follows.
+[[nodiscard]] Automaton make_cycle_automaton(const CheckedClaim& claim, const std::vector<Letter>& letters,
+                                             const std::vector<DroppedChannel>& drops, diagnostics::Budget* budget);
+
 }  // namespace robochart::claims

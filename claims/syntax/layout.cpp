@@ -53,7 +53,7 @@ public:
         : text_(text), tokens_(tokens) {
         for (const Claim& claim : file.claims) begins_.insert(claim.span.begin);
         for (const Order& order : file.orders) begins_.insert(order.span.begin);
-        if (file.unit) begins_.insert(file.unit->span.begin);
+        for (const Duration& unit : file.units) begins_.insert(unit.span.begin);
         begins_item_.assign(tokens.size(), true);
         for (std::size_t i = tokens.size() - 1; i-- > 0;)
             begins_item_[i] = tokens[i].kind == Tok::comment ? own_line(i) && begins_item_[i + 1] : word_begins_item(i);

@@ -210,7 +210,7 @@ void Parser::parse_item(ClaimFile& file) {
         const Span from = take_token().span;
         Duration unit = parse_duration();
         unit.span = span_since(from);
-        file.unit = unit;
+        file.units.push_back(unit);
     } else if (is_at("claim") || (is_at("assume") && at_item())) {
         file.claims.push_back(parse_claim());
     } else if (is_at("order") && at_item()) {

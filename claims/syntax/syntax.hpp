@@ -179,7 +179,7 @@ struct Import {
 struct ClaimFile {
     std::optional<Name> package;
     std::vector<Import> imports;
-    std::optional<Duration> unit;
+    std::vector<Duration> units;  ///< the length of a time unit, also if it is declared again
     std::vector<Claim> claims;
     std::vector<Order> orders;
     diagnostics::SourceId source = diagnostics::SourceId::none;

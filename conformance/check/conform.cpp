@@ -245,20 +245,6 @@ Interface interface_of_model(const ir::System& system, const ir::Instantiation& 
     return interface;
 }
 
-/// The inputs that an order of events drops.
-std::vector<DroppedInput> drops_of(const Interface& interface, const cpp_emit::EventOrder& order) {
-    std::vector<DroppedInput> result;
-    for (const cpp_emit::EventOrder::Drop& drop : order.drops) {
-        const auto place = [&](const std::string& name) {
-            const auto found = std::ranges::find(interface.inputs, name, input_name);
-            return static_cast<std::uint32_t>(found - interface.inputs.begin());
-        };
-        const DroppedInput both{place(drop.event), place(drop.dropped)};
-        if (both.event < interface.inputs.size() && both.dropped < interface.inputs.size()) result.push_back(both);
-    }
-    return result;
-}
-
 /// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
 /// terms.
 Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
@@ -267,7 +253,7 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
     const cspm::ExprPtr process = component_process(script.definitions, component);
     if (!process) return not_generated(fmt::format("{} has no timed CSP semantics here", component.path));
     Interface interface = interface_of_model(system, instantiation, component, script.provenance, code);
-    interface.drops = drops_of(interface, options.generator.order);
+    interface.drops = dropped_inputs(interface, options.generator.order);
     const FailureText failure_text = [&](const cspm::EvaluationError& error) {
         return sources == nullptr ? runs::failure_text(error, system) : runs::placed_failure(error, system, *sources);
     };
@@ -472,17 +458,17 @@ Options options_for_all_values(const Options& options) {
 }
 
 /// The normal form of the model itself, for readers; "" if its carriers are too large.
-std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef& component,
-                                 std::uint32_t cycle_length) {
+std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef& component, const Options& options) {
     diagnostics::Diagnostics apart;
     try {
-        const auto model =
+        auto model =
             model_interface(timed.model.system, timed.model.instantiation, component, timed.script.provenance, apart);
         if (!model) return "";
+        model->interface.drops = dropped_inputs(model->interface, options.generator.order);
         cspm::Session session(timed.script.definitions);
         const Alphabet alphabet(model->interface, session.event_table());
         return normal_form_text(timed.script, component_process(timed.script.definitions, component), alphabet,
-                                cycle_length);
+                                options.cycle_length);
     } catch (const std::length_error&) {
         return "";
     }
@@ -513,7 +499,7 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
         const bool decided = result.outcome != Outcome::conforms || !tests_values;
         if (!decided && !tracked.loss().empty()) return {std::nullopt, tracked.loss(), true};
         if (decided) {
-            result.normal_form = concrete_normal_form(timed, component, options.cycle_length);
+            result.normal_form = concrete_normal_form(timed, component, options);
             result.all_values = model.data;
             if (result.outcome == Outcome::conforms) {
                 const Interface interface =

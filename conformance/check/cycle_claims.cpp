@@ -45,6 +45,8 @@ public:
         for (const Output& output : interface.outputs) outputs_.push_back(find_output(output.name));
     }
 
+    /// True if the claim can speak of the input.
+    [[nodiscard]] bool knows(std::uint32_t input) const { return inputs_[input].has_value(); }
     [[nodiscard]] std::optional<Occurrence> raised(std::uint32_t input, std::uint32_t reading) const {
         if (!inputs_[input]) return std::nullopt;
         Occurrence result{*inputs_[input], {}};
@@ -203,8 +205,8 @@ private:
 /// What the monitor knows, and the inputs that have been read in a cycle that has not begun yet.
 struct Followed {
     MonitorState monitor;
-    std::vector<Occurrence> read;
-    bool begun = false;  ///< the inputs of this cycle have been observed
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> read;  ///< registers with their readings, ascending
+    bool begun = false;                                         ///< the inputs of this cycle have been observed
     std::uint32_t tocks = 0;
 
     friend auto operator<=>(const Followed&, const Followed&) = default;
@@ -293,9 +295,29 @@ private:
     void begin(Followed& followed) const {
         if (followed.begun) return;
         followed.begun = true;
-        std::ranges::sort(followed.read);
-        const auto raised = monitor_.order_raised(followed.monitor, std::exchange(followed.read, {}));
-        for (const Occurrence& event : raised) monitor_.observe(followed.monitor, event);
+        const std::vector<Occurrence> raised = raised_events(std::exchange(followed.read, {}));
+        for (const Occurrence& event : monitor_.order_raised(followed.monitor, raised))
+            monitor_.observe(followed.monitor, event);
+    }
+
+    /// The events of the claim among the inputs of a cycle, without what a declared order drops.
+    [[nodiscard]] std::vector<Occurrence> raised_events(
+        const std::vector<std::pair<std::uint32_t, std::uint32_t>>& read) const {
+        std::vector<bool> raised(alphabet_.interface().inputs.size());
+        for (const auto& [input, reading] : read) raised[input] = true;
+        drop_raised(raised, alphabet_.interface().drops);
+        std::vector<Occurrence> result;
+        for (const auto& [input, reading] : read)
+            if (const auto occurrence = channels_.raised(input, reading); occurrence && raised[input])
+                result.push_back(*occurrence);
+        std::ranges::sort(result);
+        return result;
+    }
+    [[nodiscard]] bool matters(std::uint32_t input) const {
+        return channels_.knows(input) ||
+               std::ranges::any_of(alphabet_.interface().drops, [&](const DroppedInput& drop) {
+                   return drop.event == input || drop.dropped == input;
+               });
     }
 
     void follow(Followed& followed, process::Event event, lts::StateView state) const {
@@ -303,8 +325,7 @@ private:
         switch (role.kind) {
             case CycleRole::Kind::read:
                 if (role.reading == 0) return;
-                if (auto occurrence = channels_.raised(role.index, role.reading))
-                    followed.read.push_back(std::move(*occurrence));
+                if (matters(role.index)) followed.read.emplace_back(role.index, role.reading);
                 std::ranges::sort(followed.read);
                 return;
             case CycleRole::Kind::write:
@@ -336,18 +357,17 @@ private:
             events.push_back(nodes_[node].event);
         std::ranges::reverse(events);
         claims::Account account(claim_, unit);
-        std::map<Occurrence, std::string> read;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> read;
+        std::map<Occurrence, std::string> texts;
         bool begun = false;
         std::uint32_t tocks = 0;
         result.cycles.emplace_back();
         const auto begin_account = [&] {
             if (begun) return;
             begun = true;
-            std::vector<Occurrence> raised;
-            for (const auto& [occurrence, text] : read) raised.push_back(occurrence);
+            const std::vector<Occurrence> raised = raised_events(std::exchange(read, {}));
             for (const Occurrence& occurrence : monitor_.order_raised(account.state(), raised))
-                account.observe(occurrence, read.at(occurrence));
-            read.clear();
+                account.observe(occurrence, texts.at(occurrence));
         };
         for (std::size_t i = 0; i < events.size(); ++i) {
             const process::Event event = events[i];
@@ -355,7 +375,8 @@ private:
             const std::string text = alphabet_.describe_event(event);
             if (role.kind == CycleRole::Kind::read && role.reading != 0) {
                 result.cycles.back().inputs.push_back(text);
-                if (auto occurrence = channels_.raised(role.index, role.reading)) read.emplace(*occurrence, text);
+                read.emplace_back(role.index, role.reading);
+                if (auto occurrence = channels_.raised(role.index, role.reading)) texts[*occurrence] = text;
             } else if (role.kind == CycleRole::Kind::write) {
                 begin_account();
                 result.cycles.back().outputs.push_back(text);

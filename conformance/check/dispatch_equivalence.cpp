@@ -93,7 +93,27 @@ private:
         for (event_ = 0; event_ < code_.events; ++event_)
             for (std::uint32_t reading = 1; reading < inputs[event_].reading_count(); ++reading)
                 if (!compare_on_event(reading) || !ignores_other_values(reading)) return false;
-        return true;
+        return std::ranges::all_of(alphabet_.interface().drops,
+                                   [this](const DroppedInput& drop) { return drops_after(drop); });
+    }
+
+    /// After `dispatch` of an event, the events that it drops have no effect before time passes.
+    bool drops_after(const DroppedInput& drop) {
+        event_ = drop.event;
+        reading_ = 1;
+        raise_all(1);
+        cycle_.log.given = 0;
+        run_from_state(call_step, cycle_, alone_);
+        take_answers(dispatched_);
+        run_from_state(call_dispatch, dispatched_, raised_);
+        if (dispatched_.result != RC_QUIESCENT) return true;
+        again_.state = dispatched_.state;
+        again_.log.given = 0;
+        event_ = drop.dropped;
+        call_guarded(call_dispatch, again_, raised_);
+        const bool dropped =
+            again_.result == RC_QUIESCENT && again_.log.count == 0 && again_.state == dispatched_.state;
+        return check_promise(dropped, again_, "an event before it in this cycle drops it");
     }
 
     /// Compares with each value of each other register, because dispatch must not read it.

@@ -68,7 +68,7 @@ private:
     std::unique_ptr<CyclicModel> load(const Representatives& few, std::string& error) {
         diagnostics::Diagnostics apart;  // discarded, because the emission of the script reports the same findings
         return CyclicModel::load(model_.system, few.instantiation, component_, options_.cycle_length, options_.limits,
-                                 sources_, apart, error);
+                                 sources_, apart, error, options_.generator.order);
     }
 
     static EnoughNames not_all(const OpenChoice& choice, const std::string& cause) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <optional>
 #include <set>
@@ -91,6 +92,21 @@ std::string short_name(std::string_view name) {
 }
 
 }  // namespace
+
+void drop_raised(std::vector<bool>& raised, const std::vector<DroppedInput>& drops) {
+    for (const DroppedInput& drop : drops)
+        if (raised[drop.event]) raised[drop.dropped] = false;
+}
+
+std::vector<DroppedInput> dropped_inputs([[maybe_unused]] const Interface& interface,
+                                         const cpp_emit::EventOrder& order) {
+    std::vector<DroppedInput> result;
+    for (const cpp_emit::EventOrder::Drop& drop : order.drops) {
+        assert(drop.event_input < interface.inputs.size() && drop.dropped_input < interface.inputs.size());
+        result.push_back({drop.event_input, drop.dropped_input});
+    }
+    return result;
+}
 
 std::string input_name(const Register& input) {
     constexpr std::string_view written = "set_EXT_";

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "checker/process/term.hpp"
+#include "cpp_emit/plan/options.hpp"
 
 namespace robochart::conformance {
 
@@ -51,6 +52,10 @@ struct DroppedInput {
     std::uint32_t event = 0, dropped = 0;
 };
 
+/// Removes from `raised` what the drops withhold, one drop after the other: an event that is dropped drops nothing
+/// after it. `raised[i]` is true if input i is raised.
+void drop_raised(std::vector<bool>& raised, const std::vector<DroppedInput>& drops);
+
 struct Interface {
     std::string component;   ///< CSP prefix of its events: "P::M"
     std::int64_t scale = 1;  ///< reals are multiples of 1/scale
@@ -60,6 +65,9 @@ struct Interface {
     bool robosim = false;                  ///< M has registers itself (register_system.hpp)
     std::vector<std::string> blocked;      ///< channels of M that the environment does not use: "set_EXT_x"
 };
+
+/// The inputs that an order of events drops.
+[[nodiscard]] std::vector<DroppedInput> dropped_inputs(const Interface&, const cpp_emit::EventOrder&);
 
 /// The name of an input for readers: "seeRobot", "reached".
 [[nodiscard]] std::string input_name(const Register& input);

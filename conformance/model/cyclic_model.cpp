@@ -13,7 +13,8 @@ namespace robochart::conformance {
 std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const ir::Instantiation& instantiation,
                                                const ir::ComponentRef& ref, std::uint32_t cycle_length,
                                                const refine::Limits& limits, diagnostics::SourceManager& sources,
-                                               diagnostics::Diagnostics& diagnostics, std::string& error) {
+                                               diagnostics::Diagnostics& diagnostics, std::string& error,
+                                               const cpp_emit::EventOrder& order) {
     const std::size_t errors = diagnostics.error_count();
     std::unique_ptr<CyclicModel> loaded(new CyclicModel);
     loaded->system_ = &system;
@@ -37,6 +38,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     }
     loaded->boundary_ = std::move(*shown);
     loaded->outside_ = std::move(outside->interface);
+    loaded->boundary_.interface.drops = dropped_inputs(loaded->outside_, order);
     loaded->session_ = std::make_unique<cspm::Session>(loaded->script_.definitions);
     loaded->model_ = loaded->session_->system(process, limits);
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());

@@ -19,11 +19,13 @@ namespace robochart::conformance {
 class CyclicModel {
 public:
     /// Returns null if the component has no timed semantics or no cyclic form; see diagnostics or `error`. Throws
-    /// process::Interrupted at a limit and cspm::EvaluationError if the script cannot be evaluated.
+    /// process::Interrupted at a limit and cspm::EvaluationError if the script cannot be evaluated. Events that `order`
+    /// drops count as not raised.
     [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
                                                            const ir::ComponentRef&, std::uint32_t cycle_length,
                                                            const refine::Limits&, diagnostics::SourceManager&,
-                                                           diagnostics::Diagnostics&, std::string& error);
+                                                           diagnostics::Diagnostics&, std::string& error,
+                                                           const cpp_emit::EventOrder& order = {});
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }

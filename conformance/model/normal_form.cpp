@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/lookup.hpp"
@@ -26,6 +29,14 @@ ExprPtr read_event(const std::string& kind, const std::string& constructor) {
 
 std::string a1_name(const std::string& constructor) {
     return "A1__" + constructor;
+}
+
+std::string gate_name(const std::string& constructor) {
+    return "DROP__" + constructor;
+}
+
+std::string raised_name(std::uint32_t input) {
+    return fmt::format("r__{}", input);
 }
 
 std::string value_name(std::size_t index) {
@@ -61,6 +72,7 @@ public:
         add_channels();
         for (std::uint32_t i = 0; i < inputs().size(); ++i)
             add_definition(b::value(a1_name(constructor(i)), a1_process(i)));
+        for (const std::uint32_t dropped : dropped_inputs()) add_definition(gate_process(dropped));
         add_definition(b::value("TA1__", ta1_process(),
                                 "A1: an input happens only if it was read as present, at most once a cycle."));
         add_definition(
@@ -173,7 +185,68 @@ private:
         if (inputs().empty()) return end();
         std::vector<ExprPtr> a1_processes;
         for (std::uint32_t i = 0; i < inputs().size(); ++i) a1_processes.push_back(b::name(a1_name(constructor(i))));
-        return b::interrupt(b::interleave(std::move(a1_processes)), end());
+        ExprPtr registers = b::interleave(std::move(a1_processes));
+        for (const std::uint32_t dropped : dropped_inputs())
+            registers = b::parallel(registers, gate_events(dropped),
+                                    b::call(gate_name(constructor(dropped)),
+                                            std::vector<ExprPtr>(deciding_inputs().size(), b::boolean(false))));
+        return b::interrupt(registers, end());
+    }
+
+    // ------------------------------------------------------------ dropped inputs
+
+    /// The inputs that an order of events drops, ascending.
+    [[nodiscard]] std::set<std::uint32_t> dropped_inputs() const {
+        std::set<std::uint32_t> result;
+        for (const DroppedInput& drop : alphabet_.interface().drops) result.insert(drop.dropped);
+        return result;
+    }
+    /// The inputs of which it depends what is dropped, ascending.
+    [[nodiscard]] std::set<std::uint32_t> deciding_inputs() const {
+        std::set<std::uint32_t> result;
+        for (const DroppedInput& drop : alphabet_.interface().drops) result.insert({drop.event, drop.dropped});
+        return result;
+    }
+
+    /// Whether the input counts as raised, where `r__i` is true if register i is present: the drops in their order.
+    [[nodiscard]] ExprPtr counts_as_raised(std::uint32_t input) const {
+        std::map<std::uint32_t, ExprPtr> raised;
+        for (const std::uint32_t i : deciding_inputs()) raised[i] = b::name(raised_name(i));
+        for (const DroppedInput& drop : alphabet_.interface().drops)
+            raised[drop.dropped] = b::all_of({raised[drop.dropped], b::logical_not(raised[drop.event])});
+        return raised.at(input);
+    }
+
+    /// The reads on which the gate of an input depends, and its event.
+    [[nodiscard]] ExprPtr gate_events(std::uint32_t dropped) const {
+        std::vector<ExprPtr> events;
+        for (const std::uint32_t i : deciding_inputs())
+            for (const char* kind : {"absent", "present"}) events.push_back(read_event(kind, constructor(i)));
+        events.push_back(model_event(inputs()[dropped].name));
+        return b::productions(std::move(events));
+    }
+
+    /// Lets the input happen if no raised event drops it.
+    [[nodiscard]] DeclPtr gate_process(std::uint32_t dropped) const {
+        std::vector<std::string> parameters;
+        for (const std::uint32_t i : deciding_inputs()) parameters.push_back(raised_name(i));
+        const auto again = [&](std::optional<std::uint32_t> read, bool present) {
+            std::vector<ExprPtr> arguments;
+            for (const std::uint32_t i : deciding_inputs())
+                arguments.push_back(i == read ? b::boolean(present) : b::name(raised_name(i)));
+            return b::call(gate_name(constructor(dropped)), std::move(arguments));
+        };
+        std::vector<ExprPtr> choices;
+        for (const std::uint32_t i : deciding_inputs())
+            choices.push_back(read_choice(i, again(i, false), again(i, true)));
+        std::vector<cspm::Field> fields;
+        if (!inputs()[dropped].texts.empty()) fields.push_back(b::input(value_name(1)));
+        choices.push_back(
+            b::guard(counts_as_raised(dropped),
+                     b::prefix(model_event(inputs()[dropped].name), std::move(fields), again(std::nullopt, false))));
+        return b::function_decl(gate_name(constructor(dropped)), b::variables(parameters),
+                                b::choice(std::move(choices)),
+                                "The declared order of events drops the input where another one is raised.");
     }
 
     [[nodiscard]] ExprPtr a2_process() const {

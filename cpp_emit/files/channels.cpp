@@ -169,7 +169,13 @@ void write_composition(const Generation& generation, const Core& core, CodeWrite
     out.open_declaration("Everything that can happen in this cycle, in any machine.", "void run() noexcept {");
     for (const Part& part : generation.component.parts)
         if (core.machines[part.root].layout.prompt) out.line(fmt::format("prompt({});", part.frame_expression()));
-    const std::vector<std::string> rounds = each_part(generation, "round({})");
+    std::vector<std::string> rounds;
+    for (const Part& part : generation.component.parts) {
+        if (!core.machines[part.root].leads || generation.mutation.hits(Fault::order_ignored)) continue;
+        rounds.push_back(fmt::format("lead({})", part.frame_expression()));
+    }
+    const std::vector<std::string> all = each_part(generation, "round({})");
+    rounds.insert(rounds.end(), all.begin(), all.end());
     out.open(fmt::format("while ({}({})) {{", generation.round_test(), fmt::join(rounds, " || ")));
     out.close();
     out.close();

@@ -365,22 +365,6 @@ void write_outside(const Generation& generation, const StoredVariable& variable,
         out.line(line);
 }
 
-/// Events that a declared order drops where another event is raised.
-void write_drops(const Generation& generation, CodeWriter& out) {
-    const auto input_of = [&](const std::string& name) {
-        const auto& events = generation.component.events;
-        const auto found =
-            std::ranges::find_if(events, [&](const EventPort& port) { return port.received && port.outside == name; });
-        return found == events.end() ? std::string() : found->input;
-    };
-    for (const EventOrder::Drop& drop : generation.options.order.drops) {
-        const std::string event = input_of(drop.event), dropped = input_of(drop.dropped);
-        if (event.empty() || dropped.empty() || generation.mutation.hits(Fault::order_ignored)) continue;
-        out.comment(fmt::format("the declared order of events: {} drops {}", drop.event, drop.dropped));
-        out.line(fmt::format("if (inputs_.{}.present) inputs_.{}.present = false;", event, dropped));
-    }
-}
-
 /// RoboSim: a component that can neither continue nor end its cycle stops time.
 void write_end_of_cycle(const Generation& generation, CodeWriter& out) {
     if (generation.mutation.hits(Fault::cycle_stop_hidden)) return;
@@ -407,6 +391,7 @@ void write_cycle(const Generation& generation, const Core& core, CodeWriter& out
     write_drops(generation, out);
     const char* const state = generation.component.is_composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
+    forget_raised(generation, out);
     for (const EventPort* event : core.kept_inputs) keep_input(out, *event);
     for (const std::string& line : late) out.line(line);
     out.line(fmt::format("const robochart::StepResult result = this->result(finished({}));", state));
@@ -543,6 +528,8 @@ Core make_core(const Generation& generation) {
         if (event.received && generation.mutation.hits(Fault::event_kept)) core.kept_inputs.push_back(&event);
     if (!input_events(component).empty()) (void)type_names.unique_name(event_type(generation));
     std::vector<Field> more = kept_fields(generation, core);
+    for (const EventPort* event : dropping_events(generation))
+        more.push_back({"bool", event->raised, "false", "an event before it in this cycle, for dispatch()", 1, 1});
     const std::vector<Field> common = common_fields(generation);
     more.insert(more.end(), common.begin(), common.end());
     Layouts layouts;

@@ -3,6 +3,7 @@
 // waits.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "cpp_emit/code/dispatch.hpp"
@@ -40,6 +41,31 @@ std::string event_type(const Generation& generation) {
     return scope.unique_name("Event");
 }
 
+std::vector<const EventPort*> dropping_events(const Generation& generation) {
+    const auto events = input_events(generation.component);
+    std::vector<const EventPort*> result;
+    for (const EventOrder::Drop& drop : generation.options.order.drops)
+        if (std::ranges::find(result, events[drop.event_input]) == result.end())
+            result.push_back(events[drop.event_input]);
+    return result;
+}
+
+void write_drops(const Generation& generation, CodeWriter& out) {
+    const auto events = input_events(generation.component);
+    for (const EventOrder::Drop& drop : generation.options.order.drops) {
+        if (generation.mutation.hits(Fault::order_ignored)) continue;
+        const EventPort& event = *events[drop.event_input];
+        out.comment(fmt::format("the declared order of events: {} drops {}", drop.event, drop.dropped));
+        out.line(fmt::format("if (inputs_.{}.present || state_.{}) inputs_.{}.present = false;", event.input,
+                             event.raised, events[drop.dropped_input]->input));
+    }
+}
+
+void forget_raised(const Generation& generation, CodeWriter& out) {
+    for (const EventPort* event : dropping_events(generation))
+        out.line(fmt::format("state_.{} = false;", event->raised));
+}
+
 void write_event_type(const Generation& generation, CodeWriter& out) {
     const auto events = input_events(generation.component);
     if (events.empty()) return;
@@ -68,6 +94,9 @@ void write_dispatch(const Generation& generation, const std::string& direct, Cod
         out.line("    break;");
     }
     out.close();
+    write_drops(generation, out);
+    for (const EventPort* event : dropping_events(generation))
+        out.line(fmt::format("state_.{0} = state_.{0} || inputs_.{1}.present;", event->raised, event->input));
     const char* const state = generation.component.is_composed() ? "" : "state_";
     out.line(fmt::format("run({});", state));
     out.line(fmt::format("return this->result(finished({}));", state));

@@ -37,7 +37,8 @@ bool DispatchCode::is_direct() const {
     };
     const auto& transitions = plan_.machine().transitions;
     return unit_.root && !generation_.component.is_composed() && during_.empty() && !guards_deadlines(*unit_.machine) &&
-           faultless_cycle(generation_.options) && !generation_.options.choices && plan_.machine().initial.is_valid() &&
+           faultless_cycle(generation_.options) && !generation_.options.choices &&
+           generation_.options.order.drops.empty() && plan_.machine().initial.is_valid() &&
            std::ranges::none_of(transitions, waits);
 }
 

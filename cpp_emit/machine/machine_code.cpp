@@ -55,8 +55,12 @@ private:
 };
 
 MachineCode MachineWriter::write_machine(const std::vector<Field>& more) {
-    if (!plan_.machine().initial.is_valid())
-        return {frame_.all_enumerations(), frame_.make_layout(more), {}, {}, {}, {}, {}};
+    if (!plan_.machine().initial.is_valid()) {
+        MachineCode nothing;
+        nothing.enumerations = frame_.all_enumerations();
+        nothing.layout = frame_.make_layout(more);
+        return nothing;
+    }
     control_code_.during_places();
     control_code_.control_places();
     thread_function(control_, "control",
@@ -71,6 +75,7 @@ MachineCode MachineWriter::write_machine(const std::vector<Field>& more) {
     run_function();
     MachineCode code;
     code.methods = out_.text();
+    code.leads = unit_.root && generation_.component.is_composed() && transition_code_.has_first_events();
     if (dispatch_code_.is_direct() && !input_events(generation_.component).empty()) {
         out_ = CodeWriter(1);
         dispatch_code_.dispatch_function();
@@ -187,6 +192,14 @@ void MachineWriter::run_function() {
     const bool watches = guards_deadlines(*unit_.machine);
     if (unit_.root) {
         if (generation_.component.is_composed()) {
+            if (transition_code_.has_first_events()) {
+                out_.doc(fmt::format("What comes before all machines: actions of {}, and its first events.",
+                                     unit_.machine->name));
+                out_.open(function_head("bool lead"));
+                if (watches) out_.line(function_call("watch") + ";");
+                out_.line(fmt::format("return {} || {};", function_call("control"), function_call("first")));
+                out_.close();
+            }
             out_.doc(fmt::format("One round of {}: as far as it gets without the others.", unit_.machine->name));
             out_.open(function_head("bool round"));
             if (watches) out_.line(function_call("watch") + ";");

@@ -15,6 +15,7 @@ struct MachineCode {
     std::vector<Enumeration> enumerations;
     FrameLayout layout;
     std::string methods;           ///< members of Step
+    bool leads = false;            ///< a declared order has first events: with several machines, `lead` takes them
     std::string dispatch;          ///< Step::dispatch for a machine whose programs never wait; "" for others
     std::vector<SendSite> sites;   ///< places where its threads wait to send
     std::vector<CallFrame> calls;  ///< operations that its threads run

@@ -26,6 +26,7 @@ struct EventPort {
     bool sent = false;
     std::string input;   ///< member of Inputs
     std::string output;  ///< method of the platform
+    std::string raised;  ///< member of State, if a declared order lets it drop other events
 };
 
 /// An asynchronous connection between controllers: a buffer with one place, which the writer overwrites and the reader

@@ -58,9 +58,11 @@ struct PackageFacts {
 
 /// The order of events in a cycle that claims files declare (docs/claims.md, "Order in a cycle").
 struct EventOrder {
-    /// Two events that the platform raises: in a cycle with `event`, `dropped` is not raised.
+    /// Two events that the platform raises: in a cycle with `event`, `dropped` is not raised. The names are those at
+    /// the boundary, the numbers those among the events that the component receives (exploration_registers).
     struct Drop {
         std::string event, dropped;
+        std::uint32_t event_input = 0, dropped_input = 0;
     };
     /// By the number of a machine: the events whose transitions it tries before all others, in this order.
     std::map<std::uint32_t, std::vector<ir::EventId>> first = {};

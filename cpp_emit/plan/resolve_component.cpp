@@ -560,6 +560,7 @@ private:
             for (Part& part : component_.parts) part.tag = state.unique_name(part.name);
         for (auto& event : component_.events) {
             if (event.received) event.input = inputs.unique_name(event.model_name);
+            if (event.received) event.raised = state.unique_name("raised_" + event.input);
             if (event.sent) event.output = platform.unique_name("send_" + event.model_name);
         }
         for (auto& buffer : component_.buffers) buffer.field = state.unique_name("buffer_" + buffer.name);

@@ -82,9 +82,23 @@ private:
         if (!account.is_broken()) return;
         tell(run, account.reasons());
     }
-    static void tell(runs::Run& run, const std::vector<std::string>& reasons) {
+    void tell(runs::Run& run, const std::vector<std::string>& reasons) const {
+        mark_scopes(run);
         run.end.why = fmt::format("{}", fmt::join(reasons, "; "));
         run.end.allowed.clear();
+    }
+
+    /// Marks the steps after which the claim's scope lasts, or something is owed.
+    void mark_scopes(runs::Run& run) const {
+        claims::Account account(claim_, project_.claims->checked.unit);
+        std::size_t at = 0;
+        for (runs::Step& step : run.steps) {
+            const std::size_t end = std::min(step.raw + step.count, run.raw.size());
+            for (; at < end; ++at) follow(account, visible(run.raw[at]));
+            const claims::MonitorState& state = account.state();
+            step.in_scope = state.phase == claims::Phase::inside && claim_.scope.kind != claims::ScopeKind::whole;
+            step.owed = state.left >= 0 || state.due || state.stay >= 0;
+        }
     }
 
     /// A claim that holds of all runs is broken if time can stop while an event is owed.

@@ -39,49 +39,83 @@ std::optional<claims::Fraction> value_of(std::string_view text, const ir::Type& 
 
 }  // namespace
 
-FollowedClaim::FollowedClaim(const claims::CheckedClaim& claim, const ir::System& system, durations::Unit unit)
-    : claim_(&claim), system_(&system), account_(claim, unit) {
+FollowedClaim::FollowedClaim(const claims::CheckedClaim& claim, const ir::System& system, durations::Unit unit,
+                             Drops drops)
+    : claim_(&claim), system_(&system), account_(claim, unit), drops_(std::move(drops)) {
     if (claim.body.kind == claims::BodyKind::possible) give_up("one run does not show what other runs do");
 }
 
 void FollowedClaim::observe(std::string_view name, bool input, const std::vector<std::string>& values,
                             std::uint64_t line) {
+    if (!input) observe_inputs();
     const auto& channels = claim_->component.channels;
-    for (std::size_t i = 0; i < channels.size(); ++i)
-        if (channels[i].name == name && (channels[i].kind == claims::ChannelKind::input) == input)
-            observe_channel(i, values, line);
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (channels[i].name != name || (channels[i].kind == claims::ChannelKind::input) != input) continue;
+        const std::optional<Named> event = named(i, values, line);
+        if (!event) continue;
+        if (input)
+            raised_.push_back(*event);
+        else
+            observe_event(*event);
+    }
 }
 
 void FollowedClaim::tock(std::uint64_t line) {
+    observe_inputs();
     account_.tock();
     note(line);
 }
 
 void FollowedClaim::end(std::uint64_t line) {
+    observe_inputs();
     account_.end();
     note(line);
 }
 
 void FollowedClaim::give_up(std::string why) {
+    observe_inputs();
     if (!is_broken() && unknown_.empty()) unknown_ = std::move(why);
 }
 
-void FollowedClaim::observe_channel(std::size_t channel, const std::vector<std::string>& values, std::uint64_t line) {
+std::optional<FollowedClaim::Named> FollowedClaim::named(std::size_t channel, const std::vector<std::string>& values,
+                                                         std::uint64_t line) {
     const claims::Channel& of = claim_->component.channels[channel];
-    claims::Occurrence occurrence{channel, {}};
-    const std::string text = values.empty() ? of.name : fmt::format("{}({})", of.name, fmt::join(values, ", "));
+    Named result{
+        {channel, {}}, values.empty() ? of.name : fmt::format("{}({})", of.name, fmt::join(values, ", ")), line};
     for (std::size_t i = 0; i < of.types.size(); ++i) {
         const auto value = i < values.size() ? value_of(values[i], system_->type(of.types[i])) : std::nullopt;
-        if (!value && reads_values(channel))
-            return give_up(fmt::format("{} has a value that no condition reads", text));
-        occurrence.values.push_back(value.value_or(claims::Fraction()));
+        if (!value && reads_values(channel)) {
+            give_up(fmt::format("{} has a value that no condition reads", result.text));
+            return std::nullopt;
+        }
+        result.occurrence.values.push_back(value.value_or(claims::Fraction()));
     }
+    return result;
+}
+
+void FollowedClaim::observe_inputs() {
+    if (raised_.empty()) return;
+    std::vector<Named> inputs = std::exchange(raised_, {});
+    const auto& channels = claim_->component.channels;
+    for (const claims::CheckedOrder::Drop& drop : drops_) {
+        const auto is = [&](const std::string& name) {
+            return [&](const Named& input) { return channels[input.occurrence.channel].name == name; };
+        };
+        if (std::ranges::any_of(inputs, is(drop.event))) std::erase_if(inputs, is(drop.dropped));
+    }
+    std::vector<claims::Occurrence> raised;
+    for (const Named& input : inputs) raised.push_back(input.occurrence);
+    for (const claims::Occurrence& next : claims::Monitor(*claim_).order_raised(account_.state(), raised))
+        observe_event(*std::ranges::find(inputs, next, &Named::occurrence));
+}
+
+void FollowedClaim::observe_event(const Named& event) {
     try {
-        account_.observe(occurrence, text);
+        account_.observe(event.occurrence, event.text);
     } catch (const claims::NotComputable& error) {
-        give_up(error.what());
+        if (!is_broken() && unknown_.empty()) unknown_ = error.what();
     }
-    note(line);
+    note(event.line);
 }
 
 bool FollowedClaim::reads_values(std::size_t channel) const {

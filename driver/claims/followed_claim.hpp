@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors a claim in one run outside of the model: a log, or a robot of a simulation. An input counts as soon as it is
-// raised.
+// Monitors a claim in one run outside of the model: a log, or a robot of a simulation. An input counts when it is
+// raised. Inputs of one cycle are simultaneous (docs/claims.md, "Claims about one cycle"), so they are collected up to
+// the first output or time unit after them. Those that a declared order drops do not count.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,9 @@ namespace robochart::driver {
 /// Stores references to the claim and the system.
 class FollowedClaim {
 public:
-    FollowedClaim(const claims::CheckedClaim& claim, const ir::System& system, durations::Unit unit);
+    /// Two inputs of the component: where `event` is raised, `dropped` does not count.
+    using Drops = std::vector<claims::CheckedOrder::Drop>;
+    FollowedClaim(const claims::CheckedClaim& claim, const ir::System& system, durations::Unit unit, Drops drops = {});
 
     /// An input or an output with the texts of its values, as in logs. Names that the component does not have are
     /// ignored. `line` is its line in a log.
@@ -25,6 +28,9 @@ public:
     void end(std::uint64_t line = 0);
     /// From now on, the verdict is unknown for this reason.
     void give_up(std::string why);
+
+    /// Observes the last inputs, if the run ends within a cycle.
+    void finish() { observe_inputs(); }
 
     [[nodiscard]] bool is_broken() const { return !reasons_.empty(); }
     /// The place in a log where the claim was broken, and at most three sentences about it.
@@ -35,13 +41,25 @@ public:
     [[nodiscard]] const claims::CheckedClaim& claim() const { return *claim_; }
 
 private:
-    void observe_channel(std::size_t channel, const std::vector<std::string>& values, std::uint64_t line);
+    /// An input of the cycle that begins, or an event: its text in reports.
+    struct Named {
+        claims::Occurrence occurrence;
+        std::string text;
+        std::uint64_t line = 0;
+    };
+    /// The event with its values; no value if a condition cannot read them.
+    [[nodiscard]] std::optional<Named> named(std::size_t channel, const std::vector<std::string>& values,
+                                             std::uint64_t line);
+    void observe_inputs();
+    void observe_event(const Named& event);
     [[nodiscard]] bool reads_values(std::size_t channel) const;
     void note(std::uint64_t line);
 
     const claims::CheckedClaim* claim_;
     const ir::System* system_;
     claims::Account account_;
+    Drops drops_;
+    std::vector<Named> raised_;  ///< the inputs of this cycle that have not been observed yet
     std::uint64_t line_ = 0;
     std::vector<std::string> reasons_;
     std::string unknown_;

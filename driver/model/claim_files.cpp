@@ -14,6 +14,7 @@
 #include "claims/checks/rules.hpp"
 #include "claims/decide/letters.hpp"
 #include "claims/syntax/reader.hpp"
+#include "frontend/project/move_claims.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 
@@ -90,7 +91,14 @@ bool is_about(const ClaimFile& file, const frontend::Model& model) {
     });
 }
 
-void add_file(Project& project, const std::string& path, bool named) {
+/// How the claims of a file are used.
+enum class Use {
+    named,   ///< the user names the file
+    beside,  ///< it is beside the model, and may be about another one
+    orders,  ///< beside a named file: only its unit and its orders count
+};
+
+void add_file(Project& project, const std::string& path, Use use) {
     std::string error;
     const auto source = project.sources.load_file(path, error);
     if (!source) {
@@ -99,10 +107,11 @@ void add_file(Project& project, const std::string& path, bool named) {
     }
     diagnostics::Diagnostics findings;
     findings.set_budget(project.diagnostics.budget());
-    auto file = std::make_shared<const ClaimFile>(claims::read(project.sources, *source, findings));
-    if (!named && !is_about(*file, *project.model)) return;
+    ClaimFile file = claims::read(project.sources, *source, findings);
+    if (use != Use::named && !is_about(file, *project.model)) return;
     if (!project.claims->ignored) project.diagnostics.add(findings);
-    project.claims->files.push_back(std::move(file));
+    if (use == Use::orders) file.claims.clear();
+    project.claims->files.push_back(std::make_shared<const ClaimFile>(std::move(file)));
 }
 
 }  // namespace
@@ -129,8 +138,7 @@ void read_claims_of_assertions(Project& project) {
     for (const auto& file : project.model->files) {
         std::vector<diagnostics::Span> places;
         for (const frontend::KeptPart& part : file->kept)
-            if (part.form == "claim" || part.form == "assume" || part.form == "order" || part.form == "unit")
-                places.push_back(part.whole);
+            if (frontend::is_claim(part)) places.push_back(part.whole);
         if (places.empty()) continue;
         ClaimFile read = claims::read_parts(project.sources, file->source, places, project.diagnostics);
         project.claims->files.push_back(std::make_shared<const ClaimFile>(std::move(read)));
@@ -152,20 +160,23 @@ void read_claim_files(Project& project, const LoadSettings& settings) {
     }
     if (!settings.texts.empty()) return;
     std::set<std::string> seen;
-    const auto add = [&](const std::string& path, bool named) {
-        if (seen.insert(fs::path(path).lexically_normal().string()).second) add_file(project, path, named);
+    const auto add = [&](const std::string& path, Use use) {
+        if (seen.insert(fs::path(path).lexically_normal().string()).second) add_file(project, path, use);
     };
     const bool only_claims = std::ranges::all_of(settings.inputs, is_claims);
     for (const std::string& input : settings.inputs) {
         std::error_code code;
         if (is_claims(input)) {
-            add(input, true);
+            add(input, Use::named);
         } else if (fs::is_directory(input, code)) {
-            for (const std::string& path : claims_in(input, true)) add(path, true);
+            for (const std::string& path : claims_in(input, true)) add(path, Use::named);
         } else if (!only_claims && input.ends_with(".rct")) {
-            for (const std::string& path : claims_in(folder_of(input), false)) add(path, false);
+            for (const std::string& path : claims_in(folder_of(input), false)) add(path, Use::beside);
         }
     }
+    if (!only_claims) return;
+    for (const std::string& input : settings.inputs)
+        for (const std::string& path : claims_in(folder_of(input), false)) add(path, Use::orders);
 }
 
 std::optional<claims::DeclaredUnit> unit_beside(const std::vector<std::string>& paths,

@@ -98,6 +98,28 @@ TEST(Validate, FixTurnsOtherNotationsIntoRoboChart) {
 }
 
 /// The fix of the claim would not parse, so the file stays unchanged and a message says so.
+/// Claims in an assertion file go to the end of the claims file beside it.
+TEST(Validate, FixMovesClaims) {
+    const testing::Folder folder(
+        {{"m.rct",
+          "package p\nstm S { event e initial i state A { } transition t { from i to A } transition u { from A to A "
+          "trigger e } }\n"},
+         {"m.claims", "import p::*\nclaim Old of S : possible e\n"},
+         {"m.assertions",
+          "import p::*\nunit 0.1 s\nassertion D : S is deadlock-free\nclaim A of S : at most 3 e in any 1 s\n"}});
+    const testing::Ran before = run({"check", folder / "m.rct", "--deny-warnings"});
+    EXPECT_NE(before.err.find("RC-P39"), std::string::npos) << before.err;
+    const testing::Ran fixed = run({"validate", "--fix", folder.path()});
+    EXPECT_EQ(fixed.exit, 0) << fixed.err;
+    EXPECT_EQ(fixed.err.find("RC-P39"), std::string::npos) << fixed.err;
+    EXPECT_EQ(read_contents(folder / "m.assertions"), "import p::*\nassertion D : S is deadlock-free\n");
+    EXPECT_EQ(read_contents(folder / "m.claims"),
+              "import p::*\nclaim Old of S : possible e\n\nimport p::*\n\nunit 0.1 s\nclaim A of S : at most 3 e in "
+              "any 1 s\n");
+    const testing::Ran after = run({"check", folder.path()});
+    EXPECT_NE(after.out.find("A [timed]"), std::string::npos) << after.out;
+}
+
 TEST(Validate, FixWritesOnlyWhatReadsBetter) {
     const testing::Folder folder({{"m.rct", good}, {"c.assertions", "prob property P1 : P=? [ F S is in S::s ]\n"}});
     const auto ran = run({"validate", "--fix", folder.path()});

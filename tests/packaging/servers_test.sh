@@ -20,6 +20,9 @@ mkdir -p "$project/it holds" "$project/it; fails"
 model='stm S { event e initial i state A { } transition t0 { from i to A } transition t1 { from A to A trigger e } }'
 echo "$model" > "$project/it holds/m.rct"
 echo "$model" > "$project/it; fails/m.rct"
+mkdir -p "$project/it; says"
+echo "$model" > "$project/it; says/m.rct"
+echo 'claim Never : never e' > "$project/it; says/m.claims"
 echo 'untimed assertion Wrong : S is not deadlock-free' > "$project/it; fails/m.assertions"
 
 cat > "$project/CMakeLists.txt" <<'END'
@@ -30,13 +33,16 @@ find_package(robochart-verify REQUIRED)
 robochart_verify(MODEL "it holds" NAME holds VERB check OPTIONS --untimed)
 robochart_verify(MODEL "it holds/m.rct")
 robochart_verify(MODEL "it; fails" NAME fails VERB check)
+robochart_verify(MODEL "it; says" NAME claimed VERB check)
+robochart_verify(MODEL "it; says/m.claims" NAME valid VERB validate)
 END
 cmake -S "$project" -B "$folder/build" -DCMAKE_PREFIX_PATH="$folder/usr" > "$folder/log" 2>&1 || { cat "$folder/log" >&2; exit 1; }
 status=0
 ctest --test-dir "$folder/build" > "$folder/log" 2>&1 || status=$?
 [ "$status" -ne 0 ] || fail "a claim that does not hold passes under CTest"
-grep -q '1 tests failed out of 3' "$folder/log" || { cat "$folder/log" >&2; exit 1; }
+grep -q '2 tests failed out of 5' "$folder/log" || { cat "$folder/log" >&2; exit 1; }
 grep -q 'fails (Failed)' "$folder/log" || fail "another test failed than the false claim's"
+grep -q 'claimed (Failed)' "$folder/log" || fail "a claim in a claims file is not decided under CTest"
 [ -d "$folder/build/robochart.verify.m/csp-gen" ] || fail "what verify writes is not below the build tree"
 for wrong in 'MODEL nowhere' 'VERB check' 'MODEL "it holds" VERB remove' 'MODEL "it holds" MODE check'; do
   printf 'cmake_minimum_required(VERSION 3.22)\nproject(r NONE)\nenable_testing()\nfind_package(robochart-verify REQUIRED)\nrobochart_verify(%s)\n' "$wrong" > "$project/CMakeLists.txt"
@@ -51,6 +57,8 @@ code() { "$@" > "$folder/log" 2>&1 && echo 0 || echo $?; }
 [ "$(MODEL='it holds' VERB=check code bash "$script")" = 0 ] || fail "the action fails where all holds"
 [ "$(MODEL=$'it holds\n\nit; fails\n' VERB=check OPTIONS=$'--untimed\n' JUNIT="$folder/report.xml" code bash "$script")" = 1 ] || fail "the action does not fail"
 grep -q '<failure' "$folder/report.xml" || fail "the report of the action has no failure"
+[ "$(MODEL='it; says' VERB=check JUNIT="$folder/report.xml" code bash "$script")" = 1 ] || fail "the action does not fail for a claim"
+grep -q 'testcase.*Never.*never e' "$folder/report.xml" || fail "the report of the action does not name the claim"
 [ "$(MODEL='$(touch x)' VERB=check code bash "$script")" = 2 ] || fail "a model that is not there is no error"
 [ "$(MODEL='--help' VERB=check code bash "$script")" = 2 ] || fail "a model's name is taken for an option"
 [ "$(MODEL='it holds' VERB='check; touch x' code bash "$script")" = 4 ] || fail "any verb is accepted"

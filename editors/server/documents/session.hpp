@@ -46,6 +46,7 @@ struct Client {
     bool markdown = false;
     bool watches_files = false;
     bool versioned_edits = false;
+    bool creates_files = false;  ///< its edits may create files; they then have versions
     /// True if the editor requests the diagnostics of open documents, so the server does not send them.
     bool pulls_diagnostics = false;
     bool refreshes_diagnostics = false;  ///< repeats its requests for diagnostics when the server notifies it

@@ -57,6 +57,8 @@ Client client_of(View params) {
     client.refreshes_diagnostics = capabilities["workspace"]["diagnostics"]["refreshSupport"].truth_or();
     client.watches_files = capabilities["workspace"]["didChangeWatchedFiles"]["dynamicRegistration"].truth_or();
     client.versioned_edits = capabilities["workspace"]["workspaceEdit"]["documentChanges"].truth_or();
+    client.creates_files = client.versioned_edits &&
+                           lists_word(capabilities["workspace"]["workspaceEdit"]["resourceOperations"], "create");
     for (const char* command : {check_command, draw_command, step_command})
         if (lists_word(params["initializationOptions"]["commands"], command)) client.commands.insert(command);
     return client;

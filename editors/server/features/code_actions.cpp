@@ -2,8 +2,13 @@
 // Offers the fixes of rules as quick fixes.
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "base/diagnostics/fixes.hpp"
 #include "editors/server/features/models.hpp"
+#include "editors/server/protocol/uri.hpp"
+#include "frontend/project/move_claims.hpp"
+#include "frontend/syntax/syntax_rules.hpp"
 
 namespace robochart::lsp {
 
@@ -49,6 +54,39 @@ Json code_action(const Session& session, const Target& target, const Diagnostic&
     return result;
 }
 
+/// Moves all claims of an assertion file to the end of the claims file beside it.
+Json move_of_claims(const Session& session, const Target& target, const Diagnostic& finding, View context) {
+    const auto moved = frontend::move_claims(target.project.tree_of(target.document), target.project.sources());
+    if (!moved) return {};
+    const SourceManager& sources = target.project.sources();
+    const Encoding encoding = session.client.encoding;
+    const auto versioned = [](const std::string& uri, Json version, Json edits) {
+        return Json::object({{"textDocument", Json::object({{"uri", uri}, {"version", std::move(version)}})},
+                             {"edits", std::move(edits)}});
+    };
+    // A position behind the last line is the end of the text.
+    const Json end = Json::object({{"line", std::numeric_limits<std::int32_t>::max()}, {"character", 0}});
+    const Json added =
+        Json::object({{"range", Json::object({{"start", end}, {"end", end}})}, {"newText", moved->text}});
+    Json removals = Json::array();
+    for (const Span span : moved->removals)
+        removals.push_back(Json::object({{"range", lsp_range(sources, span, encoding)}, {"newText", ""}}));
+    const std::string uri = uri_of_path(moved->path);
+    const Json create =
+        Json::object({{"kind", "create"}, {"uri", uri}, {"options", Json::object({{"ignoreIfExists", true}})}});
+    const Json version = target.document.version ? Json(*target.document.version) : Json();
+    const Json changes = Json::array({create, versioned(uri, Json(), Json::array({added})),
+                                      versioned(target.document.uri, version, std::move(removals))});
+    Json result =
+        Json::object({{"title", fmt::format("Move the claims to {}", moved->path.substr(moved->path.rfind('/') + 1))},
+                      {"kind", "quickfix"},
+                      {"isPreferred", true},
+                      {"edit", Json::object({{"documentChanges", changes}})}});
+    Json shown = matching_diagnostic(context, finding, lsp_range(sources, finding.span, encoding));
+    if (!shown.is_null()) result["diagnostics"] = std::move(shown);
+    return result;
+}
+
 }  // namespace
 
 Json Models::code_actions(const Request& request) {
@@ -61,6 +99,8 @@ Json Models::code_actions(const Request& request) {
         if (kind.text() != "quickfix" && !kind.text().empty() && only.items().size() == 1) return list;
     for (const Diagnostic& finding : findings_about(target)) {
         if (!spans_overlap(finding.span, requested)) continue;
+        if (finding.rule == &frontend::syntax::claim_in_assertions && session_.client.creates_files)
+            list.push_back(move_of_claims(session_, target, finding, request.params["context"]));
         for (const FixIt& fix : finding.fixes)
             if (fix.span.is_known())
                 list.push_back(code_action(session_, target, finding, fix, request.params["context"]));

@@ -82,6 +82,8 @@ TEST(ClaimChecks, RejectBadInput) {
              Row{"claim A : can take halt", "CLM-T15:1", "one input"},
              Row{"claim A : after obstacle, can take clear", "CLM-T15:1", "`while in STATE`"},
              Row{"order Patrol : obstacle first, obstacle drops clear", "", ""},
+             Row{"unit 0.1 s unit 100 ms claim A : never halt", "", ""},
+             Row{"unit 0.1 s\nunit 0.2 s claim A : never halt", "CLM-T09:1 CLM-T09:2", "100 ms"},
              Row{"order Patrol : halt first", "CLM-T15:1", "does not receive an event `halt`"},
              Row{"order Patrol : in first", "CLM-T15:1", ""},
              Row{"order Patrol : obstacle first\norder Patrol : clear first", "CLM-T15:2", "two orders"},

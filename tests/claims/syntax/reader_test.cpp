@@ -38,7 +38,7 @@ TEST(ClaimReader, ReadsAFile) {
     EXPECT_EQ(parsed.file.package->text, "p");
     ASSERT_EQ(parsed.file.imports.size(), 1U);
     EXPECT_TRUE(parsed.file.imports[0].wildcard);
-    EXPECT_EQ(parsed.file.unit->number, "0.1");
+    EXPECT_EQ(parsed.file.units.at(0).number, "0.1");
     ASSERT_EQ(parsed.file.claims.size(), 1U);
     const Claim& claim = parsed.file.claims[0];
     EXPECT_EQ(claim.component->text, "Patrol");

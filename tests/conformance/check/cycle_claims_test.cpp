@@ -86,13 +86,16 @@ Result result_of(const std::string& machine, const std::vector<std::string>& cla
     const auto estop =
         static_cast<std::uint32_t>(std::ranges::find(events, "estop", &ir::Event::name) - events.begin());
     if (order.first) options.generator.order.first[component.definition] = {ir::EventId{estop}};
-    if (order.drops) options.generator.order.drops = {{"estop", "reset"}};
+    const auto number = [&](const char* name) {
+        return static_cast<std::uint32_t>(std::ranges::find(events, name, &ir::Event::name) - events.begin());
+    };
+    if (order.drops) options.generator.order.drops = {{"estop", "reset", number("estop"), number("reset")}};
     if (order.ignored_at) {
         options.generator.fault = cpp_emit::Fault::order_ignored;
         options.generator.fault_site = *order.ignored_at;
     }
     Result result = conform(model.system, model.instantiation, component, options, model.sources, found);
-    EXPECT_FALSE(result.api_difference) << "dispatch differs from step";
+    EXPECT_TRUE(!result.api_difference || order.ignored_at) << "dispatch differs from step";
     return result;
 }
 
@@ -175,9 +178,18 @@ TEST(CycleClaims, AreTurnedByAnOrder) {
                    {.first = true, .drops = true});
 }
 
-/// Code that ignores the order somewhere differs behind the filter, or breaks a claim.
+/// Without the order, a cycle with reset may end in Emergency: reset is taken first, and then estop. A reset that is
+/// dropped does not count as raised, neither for the model nor for the code.
+TEST(CycleClaims, DoNotCountWhatIsDropped) {
+    const char* const resumes = "in a cycle with reset, always in Operating";
+    expect_answers(nested, {{resumes, "fails", "fails"}});
+    expect_answers(nested, {{resumes, "holds", "holds"}}, {.drops = true});
+}
+
+/// Code that ignores the order somewhere differs behind the filter, or breaks a claim: in the transitions, in the
+/// cycle, or in `dispatch`.
 TEST(CycleClaims, KillCodeThatIgnoresTheOrder) {
-    for (const std::uint32_t place : {0U, 1U}) {
+    for (const std::uint32_t place : {0U, 1U, 2U}) {
         const Result result =
             result_of(nested, {brakes_first, stops}, {.first = true, .drops = true, .ignored_at = place});
         const bool broken = std::ranges::any_of(

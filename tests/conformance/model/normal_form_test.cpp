@@ -21,8 +21,9 @@ namespace {
 
 namespace b = cspm::build;
 
-Interface small_interface() {
+Interface small_interface(std::vector<DroppedInput> drops = {}) {
     Interface interface;
+    interface.drops = std::move(drops);
     interface.component = "T";
     interface.inputs = {{"a.in", {}, {}, {}}, {"v.in", {0, 1}, {"0", "1"}, {}}};
     interface.outputs = {{"xCall", {}}, {"y.out", {Carrier{}}}};
@@ -69,13 +70,15 @@ cspm::Script read_script(const std::string& text) {
 
 /// The two normal forms of one model, in one session.
 struct Both {
-    Both(const std::string& source, std::uint32_t cycle_length, Reading reading, const char* process)
-        : Both(with_normal_form(source, cycle_length, reading), cycle_length, process) {}
+    Both(const std::string& source, std::uint32_t cycle_length, Reading reading, const char* process,
+         const std::vector<DroppedInput>& drops = {})
+        : Both(with_normal_form(source, cycle_length, reading, drops), cycle_length, process, drops) {}
 
-    static cspm::Script with_normal_form(const std::string& source, std::uint32_t cycle_length, Reading reading) {
+    static cspm::Script with_normal_form(const std::string& source, std::uint32_t cycle_length, Reading reading,
+                                         const std::vector<DroppedInput>& drops = {}) {
         cspm::Script script = read_script(source);
         process::EventTable scratch;
-        const Alphabet alphabet(small_interface(), scratch);
+        const Alphabet alphabet(small_interface(drops), scratch);
         NormalFormScript form = normal_form(script, b::name("M"), alphabet, cycle_length, reading);
         script.decls.insert(script.decls.end(), form.decls.begin(), form.decls.end());
         cspm::Script order = read_script(
@@ -86,11 +89,12 @@ struct Both {
         return script;
     }
 
-    Both(cspm::Script script, std::uint32_t cycle_length, const char* process)
+    Both(cspm::Script script, std::uint32_t cycle_length, const char* process,
+         const std::vector<DroppedInput>& drops = {})
         : session(std::move(script)),
           text(session.system(b::name(process))),
           model(session.system(b::name("M"))),
-          alphabet(small_interface(), session.event_table()),
+          alphabet(small_interface(drops), session.event_table()),
           graph(*model, alphabet),
           direct(graph, alphabet, cycle_length) {}
 
@@ -120,6 +124,36 @@ TEST(NormalForm, TextAndSystemAgreeOnRandomModels) {
         const std::string model = random_model(seed, seed % 2 == 0);
         Both both(model, 1 + seed % 3 / 2, Reading::fixed_order, "NF__");
         both.expect_equal(model);
+    }
+}
+
+/// Both forms drop the same inputs, also if one drop decides another.
+TEST(NormalForm, TextAndSystemDropTheSameInputs) {
+    const std::vector<std::vector<DroppedInput>> orders = {{{0, 1}}, {{1, 0}}, {{0, 1}, {1, 0}}, {{1, 0}, {0, 1}}};
+    for (unsigned seed = 0; seed < 80; ++seed) {
+        const std::string model = random_model(seed, seed % 2 == 0);
+        Both both(model, 1 + seed % 3 / 2, Reading::fixed_order, "NF__", orders[seed % orders.size()]);
+        both.expect_equal(model);
+    }
+}
+
+/// With `a drops v`, no cycle with both has an effect of v.
+TEST(NormalForm, DropsWhatAnotherInputDrops) {
+    const std::string model =
+        std::string(declarations) + "M = T::a.in -> M [] T::v.in?x -> T::y.out!x -> M [] tock -> M\n";
+    for (const bool drops : {false, true}) {
+        const std::vector<DroppedInput> order(drops ? 1 : 0, DroppedInput{0, 1});
+        cspm::Script script = Both::with_normal_form(model, 1, Reading::fixed_order, order);
+        const cspm::Script never = read_script(
+            "NEVER(b) = registerRead.absent__a -> NEVER(false) [] registerRead.present__a -> NEVER(true)\n"
+            "  [] registerRead.absent__v -> NEVER(b) [] registerRead.present__v?x -> NEVER(b)\n"
+            "  [] tock -> NEVER(b) [] not b & registerWrite.wrote__y?v -> NEVER(b)\n");
+        script.decls.insert(script.decls.end(), never.decls.begin(), never.decls.end());
+        Both both(std::move(script), 1, "NF__", order);
+        const auto allowed = both.session.system(b::call("NEVER", {b::boolean(false)}));
+        const auto expected = drops ? refine::Outcome::holds : refine::Outcome::fails;
+        EXPECT_EQ(refine::refines(*allowed, *both.text, refine::Model::traces, {}).outcome, expected);
+        EXPECT_EQ(refine::refines(*allowed, both.direct, refine::Model::traces, {}).outcome, expected);
     }
 }
 

@@ -157,6 +157,40 @@ TEST(QuickFixes, AreThoseAskedFor) {
     EXPECT_EQ(count("refactor", 3), 0U);
 }
 
+/// The claims, with the imports, go to the end of the claims file beside the assertions, which may not exist yet.
+TEST(QuickFixes, MoveClaims) {
+    Json capabilities = testing::usual_capabilities();
+    capabilities["workspace"] = Json::object(
+        {{"workspaceEdit",
+          Json::object({{"documentChanges", true}, {"resourceOperations", Json::array({"create", "rename"})}})}});
+    Client client(std::move(capabilities));
+    const std::string assertions = "file:///p/a.assertions";
+    client.open(uri, "package p\nstm S { event e initial i state A { } transition t { from i to A } }\n");
+    client.open(assertions,
+                "import p::*\nunit 0.1 s\nassertion D : S is deadlock-free\nclaim A of S : never e\n"
+                "claim B of S :\n    at most 3 e in any 1 s\n");
+    const auto place = [](std::int64_t line) { return Json::object({{"line", line}, {"character", 2}}); };
+    const Json params = Json::object({{"textDocument", Json::object({{"uri", assertions}})},
+                                      {"range", Json::object({{"start", place(3)}, {"end", place(3)}})},
+                                      {"context", Json::object({{"diagnostics", Json::array()}})}});
+    const Answer actions = client.request("textDocument/codeAction", params);
+    ASSERT_EQ(actions.items().size(), 1U);
+    EXPECT_EQ(actions[0]["title"].text(), "Move the claims to a.claims");
+    const Answer changes = actions[0]["edit"]["documentChanges"];
+    ASSERT_EQ(changes.items().size(), 3U);
+    EXPECT_EQ(changes[0]["kind"].text(), "create");
+    EXPECT_EQ(changes[0]["uri"].text(), "file:///p/a.claims");
+    EXPECT_TRUE(changes[0]["options"]["ignoreIfExists"].truth());
+    EXPECT_EQ(changes[1]["edits"][0]["newText"].text(),
+              "import p::*\n\nunit 0.1 s\nclaim A of S : never e\nclaim B of S :\n    at most 3 e in any 1 s\n");
+    EXPECT_EQ(changes[2]["textDocument"]["uri"].text(), assertions);
+    client.change(assertions, client.applied(changes[2]["edits"], assertions));
+    EXPECT_EQ(client.codes(assertions), "");
+    Client plain;  // it cannot create files
+    plain.open(assertions, "claim A of S : never e\n");
+    EXPECT_EQ(plain.request("textDocument/codeAction", params).items().size(), 0U);
+}
+
 TEST(Formatting, IsOneEditToTheStandardLayout) {
     Client client;
     client.open(uri, "// ä\ninterface   I {\nvar x:nat }\n");
