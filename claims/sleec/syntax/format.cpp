@@ -21,12 +21,15 @@ bool is_block_word(std::string_view word) {
     return word.ends_with("_start") || word.ends_with("_end");
 }
 
-bool no_blank_between(const Token& left, const Token& right) {
+/// `before`: the token before `left`.
+bool no_blank_between(const Token& before, const Token& left, const Token& right) {
     const auto is_any = [](const Token& token, std::initializer_list<std::string_view> texts) {
         return token.kind == Tok::symbol && std::ranges::find(texts, token.text) != texts.end();
     };
     return is_any(left, {"(", "{", "[", "::"}) || is_any(right, {")", "}", "]", ",", "::"}) ||
-           (left.text == "scale" && right.text == "(");
+           (left.text == "scale" && right.text == "(") ||
+           (left.kind == Tok::word && right.text == "(" && !is_reserved(left.text) && left.text != "least") ||
+           (left.text == "-" && is_any(before, {"(", ","}));
 }
 
 /// A comment without trailing blanks.
@@ -124,7 +127,7 @@ private:
                     result += own_line(i) ? fresh : " ";
                 else if (branch && token.kind == Tok::word && braces == 0)
                     result += between;
-                else if (!no_blank_between(before, token))
+                else if (!no_blank_between(tokens_[i - std::min<std::size_t>(i, 2)], before, token))
                     result += ' ';
             }
             result += shown_text(token);

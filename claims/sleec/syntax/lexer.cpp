@@ -82,7 +82,7 @@ bool is_reserved(std::string_view word) {
 std::vector<std::string_view> language_words() {
     std::vector<std::string_view> result(reserved.begin(), reserved.end());
     for (const std::string_view word : {"seconds", "minutes", "hours", "days", "eventually", "else", "exists", "while",
-                                        "assume", "after", "at", "least", "map", "to"})
+                                        "assume", "after", "at", "least", "map", "to", "in"})
         result.push_back(word);
     return result;
 }

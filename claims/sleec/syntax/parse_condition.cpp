@@ -136,6 +136,12 @@ ExprPtr Parser::parse_word() {
     if (is_at("true") || is_at("false")) {
         expr.op = Op::truth;
         expr.text = std::string(take_token().text);
+    } else if (is_at("in") && at_name(1) && !measures_.contains("in")) {
+        take_token();
+        expr.op = Op::in_state;
+        expr.text = qualified_name("a state").text;
+        expr.span = span_since(expr.span);
+        report_first_extension(expr.span, "in STATE");
     } else {
         if (is_at("-")) refuse_construct("negative numbers", peek().span);
         expr.op = Op::name;

@@ -39,6 +39,7 @@ constexpr std::array advice{
     Advice{"'when'", "@", rule_form},
     Advice{rule_name, "@ when", "a rule begins with a name: `R1 when ...`"},
     Advice{rule_name, "if @", exception_form},
+    Advice{rule_name, "unless NAME @ (", "`unless NAME(...)` names an event: declare it with `event NAME`"},
     Advice{rule_name, "@ and", "a rule requires one event: write another rule for another event"},
     Advice{rule_name, "@ or", "a rule requires one event: write another rule for another event"},
     Advice{"'then'", "@ or",
@@ -55,6 +56,7 @@ constexpr std::array advice{
     Advice{"')'", "NAME @ NAME", "separate levels with commas: `scale(low, high)`"},
     Advice{"'='", "constant NAME @", constant_form},
     Advice{definition, "@ const", constant_form},
+    Advice{definition, "event NAME @ (", "an event is declared by its name; rules give its arguments: `goTo(1)`"},
     Advice{definition, "event NAME @ ,", "define each event separately: `event NAME`"},
     Advice{definition, "@ - -", comment_form},
     Advice{definition, "NAME @ -", "names consist of letters, digits and `_`"},
@@ -128,6 +130,13 @@ Name Parser::name(std::string_view what) {
     return {std::string(token.text), token.span};
 }
 
+Name Parser::qualified_name(std::string_view what) {
+    Name result = name(what);
+    while (accept("::")) result.text += "::" + name(what).text;
+    result.span = span_since(result.span);
+    return result;
+}
+
 Span Parser::span_since(Span from) const {
     return diagnostics::join_spans(from, tokens_[at_ == 0 ? 0 : at_ - 1].span);
 }
@@ -157,6 +166,11 @@ void Parser::refuse_construct(std::string_view what, Span span) {
 
 void Parser::report_extension(Span span, std::string_view what) {
     diagnostics_.report(rules::extension, span, {std::string(what)});
+}
+
+/// Many rules of a file name values and states.
+void Parser::report_first_extension(Span span, const std::string& what) {
+    if (reported_.insert(what).second) report_extension(span, what);
 }
 
 /// True at the beginning of a definition or rule, or at the end of a block.
@@ -224,7 +238,11 @@ RuleFile Parser::parse_file() {
 }
 
 void Parser::parse_definition(RuleFile& file) {
-    if (accept("event")) return file.events.push_back({name("the name of an event")});
+    if (accept("event")) {
+        file.events.push_back({name("the name of an event")});
+        events_.insert(file.events.back().name.text);
+        return;
+    }
     if (is_at("measure")) {
         file.measures.push_back(parse_measure());
         measures_.insert(file.measures.back().name.text);
@@ -271,13 +289,7 @@ Mapping Parser::parse_mapping() {
     const Span from = expect("map");
     result.name = name("the name of an event or a measure");
     expect("to");
-    const Token& first = peek();
-    result.element = name("an element of the model");
-    while (accept("::")) {
-        const Name next = name("an element of the model");
-        result.element.text += "::" + next.text;
-    }
-    result.element.span = span_since(first.span);
+    result.element = qualified_name("an element of the model");
     report_extension(span_since(from), "map");
     return result;
 }

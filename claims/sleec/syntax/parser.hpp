@@ -63,6 +63,7 @@ private:
     bool accept(std::string_view text);
     Span expect(std::string_view text);
     Name name(std::string_view what);
+    Name qualified_name(std::string_view what);
     [[nodiscard]] Span span_since(Span from) const;
     /// `words`: the words that are allowed here; the nearest is suggested.
     [[nodiscard]] diagnostics::AdviceWord advice_word(std::ptrdiff_t ahead) const;
@@ -72,6 +73,7 @@ private:
         features_.push_back({dialect, span, std::string(what)});
     }
     void report_extension(Span span, std::string_view what);
+    void report_first_extension(Span span, const std::string& what);
     template <class Piece>
     bool parse_guarded(const Piece& piece);
     [[nodiscard]] bool at_item() const;
@@ -91,6 +93,8 @@ private:
     Rule at_least_rule(Rule rule);
     Property parse_property(bool concern);
     Trigger parse_trigger();
+    EventName parse_event();
+    ExprPtr parse_argument();
     ResponsePtr parse_response();        ///< including its defeaters
     ResponsePtr parse_inner_response();  ///< without defeaters, unless it is in braces
     Response parse_action();
@@ -115,7 +119,8 @@ private:
 
     std::vector<Token> tokens_;
     diagnostics::Diagnostics& diagnostics_;
-    std::set<std::string, std::less<>> measures_;
+    std::set<std::string, std::less<>> events_, measures_;
+    std::set<std::string> reported_;  ///< extensions of which only the first is reported
     std::vector<Feature> features_;
     std::size_t at_ = 0;
     unsigned depth_ = 0;
