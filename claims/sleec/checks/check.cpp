@@ -107,6 +107,8 @@ private:
         if (!meant.empty())
             finding.fixes.push_back(
                 {span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(name, meant, names))});
+        else if (kind == "a measure")
+            finding.notes.push_back({{}, fmt::format("write `in {}` if it is a state of the model", name)});
     }
 
     // events

@@ -70,7 +70,13 @@ private:
 
     void link_event(std::size_t declared) {
         const std::string model = model_name(rules_.file->events[declared].name.text);
-        std::string why = fmt::format("{} has no event and no operation '{}'", component_, model);
+        const std::vector<std::string>& defined = visible_.component.defined;
+        const bool inside = std::ranges::find(defined, model) != defined.end();
+        std::string why = inside ? fmt::format(
+                                       "the model defines the operation '{}' of {}: its calls are not visible "
+                                       "from outside; write a rule about the calls that it makes",
+                                       model, component_)
+                                 : fmt::format("{} has no event and no operation '{}'", component_, model);
         for (const char* end : {".in", ".out", "Call"}) {
             const EventMeaning* found = find_meaning(model + end);
             if (found == nullptr) continue;

@@ -113,7 +113,7 @@ ExprPtr Parser::parse_primary() {
     Expr expr;
     if (accept("{")) {
         expr.op = Op::name;
-        expr.text = name("the name of a measure").text;
+        expr.text = simple_name("the name of a measure").text;
         if (!is_at("}")) fail("'}' (braces hold the name of one measure)");
         take_token();
         expr.braced = true;
@@ -145,7 +145,7 @@ ExprPtr Parser::parse_word() {
     } else {
         if (is_at("-")) refuse_construct("negative numbers", peek().span);
         expr.op = Op::name;
-        expr.text = name("a condition").text;
+        expr.text = simple_name("a condition").text;
         if (measures_.contains(expr.text)) only_in(Dialect::sleec_tk, expr.span, "a measure without braces");
     }
     return std::make_shared<const Expr>(std::move(expr));

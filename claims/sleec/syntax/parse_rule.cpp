@@ -13,7 +13,7 @@ Rule Parser::parse_rule() {
         report_extension(take_token().span, "assume");
         rule.assumed = true;
     }
-    rule.name = name("the name of a rule or 'rule_end'");
+    rule.name = simple_name("the name of a rule or 'rule_end'");
     if (is_at("when")) return when_rule(std::move(rule));
     if (is_at("after")) return after_rule(std::move(rule));
     if (at_name() && (is_at("(", 1) || (is_at("at", 1) && is_at("least", 2)))) return at_least_rule(std::move(rule));
@@ -60,7 +60,8 @@ Rule Parser::at_least_rule(Rule rule) {
 Property Parser::parse_property(bool concern) {
     Property result;
     result.span = peek().span;
-    result.name = name(concern ? "the name of a concern or 'concern_end'" : "the name of a purpose or 'purpose_end'");
+    result.name =
+        simple_name(concern ? "the name of a concern or 'concern_end'" : "the name of a purpose or 'purpose_end'");
     if (accept("exists")) {
         result.exists = true;
         result.trigger = parse_trigger();
@@ -92,7 +93,7 @@ Trigger Parser::parse_trigger() {
 
 /// `EVENT [(value, ...)]`.
 EventName Parser::parse_event() {
-    EventName result{name("the name of an event"), std::nullopt};
+    EventName result{simple_name("the name of an event"), std::nullopt};
     const Span from = peek().span;
     if (!accept("(")) return result;
     result.arguments.emplace();
@@ -231,7 +232,7 @@ ExprPtr Parser::parse_time() {
     } else {
         if (is_at("-")) refuse_construct("negative numbers", peek().span);
         expr.op = Op::name;
-        expr.text = name("a number or a constant").text;
+        expr.text = simple_name("a number or a constant").text;
     }
     return std::make_shared<const Expr>(std::move(expr));
 }

@@ -9,17 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics/source.hpp"
+#include "base/words/words.hpp"
 
 namespace robochart::sleec {
 
 using diagnostics::Span;
 
-/// An identifier with its place.
-struct Name {
-    std::string text;
-    Span span;
-};
+using words::Name;
 
 struct Expr;
 using ExprPtr = std::shared_ptr<const Expr>;

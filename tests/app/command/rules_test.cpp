@@ -327,7 +327,7 @@ TEST(RulesOfModels, SayWhatTheSameClaimsSay) {
 }
 
 TEST(RulesOfModels, ThatNameWhatTheModelLacksAreNotApplicable) {
-    const auto told = [](const std::string& rule) {
+    const auto answer_to = [](const std::string& rule) {
         const Folder folder(
             {{"m.rct",
               "stm M { event go : nat event halt initial i state A { } state B { }\n"
@@ -336,14 +336,14 @@ TEST(RulesOfModels, ThatNameWhatTheModelLacksAreNotApplicable) {
              {"m.sleec", "def_start event go event halt def_end rule_start\nR " + rule + "\nrule_end\n"}});
         return run({"rules", folder / "m.sleec", folder / "m.rct"}).out;
     };
-    EXPECT_THAT(told("when go(1) and in A then halt within 0 seconds"), HasSubstr("R by M: obeyed"));
-    EXPECT_THAT(told("when go and in B then halt within 0 seconds"), HasSubstr("R by M: never asked"));
-    EXPECT_THAT(told("when go(99) then halt"),
+    EXPECT_THAT(answer_to("when go(1) and in A then halt within 0 seconds"), HasSubstr("R by M: obeyed"));
+    EXPECT_THAT(answer_to("when go and in B then halt within 0 seconds"), HasSubstr("R by M: never asked"));
+    EXPECT_THAT(answer_to("when go(99) then halt"),
                 HasSubstr("R by M: not applicable: no value of the instantiation is meant by go(99)"));
-    EXPECT_THAT(told("when go(true) then halt"),
+    EXPECT_THAT(answer_to("when go(true) then halt"),
                 HasSubstr("R by M: not applicable: 'go' of M carries values of the type nat, not `"));
-    EXPECT_THAT(told("when go(1, 2) then halt"), HasSubstr("write `go` without arguments"));
-    EXPECT_THAT(told("when go and in Aa then halt"), HasSubstr("no state `Aa` of M; did you mean `A`?"));
+    EXPECT_THAT(answer_to("when go(1, 2) then halt"), HasSubstr("write `go` without arguments"));
+    EXPECT_THAT(answer_to("when go and in Aa then halt"), HasSubstr("no state `Aa` of M; did you mean `A`?"));
 }
 
 // ---------------------------------------------------------------- as assertions

@@ -67,6 +67,9 @@ TEST(SleecCheck, RefusesWrongArguments) {
 }
 
 TEST(SleecCheck, StatesAreMeasuresOfTheModel) {
+    Read bare(with_definitions("R when Go and Held then Stop"));
+    EXPECT_EQ(bare.checked_too().diagnostics.sorted_findings().front().notes.at(0).message,
+              "write `in Held` if it is a state of the model");
     Read read(with_definitions("R when Go and in A::B and not in C then Stop unless in A::B and near"));
     ASSERT_TRUE(read.checked_too().checked) << read.report();
     ASSERT_EQ(read.checked->measures.size(), 6U);
