@@ -44,10 +44,30 @@ std::optional<std::int64_t> value_of(const sleec::Measure& measure, const cpp_em
     return std::nullopt;
 }
 
+/// A value as in rules; "" if no rule can name it.
+std::string argument_text(const cpp_emit::Port& port, std::size_t place, rc_value value) {
+    switch (port.arguments[place]) {
+        case cpp_emit::Carried::boolean:
+            return value.whole != 0 ? "true" : "false";
+        case cpp_emit::Carried::whole:
+            return fmt::format("{}", value.whole);
+        case cpp_emit::Carried::real: {
+            constexpr double exact = 9e15;
+            const bool whole = std::abs(value.real) < exact && std::trunc(value.real) == value.real;
+            return whole ? fmt::format("{}", static_cast<std::int64_t>(value.real)) : "";
+        }
+        case cpp_emit::Carried::enumeration:
+            break;
+    }
+    const auto& literals = port.literals[place];
+    const bool known = value.whole >= 0 && static_cast<std::size_t>(value.whole) < literals.size();
+    return known ? literals[static_cast<std::size_t>(value.whole)] : "";
+}
+
 /// Collects the events of a response, including those after `otherwise` and `unless`.
 void events_of(const sleec::DutyPtr& duty, std::vector<std::size_t>& events) {
     if (duty == nullptr) return;
-    events.push_back(duty->event);
+    events.insert(events.end(), duty->event.begin(), duty->event.end());
     events_of(duty->otherwise, events);
     for (const sleec::CheckedDefeater& defeater : duty->defeaters) events_of(defeater.duty, events);
 }
@@ -101,20 +121,27 @@ private:
     void follow_cycle(driver::RuleRun& run, const rc_signal* inputs, const rc_actions& outputs) {
         const auto& emission = all_.emission_;
         for (std::size_t i = 0; i < all_.inputs_.size(); ++i)
-            if (inputs[i].present != 0) take_port(run, all_.inputs_[i], emission.inputs[i], inputs[i].value);
+            if (inputs[i].present != 0) take_port(run, all_.inputs_[i], emission.inputs[i], &inputs[i].value);
         for (std::uint32_t a = 0; a < outputs.count; ++a) {
             const rc_action& action = outputs.action[a];
-            take_port(run, all_.outputs_[action.output], emission.outputs[action.output], action.argument[0]);
+            take_port(run, all_.outputs_[action.output], emission.outputs[action.output], action.argument);
         }
         for (std::uint32_t t = 0; t < all_.units_ && !run.is_broken(); ++t) run.end_second();
         if (run.is_broken()) set_objection(run);
     }
 
-    void take_port(driver::RuleRun& run, const Linked& linked, const cpp_emit::Port& port, rc_value value) const {
+    void take_port(driver::RuleRun& run, const Linked& linked, const cpp_emit::Port& port,
+                   const rc_value* values) const {
         for (const std::size_t measure : linked.measures)
             run.read(measure,
-                     port.arguments.size() == 1 ? value_of(all_.rules_.measure(measure), port, value) : std::nullopt);
-        for (const std::size_t event : linked.events) run.add_event(event);
+                     port.arguments.size() == 1 ? value_of(all_.rules_.measure(measure), port, *values) : std::nullopt);
+        for (const std::size_t declared : linked.events) {
+            std::vector<std::string> texts;
+            if (!all_.rules_.arguments[declared].empty())
+                for (std::size_t i = 0; i < port.arguments.size(); ++i)
+                    texts.push_back(argument_text(port, i, values[i]));
+            if (const auto event = all_.rules_.case_of(declared, texts)) run.add_event(*event);
+        }
     }
 
     void set_objection(const driver::RuleRun& run) {
@@ -146,24 +173,35 @@ std::vector<RuleGuard::Linked> RuleGuard::link_ports(const std::vector<cpp_emit:
     for (const cpp_emit::Port& port : ports) exported.push_back(port.exported);
     std::vector<Linked> result;
     for (const std::string& name : cpp_emit::trace_names(exported)) {
-        result.push_back({words.events_of_word(name), words.measures_of_word(name)});
-        for (const std::size_t event : result.back().events) has_[event] = true;
+        const cpp_emit::Port& port = ports[result.size()];
+        result.push_back({words.declared_by_word(name), words.measures_of_word(name)});
+        for (const std::size_t declared : result.back().events) {
+            const std::size_t count = rules_.arguments[declared].size();
+            if (count == 0 || count == port.arguments.size()) has_[declared] = true;
+        }
     }
     return result;
 }
 
 /// Removes rules about events that the controller does not have.
 void RuleGuard::leave_out() {
-    std::erase_if(rules_.rules, [&](const sleec::CheckedRule& rule) {
-        if (rule.assumed) return true;
-        std::vector<std::size_t> events{rule.trigger};
+    std::vector<sleec::CheckedRule> followed;
+    for (std::size_t i = 0; i < rules_.rules.size(); ++i) {
+        const sleec::CheckedRule& rule = rules_.rules[i];
+        if (rule.assumed) continue;
+        std::vector<std::size_t> events(rule.trigger.begin(), rule.trigger.end());
         events_of(rule.duty, events);
-        const auto missing = std::ranges::find_if(events, [&](std::size_t event) { return !has_[event]; });
-        if (missing == events.end()) return false;
-        left_out_.push_back(fmt::format("{}: the controller has no event and no operation '{}'",
-                                        rule.written->name.text, rules_.event_name(*missing)));
-        return true;
-    });
+        const auto missing =
+            std::ranges::find_if(events, [&](std::size_t event) { return !has_[rules_.events[event].declared]; });
+        if (missing != events.end())
+            left_out_.push_back(fmt::format("{}: the controller has no event and no operation '{}'", rules_.name(i),
+                                            rules_.event_name(*missing)));
+        else if (sleec::reads_states(rules_, i))
+            left_out_.push_back(fmt::format("{}: events do not show states", rules_.name(i)));
+        else
+            followed.push_back(rule);
+    }
+    rules_.rules = std::move(followed);
 }
 
 simulation::Guard::Maker RuleGuard::make_observer(Maker other) {

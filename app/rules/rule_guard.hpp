@@ -33,7 +33,7 @@ public:
 
 private:
     class Watch;
-    /// The events and measures of the rules that belong to an input or output of the controller.
+    /// The events of the file and the measures that belong to an input or output of the controller.
     struct Linked {
         std::vector<std::size_t> events, measures;
     };

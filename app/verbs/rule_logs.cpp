@@ -91,7 +91,7 @@ private:
         if (driver::counts_seconds(of_.rules)) report_.counts_seconds = true;
         hidden_.clear();
         for (const std::string& word : header.unobserved)
-            if (!words_.events_of_word(word).empty()) hidden_ = word;
+            if (!words_.declared_by_word(word).empty()) hidden_ = word;
         name_.clear();
         for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
         begun_ = line;
@@ -108,7 +108,9 @@ private:
         if (word == "tock") return run_->end_second(line);
         for (const std::size_t measure : words_.measures_of_word(word))
             run_->read(measure, words_.value_in(measure, word));
-        for (const std::size_t event : words_.events_of_word(word)) run_->add_event(event, line);
+        const std::vector<std::size_t> events = words_.events_of_word(word);
+        if (events.size() < words_.declared_by_word(word).size()) hidden_ = fmt::format("the values in {}", word);
+        for (const std::size_t event : events) run_->add_event(event, line);
     }
 
     void end() {
@@ -131,7 +133,8 @@ private:
             for (const std::size_t rule : run_->open_triggers())
                 if (open)
                     entry.lines.push_back(fmt::format(
-                        "{} begins while a measure that decides what it asks for is not read", of_.rules.name(rule)));
+                        "{} begins while a measure that decides what it asks for is not {}", of_.rules.name(rule),
+                        sleec::reads_states(of_.rules, rule) ? "known: events do not show states" : "read"));
             report_.reported.push_back(std::move(entry));
         }
         run_.reset();

@@ -187,7 +187,7 @@ private:
 
     void note_ranges(const sleec::Encoding& encoding) {
         const auto edit = options_.run->edit();
-        for (std::size_t i = 0; i < rules().file->measures.size(); ++i)
+        for (std::size_t i = 0; i < rules().measures.size(); ++i)
             if (rules().measure(i).type == sleec::MeasureType::numeric)
                 report_->ranges.push_back(fmt::format("{} in {{{}}}", rules().measure(i).name.text,
                                                       fmt::join(encoding.measure_values(i), ", ")));

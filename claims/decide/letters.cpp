@@ -123,11 +123,11 @@ private:
 
 }  // namespace
 
-namespace {
-
 std::string shown_channel(const std::string& machine) {
     return machine + "::shown__";
 }
+
+namespace {
 
 /// All ways in which the claim's facts about a machine may hold. The other facts that the machine shows are any.
 std::vector<Letter> fact_letters(const CheckedClaim& claim, const std::string& machine,

@@ -51,6 +51,8 @@ struct Letter {
 /// condition is about values that the instantiation does not list.
 [[nodiscard]] std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& system,
                                              const ir::Instantiation& instantiation, const ShownFacts& shown);
+/// The channel by which a machine shows facts.
+[[nodiscard]] std::string shown_channel(const std::string& machine);
 /// The channels by which the machines of the component show facts.
 [[nodiscard]] std::vector<cspm::ExprPtr> channels_of_facts(const CheckedClaim& claim);
 

@@ -7,8 +7,6 @@
 #include <array>
 #include <string>
 
-#include "base/diagnostics/escape.hpp"
-#include "base/diagnostics/word_lexer.hpp"
 #include "claims/syntax/rules.hpp"
 
 namespace robochart::claims {
@@ -19,10 +17,10 @@ constexpr std::array<std::string_view, 20> symbols{"::", "<=", ">=", "==", "!=",
                                                    ":",  ".",  "<",  ">",  "+",  "-", "*", "%", "^", "="};
 constexpr std::size_t most_digits = 9;
 
-class Lexer final : public diagnostics::WordLexer<Token> {
+class Lexer final : public words::Lexer {
 public:
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics, bool comments)
-        : WordLexer(text, source, diagnostics, comments, rules::open_comment) {}
+        : words::Lexer(text, source, diagnostics, comments, symbols, rules::findings) {}
 
 private:
     void read_number() override {
@@ -40,15 +38,10 @@ private:
         push_token(Tok::number, begin);
     }
 
-    void read_symbol() override {
-        const std::size_t begin = at_;
-        if (accept_first(symbols) != nullptr) return push_token(Tok::symbol, begin);
-        skip_character();
-        const std::string shown = diagnostics::escape_for_display(text_from(begin));
-        auto& finding = diagnostics().report(rules::bad_character, span_from(begin), {fmt::format("'{}'", shown)});
-        if (shown == "&" || shown == "|" || shown == "!")
-            finding.notes.push_back({{}, "conditions are joined with `and` and `or`, and negated with `not`"});
-        if (shown == "#") finding.notes.push_back({{}, "a comment begins with `//`"});
+    [[nodiscard]] std::string_view meant_by(std::string_view character) const override {
+        if (character == "&" || character == "|" || character == "!")
+            return "conditions are joined with `and` and `or`, and negated with `not`";
+        return character == "#" ? "a comment begins with `//`" : "";
     }
 };
 

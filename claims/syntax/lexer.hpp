@@ -3,21 +3,15 @@
 // keywords at their place.
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 #include <vector>
 
-#include "base/diagnostics/diagnostic.hpp"
+#include "base/words/words.hpp"
 
 namespace robochart::claims {
 
-enum class Tok : std::uint8_t { end, word, number, symbol, comment };
-
-struct Token {
-    Tok kind = Tok::end;
-    diagnostics::Span span;
-    std::string_view text;
-};
+using words::Tok;
+using words::Token;
 
 /// All tokens of a text, on request including comments; the last is `end`. Invalid pieces are reported and skipped.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&,

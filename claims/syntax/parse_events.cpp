@@ -12,24 +12,6 @@
 
 namespace robochart::claims {
 
-/// Counts the levels of recursion while it exists.
-class Parser::Depth {
-public:
-    explicit Depth(Parser& parser) : parser_(parser) {
-        if (parser.depth_ >= max_depth) {
-            parser.diagnostics_.report(rules::too_deep, parser.peek().span, {fmt::format("{}", max_depth)});
-            throw SyntaxError{};
-        }
-        ++parser.depth_;
-    }
-    ~Depth() { --parser_.depth_; }
-    Depth(const Depth&) = delete;
-    Depth& operator=(const Depth&) = delete;
-
-private:
-    Parser& parser_;
-};
-
 namespace {
 
 /// Words that follow an event, so that a word before them is the event.

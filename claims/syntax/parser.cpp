@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/diagnostics/escape.hpp"
 #include "claims/syntax/layout.hpp"
 #include "claims/syntax/reader.hpp"
 #include "claims/syntax/rules.hpp"
@@ -48,11 +47,6 @@ constexpr std::array advice{
     Advice{"the unit of the duration", "NUMBER @", "a duration has a unit: `3 s`, `150 ms`, `2 min`, `30 units`"},
 };
 
-std::string found_text(const Token& token) {
-    if (token.kind == Tok::end) return "the end of the text";
-    return fmt::format("'{}'", diagnostics::escape_for_display(token.text.substr(0, 40)));
-}
-
 /// Words that continue a claim after an event.
 bool is_connective(std::string_view word) {
     constexpr std::array words{"or",     "and",   "with",   "only",  "leads",  "at",
@@ -87,80 +81,22 @@ TimeUnit unit_of(std::string_view word) {
 
 }  // namespace
 
+Parser::Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
+    : Cursor(std::move(tokens), diagnostics, rules::findings, advice, max_depth) {}
+
 std::span<const diagnostics::Advice> syntax_advice() {
     return advice;
 }
 
 // ---------------------------------------------------------------- tokens
 
-diagnostics::AdviceWord Parser::advice_word(std::ptrdiff_t ahead) const {
-    using enum diagnostics::WordKind;
-    const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(at_) + ahead;
-    if (place < 0 || place >= std::ssize(tokens_)) return {end, {}};
-    const Token& token = tokens_[static_cast<std::size_t>(place)];
-    if (token.kind == Tok::end) return {end, {}};
-    if (token.kind == Tok::number) return {number, token.text};
-    return {token.kind == Tok::word && !is_connective(token.text) ? name : other, token.text};
-}
-
-const Token& Parser::peek(std::size_t ahead) const {
-    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
-}
-
-bool Parser::is_at(std::string_view text, std::size_t ahead) const {
-    const Token& token = peek(ahead);
-    return token.kind != Tok::end && token.kind != Tok::number && token.text == text;
+words::WordUse Parser::use_of(std::string_view word) const {
+    return is_connective(word) ? words::WordUse::connective : words::WordUse::name;
 }
 
 bool Parser::at_words(std::initializer_list<std::string_view> words) const {
     std::size_t ahead = 0;
     return std::ranges::all_of(words, [&](std::string_view word) { return is_at(word, ahead++); });
-}
-
-const Token& Parser::take_token() {
-    const Token& token = peek();
-    if (token.kind != Tok::end) ++at_;
-    return token;
-}
-
-bool Parser::accept(std::string_view text) {
-    if (!is_at(text)) return false;
-    take_token();
-    return true;
-}
-
-void Parser::expect(std::string_view text) {
-    if (!accept(text)) fail(fmt::format("'{}'", text));
-}
-
-Name Parser::simple_name(std::string_view what) {
-    if (peek().kind != Tok::word) fail(what);
-    const Token& token = take_token();
-    return {std::string(token.text), token.span};
-}
-
-Name Parser::qualified_name(std::string_view what) {
-    Name result = simple_name(what);
-    while (is_at("::") && peek(1).kind == Tok::word) {
-        take_token();
-        const Token& part = take_token();
-        result.text += "::" + std::string(part.text);
-        result.span = diagnostics::join_spans(result.span, part.span);
-    }
-    return result;
-}
-
-Span Parser::span_since(Span from) const {
-    return at_ == 0 ? from : diagnostics::join_spans(from, tokens_[at_ - 1].span);
-}
-
-void Parser::fail(std::string_view expected) {
-    auto& finding =
-        diagnostics_.report(rules::unexpected_token, peek().span, {std::string(expected), found_text(peek())});
-    const std::string_view said =
-        diagnostics::advice_on(advice, expected, [this](std::ptrdiff_t ahead) { return advice_word(ahead); });
-    if (!said.empty()) finding.notes.push_back({{}, std::string(said)});
-    throw SyntaxError{};
 }
 
 void Parser::refuse(std::string_view form, std::string_view instead) {

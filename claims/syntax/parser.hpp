@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/advice/advice.hpp"
-#include "base/diagnostics/diagnostic.hpp"
+#include "base/words/cursor.hpp"
 #include "claims/syntax/lexer.hpp"
 #include "claims/syntax/syntax.hpp"
 
@@ -20,33 +19,19 @@ namespace robochart::claims {
 [[nodiscard]] std::span<const diagnostics::Advice> syntax_advice();
 
 /// Parses tokens. After a mistake, it reports one finding and continues at the next claim.
-class Parser {
+class Parser : private words::Cursor {
 public:
     /// The deepest recursion while parsing.
     static constexpr unsigned max_depth = 200;
 
-    Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
-        : tokens_(std::move(tokens)), diagnostics_(diagnostics) {}
+    Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics);
 
     [[nodiscard]] ClaimFile parse_file();
 
 private:
-    struct SyntaxError {};
-    class Depth;
-
     // tokens
-    [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
-    [[nodiscard]] bool is_at(std::string_view text, std::size_t ahead = 0) const;
+    [[nodiscard]] words::WordUse use_of(std::string_view word) const override;
     [[nodiscard]] bool at_words(std::initializer_list<std::string_view> words) const;
-    [[nodiscard]] bool at_end() const { return peek().kind == Tok::end; }
-    const Token& take_token();
-    bool accept(std::string_view text);
-    void expect(std::string_view text);
-    Name simple_name(std::string_view what);
-    Name qualified_name(std::string_view what);
-    [[nodiscard]] Span span_since(Span from) const;
-    [[nodiscard]] diagnostics::AdviceWord advice_word(std::ptrdiff_t ahead) const;
-    [[noreturn]] void fail(std::string_view expected);
     [[noreturn]] void refuse(std::string_view form, std::string_view instead);
     void skip_to_item();
     [[nodiscard]] bool at_item() const;
@@ -85,11 +70,6 @@ private:
     ExprPtr parse_product();
     ExprPtr parse_operand();
     ExprPtr make_node(Op op, Span from, std::string text, std::vector<ExprPtr> parts) const;
-
-    std::vector<Token> tokens_;
-    diagnostics::Diagnostics& diagnostics_;
-    std::size_t at_ = 0;
-    unsigned depth_ = 0;
 };
 
 }  // namespace robochart::claims

@@ -2,7 +2,7 @@
 // Findings of the parser of claims, as a table.
 #pragma once
 
-#include "base/diagnostics/diagnostic.hpp"
+#include "base/words/words.hpp"
 
 namespace robochart::claims::rules {
 
@@ -18,5 +18,8 @@ inline constexpr const Rule* syntax[] = {
 #include "claims/syntax/rules.def"
 #undef RULE
 };
+
+/// Those that all languages of words have.
+inline constexpr words::Findings findings{unexpected_token, bad_character, open_comment, too_deep};
 
 }  // namespace robochart::claims::rules

@@ -8,17 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostics/source.hpp"
+#include "base/words/words.hpp"
 
 namespace robochart::claims {
 
 using diagnostics::Span;
 
-/// A name, possibly qualified: "Patrol", "warehouse::Patrol".
-struct Name {
-    std::string text;
-    Span span;
-};
+using words::Name;
 
 // ---------------------------------------------------------------- conditions
 

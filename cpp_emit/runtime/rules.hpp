@@ -13,6 +13,11 @@ inline constexpr std::int64_t rule_forever = INT64_MAX;
 /// The value that stands for the end of a second instead of an event.
 inline constexpr std::uint32_t rule_no_event = 0xffffffffU;
 
+/// The cases of events without `_`: the event itself.
+struct RuleSameEvent {
+    static constexpr bool contains(std::uint32_t demanded, std::uint32_t event) noexcept { return demanded == event; }
+};
+
 /// A demand of a response: its event must happen, or must not happen, `from` to `to` seconds after the instant at which
 /// the response begins.
 struct RuleDemand {
@@ -54,8 +59,9 @@ constexpr std::int64_t rule_product(std::int64_t a, std::int64_t b) noexcept {
 }
 
 /// The obligation of a trigger: at most one of `Demands` demands is active; those after `otherwise` begin when the
-/// window of the previous one ends. `Endings`: the number of events that may end it (`unless EVENT`).
-template <std::size_t Demands, std::size_t Endings>
+/// window of the previous one ends. `Endings`: the number of events that may end it (`unless EVENT`). `Cases`: which
+/// events fulfil or break a demand.
+template <std::size_t Demands, std::size_t Endings, class Cases = RuleSameEvent>
 class RuleDuty {
     static_assert(Demands > 0 && Demands <= 32);
 
@@ -82,7 +88,7 @@ public:
             if (ends_[i] == event) return Effect::fulfilled;
         for (std::size_t i = 0; i < demands_; ++i) {
             const RuleDemand& demand = any_[i];
-            if (demand.event != event || elapsed_ < demand.from || elapsed_ > demand.to) continue;
+            if (!Cases::contains(demand.event, event) || elapsed_ < demand.from || elapsed_ > demand.to) continue;
             if (!demand.forbids) return Effect::fulfilled;
             broken_ |= std::uint32_t{1} << i;
         }
@@ -144,10 +150,10 @@ private:
 };
 
 /// The open obligations, at most `Slots`.
-template <std::size_t Demands, std::size_t Endings, std::size_t Slots>
+template <std::size_t Demands, std::size_t Endings, std::size_t Slots, class Cases = RuleSameEvent>
 class RuleDuties {
 public:
-    using Duty = RuleDuty<Demands, Endings>;
+    using Duty = RuleDuty<Demands, Endings, Cases>;
 
     /// Adds an obligation, unless an open one implies it.
     constexpr void keep(const Duty& duty) noexcept {

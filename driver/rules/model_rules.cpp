@@ -9,11 +9,13 @@
 
 #include "checker/cspm/syntax/build.hpp"
 #include "checker/refine/verdict/verdict.hpp"
+#include "claims/decide/letters.hpp"
 #include "claims/sleec/analysis/explain.hpp"
 #include "claims/sleec/obligations/open.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/interpreter.hpp"
 #include "csp_emit/assertion_forms.hpp"
+#include "csp_emit/showing.hpp"
 #include "driver/rules/endless_counterexample.hpp"
 #include "driver/settings/search_context.hpp"
 
@@ -62,7 +64,9 @@ public:
     [[nodiscard]] std::int64_t current_second() const { return now_; }
     [[nodiscard]] std::optional<std::size_t> event_of(const std::string& name) const {
         for (std::size_t i = 0; i < linking_.events.size(); ++i)
-            if (linking_.events[i] && (name == *linking_.events[i] || name.starts_with(*linking_.events[i] + ".")))
+            if (linking_.events[i] && std::ranges::any_of(linking_.events[i]->events, [&](const std::string& event) {
+                    return name == event || name.starts_with(event + ".");
+                }))
                 return i;
         return std::nullopt;
     }
@@ -91,8 +95,9 @@ class ModelRules::Question {
 public:
     Question(const ModelRules& of, std::size_t rule, sleec::Readings readings)
         : of_(of),
+          emission_(of.emission_for(rule)),
           rule_(rule),
-          watch_(of.of_.rules, rule, of.linking_.linking, of.component_.process, readings),
+          watch_(of.of_.rules, rule, of.linking_.linking, of.process_in(emission_), readings),
           session_(of.make_session(make_script())) {}
 
     /// Decides that no demand is broken and that no demand without limit stays open forever. Returns false if a limit
@@ -122,7 +127,7 @@ public:
 
 private:
     cspm::Script make_script() {
-        cspm::Script script = of_.emission_.script;
+        cspm::Script script = emission_.script;
         for (const cspm::DeclPtr& declaration : watch_.declarations()) script.decls.push_back(declaration);
         std::vector<std::size_t> ways;
         for (std::size_t i = 0; i < watch_.ways().size(); ++i)
@@ -149,7 +154,7 @@ private:
         claim.kind = ir::PropertyKind::conforms;
         claim.time = csp_emit::Time::timed;
         judged.run =
-            runs::interpret_counterexample({of_.emission_.provenance, of_.project_.system, of_.project_.instantiation,
+            runs::interpret_counterexample({emission_.provenance, of_.project_.system, of_.project_.instantiation,
                                             of_.project_.sources, *session_, of_.project_.unit},
                                            claim, run);
         // Events of the rule's own process are not steps of the model.
@@ -216,12 +221,13 @@ private:
 
     /// " (model.rct:12)": the declaration of the event or operation.
     [[nodiscard]] std::string place_in_model(const std::string& event) const {
-        const auto found = of_.emission_.provenance.events.find(event);
-        if (found == of_.emission_.provenance.events.end() || !found->second.origin.span.is_known()) return "";
+        const auto found = emission_.provenance.events.find(event);
+        if (found == emission_.provenance.events.end() || !found->second.origin.span.is_known()) return "";
         return fmt::format(" ({})", of_.project_.sources.path_and_line(found->second.origin.span));
     }
 
     const ModelRules& of_;
+    const csp_emit::Emission& emission_;
     std::size_t rule_;
     sleec::Watch watch_;
     cspm::DeclPtr obeyed_, never_asked_;
@@ -235,7 +241,28 @@ ModelRules::ModelRules(RulesOf of, const Project& project, const csp_emit::Emiss
       emission_(emission),
       component_(component),
       search_(search),
-      linking_(sleec::link_rules(of.rules, emission, component.path, project.system, project.instantiation)) {}
+      linking_(sleec::link_rules(of.rules, emission, component.path, project.system, project.instantiation)) {
+    if (linking_.shown.empty()) return;
+    diagnostics::SourceManager sources = project.sources;
+    diagnostics::Diagnostics findings;  // those of the model are reported with the other script
+    findings.set_budget(&search.services.budget());
+    const csp_emit::Shown shown = claims::emitted_facts(linking_.shown, project.system, project.instantiation);
+    showing_ = std::make_unique<csp_emit::Emission>(
+        csp_emit::emit_showing(project.system, project.instantiation, shown, sources, findings));
+}
+
+ModelRules::~ModelRules() = default;
+
+const csp_emit::Emission& ModelRules::emission_for(std::size_t rule) const {
+    return sleec::reads_states(of_.rules, rule) ? *showing_ : emission_;
+}
+
+cspm::ExprPtr ModelRules::process_in(const csp_emit::Emission& emission) const {
+    const auto found = std::ranges::find(emission.components, component_.path, &csp_emit::ComponentProcesses::path);
+    if (found == emission.components.end())
+        throw sleec::NotDecided("the semantics with states does not have the component");
+    return found->process;
+}
 
 std::unique_ptr<cspm::Session> ModelRules::make_session(cspm::Script script) const {
     auto session = std::make_unique<cspm::Session>(std::move(script), &search_.services.budget());
@@ -256,6 +283,15 @@ JudgedRule ModelRules::judge_rule(std::size_t rule) const {
     }
     try {
         follow_rule(judged);
+        if (judged.verdict.kind == RuleVerdict::Kind::broken && !linking_.exact &&
+            sleec::reads_states(of_.rules, rule)) {
+            judged = {};
+            judged.verdict.component = component_.path;
+            judged.verdict.rule = rule;
+            judged.verdict.reason =
+                "a run was found, but another machine may have acted in it before the state was seen; the rule about "
+                "the machine alone is decided";
+        }
     } catch (const sleec::NotDecided& error) {
         judged.verdict.reason = error.what();
     } catch (const cspm::EvaluationError& error) {

@@ -2,6 +2,7 @@
 // Decides whether components of a model obey SLEEC rules, for `rules FILE MODEL` and `sleec assertion`.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,12 +44,17 @@ class ModelRules {
 public:
     ModelRules(RulesOf of, const Project& project, const csp_emit::Emission& emission,
                const csp_emit::ComponentProcesses& component, const SearchContext& search);
+    ~ModelRules();
+    ModelRules(const ModelRules&) = delete;
+    ModelRules& operator=(const ModelRules&) = delete;
 
     [[nodiscard]] JudgedRule judge_rule(std::size_t rule) const;
     [[nodiscard]] TimeStops time_stops() const;
 
 private:
     class Question;
+    [[nodiscard]] const csp_emit::Emission& emission_for(std::size_t rule) const;
+    [[nodiscard]] cspm::ExprPtr process_in(const csp_emit::Emission& emission) const;
     [[nodiscard]] std::unique_ptr<cspm::Session> make_session(cspm::Script script) const;
     void follow_rule(JudgedRule& judged) const;
 
@@ -58,6 +64,7 @@ private:
     const csp_emit::ComponentProcesses& component_;
     SearchContext search_;
     sleec::ComponentLinking linking_;
+    std::unique_ptr<csp_emit::Emission> showing_;  ///< machines show the states of the rules; null if there are none
 };
 
 }  // namespace robochart::driver

@@ -18,16 +18,43 @@ std::vector<std::size_t> all_of(const std::multimap<std::string, std::size_t>& n
     return result;
 }
 
+/// The values of a word: "o!a!b". A whole number with a fraction is the number: "3.0".
+std::vector<std::string> values_in(std::string_view word) {
+    std::vector<std::string> result;
+    for (std::size_t mark = word.find_first_of("?!"); mark != std::string_view::npos;) {
+        const std::size_t next = word.find('!', mark + 1);
+        std::string_view value = word.substr(mark + 1, next == std::string_view::npos ? next : next - mark - 1);
+        mark = next;
+        if (const std::size_t point = value.find('.');
+            point != std::string_view::npos && point + 1 < value.size() &&
+            value.find_first_not_of('0', point + 1) == std::string_view::npos)
+            value = value.substr(0, point);
+        if (!value.empty()) result.emplace_back(value);
+    }
+    return result;
+}
+
 }  // namespace
 
 RuleWords::RuleWords(const sleec::CheckedRules& rules) : rules_(rules) {
-    for (std::size_t i = 0; i < rules.file->events.size(); ++i) events_.emplace(model_name(rules.event_name(i)), i);
-    for (std::size_t i = 0; i < rules.file->measures.size(); ++i)
+    for (std::size_t i = 0; i < rules.file->events.size(); ++i)
+        events_.emplace(model_name(rules.file->events[i].name.text), i);
+    for (std::size_t i = 0; i < rules.measures.size(); ++i)
         measures_.emplace(model_name(rules.measure(i).name.text), i);
 }
 
-std::vector<std::size_t> RuleWords::events_of_word(std::string_view word) const {
+std::vector<std::size_t> RuleWords::declared_by_word(std::string_view word) const {
     return all_of(events_, word);
+}
+
+std::vector<std::size_t> RuleWords::events_of_word(std::string_view word) const {
+    std::vector<std::size_t> result;
+    for (const std::size_t declared : declared_by_word(word)) {
+        const bool plain = rules_.arguments[declared].empty();
+        if (const auto event = rules_.case_of(declared, plain ? std::vector<std::string>() : values_in(word)))
+            result.push_back(*event);
+    }
+    return result;
 }
 
 std::vector<std::size_t> RuleWords::measures_of_word(std::string_view word) const {
@@ -63,8 +90,8 @@ std::string RuleWords::model_name(const std::string& name) const {
 RuleRun::RuleRun(RulesOf of, sleec::WithoutLimit without)
     : of_(of),
       monitor_(of.rules, without),
-      readings_(of.rules.file->measures.size()),
-      read_(of.rules.file->measures.size(), false) {}
+      readings_(of.rules.measures.size()),
+      read_(of.rules.measures.size(), false) {}
 
 void RuleRun::read(std::size_t measure, std::optional<std::int64_t> value) {
     readings_[measure] = read_[measure] && readings_[measure] != value ? std::nullopt : value;

@@ -19,7 +19,9 @@ class RuleWords {
 public:
     explicit RuleWords(const sleec::CheckedRules& rules);
 
-    /// The events of the rules to which a word of the log is linked by its name before `?` or `!`.
+    /// The events of the file to which a word of the log is linked by its name before `?` or `!`.
+    [[nodiscard]] std::vector<std::size_t> declared_by_word(std::string_view word) const;
+    /// The cases of these events for the values in the word. An event without arguments has any value.
     [[nodiscard]] std::vector<std::size_t> events_of_word(std::string_view word) const;
     [[nodiscard]] std::vector<std::size_t> measures_of_word(std::string_view word) const;
     /// The value of a measure in the word. No value if the rules cannot express it, because it is a fraction or a

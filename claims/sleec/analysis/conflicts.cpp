@@ -21,7 +21,7 @@ Events events_of(const std::vector<Obligation>& obligations) {
     Events result;
     for (const Obligation& obligation : obligations)
         for (const Demand& demand : obligation.any)
-            (demand.forbids ? result.forbidden : result.demanded).insert(demand.event);
+            (demand.forbids ? result.forbidden : result.demanded).insert(demand.event.begin(), demand.event.end());
     return result;
 }
 
@@ -48,7 +48,7 @@ std::set<std::size_t> demanded_at_once(const std::vector<Obligation>& obligation
     std::set<std::size_t> result;
     for (const Obligation& obligation : obligations)
         for (const Demand& demand : obligation.any)
-            if (!demand.forbids && demand.end == 0) result.insert(demand.event);
+            if (!demand.forbids && demand.end == 0) result.insert(demand.event.begin(), demand.event.end());
     return result;
 }
 
@@ -61,7 +61,9 @@ Answers find_answers(const CheckedRules& rules, const std::vector<std::size_t>& 
     Answers result(rule_numbers.size());
     for (std::size_t i = 0; i < rule_numbers.size(); ++i)
         for (std::size_t k = 0; k < rule_numbers.size(); ++k)
-            if (at_once[i].contains(rules.rules[rule_numbers[k]].trigger)) result[i].push_back(k);
+            if (std::ranges::any_of(rules.rules[rule_numbers[k]].trigger,
+                                    [&](std::size_t event) { return at_once[i].contains(event); }))
+                result[i].push_back(k);
     return result;
 }
 
@@ -142,7 +144,7 @@ public:
         for (const Opened& opened : open_)
             for (const Demand* demand : due_now(question_.find_obligation(opened.open), opened.open.progress,
                                                 [](std::size_t) { return false; })) {
-                result.due.push_back(make_side(opened.open, demand->event, false));
+                result.due.push_back(make_side(opened.open, *demand->event.begin(), false));
                 triggers.insert(opened.id);
             }
         note_besides(triggers, result);
@@ -198,7 +200,7 @@ private:
             question_.rules[open.rule], opened.began, question_.occurrences[opened.occurrence].sample.values, {}};
         // The last demand about the event; the windows of earlier ones are over.
         for (const Demand& demand : question_.find_obligation(open).any)
-            if (demand.event == event && demand.forbids == forbids) result.demand = demand;
+            if (demand.event.contains(event) && demand.forbids == forbids) result.demand = demand;
         return result;
     }
 
@@ -425,20 +427,33 @@ void for_each_question(const CheckedRules& rules, const AnalysisOptions& options
     Questions(rules, options, take).ask_all();
 }
 
+namespace {
+
+/// The samples of all cases of the first rule's trigger.
+std::vector<Sample> samples_of_trigger(const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers,
+                                       const AnalysisOptions& options) {
+    std::vector<Sample> result;
+    for (const std::size_t event : rules.rules[rule_numbers.front()].trigger)
+        for (Sample& sample : find_samples(rules, rule_numbers, event, options.without_limit, options.budget))
+            result.push_back(std::move(sample));
+    return result;
+}
+
+}  // namespace
+
 /// True if, for each sample of its trigger, the rule makes no demand or the other rule's demand implies its demand.
 /// Measures are unconstrained, and other triggers may or may not occur, so only the same occurrence can imply it.
 bool is_redundant(const CheckedRules& rules, std::size_t rule, std::size_t by, const AnalysisOptions& options) {
-    const auto all = find_samples(rules, {rule, by}, rules.rules[rule].trigger, options.without_limit, options.budget);
-    return std::ranges::all_of(all, [](const Sample& sample) {
+    return std::ranges::all_of(samples_of_trigger(rules, {rule, by}, options), [](const Sample& sample) {
         if (!sample.obligations[0] || always_fulfilled(*sample.obligations[0])) return true;
         return sample.obligations[1] && implies(*sample.obligations[1], *sample.obligations[0]);
     });
 }
 
 bool makes_no_demand(const CheckedRules& rules, std::size_t rule, const AnalysisOptions& options) {
-    const auto all = find_samples(rules, {rule}, rules.rules[rule].trigger, options.without_limit, options.budget);
-    return std::ranges::none_of(
-        all, [](const Sample& sample) { return sample.obligations[0] && !always_fulfilled(*sample.obligations[0]); });
+    return std::ranges::none_of(samples_of_trigger(rules, {rule}, options), [](const Sample& sample) {
+        return sample.obligations[0] && !always_fulfilled(*sample.obligations[0]);
+    });
 }
 
 }  // namespace robochart::sleec

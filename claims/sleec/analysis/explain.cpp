@@ -3,6 +3,7 @@
 #include "claims/sleec/analysis/explain.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -22,15 +23,17 @@ std::string besides_text(const Conflict& conflict, const CheckedRules& rules) {
 }
 
 std::string end_text(const Conflict& conflict, const CheckedRules& rules) {
-    std::string events;
+    std::vector<std::string> due;  // several alternatives may be cases of one event
     for (const Side& side : conflict.due)
-        events += (events.empty() ? "" : " or ") + rules.event_name(side.demand.event);
+        if (const std::string event = rules.event_name(side.demand.event); std::ranges::find(due, event) == due.end())
+            due.push_back(event);
+    const std::string events = fmt::format("{}", fmt::join(due, " or "));
     if (conflict.endless)
         return fmt::format("{} never ends: {} has to come, and calls for the next, whatever is done",
                            instant_text(rules, conflict.instant), events);
     if (conflict.for_ever) return fmt::format("{} has to come some time, and never may", events);
     return fmt::format("at {} {} has to come, and {}", instant_text(rules, conflict.instant), events,
-                       conflict.due.size() > 1 ? "none of them may" : "may not");
+                       due.size() > 1 ? "none of them may" : "may not");
 }
 
 }  // namespace
@@ -62,7 +65,8 @@ std::vector<std::string> history_lines(const std::vector<Happening>& history, co
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < std::min(most, history.size()); ++i) {
         const Happening& happening = history[i];
-        const bool during = property.during == happening.event && happening.event != property.trigger;
+        const bool during = property.during && property.during->contains(happening.event) &&
+                            !property.trigger.contains(happening.event);
         const auto& condition = during ? property.during_condition : property.condition;
         std::string values;
         if (happening.named && condition)
@@ -83,7 +87,9 @@ std::vector<std::string> explain_conflict(const Conflict& conflict, const Checke
         for (const Side& side : *group) sides.push_back(&side);
     std::ranges::stable_sort(sides, [](const Side* a, const Side* b) { return a->began < b->began; });
     std::vector<std::string> lines;
-    for (const Side* side : sides) lines.push_back(side_text(*side, rules, sources));
+    for (const Side* side : sides)
+        if (std::string line = side_text(*side, rules, sources); std::ranges::find(lines, line) == lines.end())
+            lines.push_back(std::move(line));
     if (!conflict.besides.empty())
         lines.push_back(fmt::format("to keep the rules before, {}", besides_text(conflict, rules)));
     lines.push_back(end_text(conflict, rules));

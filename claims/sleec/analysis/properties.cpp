@@ -54,7 +54,7 @@ CheckedRules with_property(const CheckedRules& rules, const CheckedProperty& pro
     CheckedRules result = rules;
     Duty nothing;
     nothing.forbids = true;
-    nothing.event = rules.file->events.size();
+    nothing.event = rules.events.size();
     nothing.to = 0;
     const DutyPtr duty = property.duty ? property.duty : std::make_shared<const Duty>(nothing);
     result.rules.push_back({property.trigger, property.condition, duty, false, nullptr});
@@ -94,15 +94,15 @@ public:
 private:
     /// Collects the relevant events, each with the possible values of the measures.
     void collect_events() {
-        std::vector<std::size_t> waiting{property_.trigger};
-        if (property_.during) waiting.push_back(*property_.during);
+        std::vector<std::size_t> waiting(property_.trigger.begin(), property_.trigger.end());
+        if (property_.during) waiting.insert(waiting.end(), property_.during->begin(), property_.during->end());
         while (!waiting.empty()) {
             const std::size_t event = waiting.back();
             waiting.pop_back();
             if (samples_.contains(event)) continue;
             std::vector<std::size_t> triggered;
             for (std::size_t i = 0; i < rules_.rules.size(); ++i)
-                if (rules_.rules[i].trigger == event) triggered.push_back(i);
+                if (rules_.rules[i].trigger.contains(event)) triggered.push_back(i);
             const auto& found = samples_[event] = all_samples(triggered, event);
             triggered_[event] = triggered;
             for (const Sample& sample : found)
@@ -111,7 +111,8 @@ private:
                     if (obligation->any.size() > most_demands)
                         throw NotDecided("a rule has too many responses behind each other");
                     for (const Demand& demand : obligation->any)
-                        if (!demand.forbids || fate_ == Fate::broken) waiting.push_back(demand.event);
+                        if (!demand.forbids || fate_ == Fate::broken)
+                            waiting.insert(waiting.end(), demand.event.begin(), demand.event.end());
                     waiting.insert(waiting.end(), obligation->ended_by.begin(), obligation->ended_by.end());
                 }
         }
@@ -119,7 +120,7 @@ private:
 
     std::vector<Sample> all_samples(const std::vector<std::size_t>& triggered, std::size_t event) const {
         if (!triggered.empty()) return find_samples(rules_, triggered, event, options_.without_limit, options_.budget);
-        return {{Valuation(rules_.file->measures.size(), 0), {}}};
+        return {{Valuation(rules_.measures.size(), 0), {}}};
     }
 
     std::size_t number_of(const Obligation& obligation) {
@@ -147,7 +148,8 @@ private:
     /// True for an occurrence that the property waits for, that may fulfil or end a duty, or that may break the duty of
     /// the property.
     [[nodiscard]] bool is_useful(const State& state, std::size_t event) const {
-        if ((state.awaited && event == property_.trigger) || (state.during && event == *property_.during)) return true;
+        if ((state.awaited && property_.trigger.contains(event)) || (state.during && property_.during->contains(event)))
+            return true;
         if (state.to_break) {
             Progress progress = state.to_break->progress;
             const Effect effect = take_event(obligations_[state.to_break->obligation], progress, event);

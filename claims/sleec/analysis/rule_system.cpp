@@ -30,9 +30,10 @@ void check_sizes(const Obligation& obligation) {
 std::set<std::size_t> named_events(const CheckedRules& rules, const Question& question) {
     std::set<std::size_t> events;
     for (std::size_t i = 0; i < question.rules.size(); ++i) {
-        events.insert(rules.rules[question.rules[i]].trigger);
+        const EventCases& trigger = rules.rules[question.rules[i]].trigger;
+        events.insert(trigger.begin(), trigger.end());
         for (const Obligation& obligation : question.obligations[i]) {
-            for (const Demand& demand : obligation.any) events.insert(demand.event);
+            for (const Demand& demand : obligation.any) events.insert(demand.event.begin(), demand.event.end());
             events.insert(obligation.ended_by.begin(), obligation.ended_by.end());
         }
     }
@@ -70,7 +71,8 @@ Question make_question(const CheckedRules& rules, std::vector<std::size_t> judge
         throw NotDecided(fmt::format("there are more than {} assumptions", most_rules - 2));
     question.obligations.resize(question.rules.size());
     std::set<std::size_t> triggers;
-    for (const std::size_t rule : question.rules) triggers.insert(rules.rules[rule].trigger);
+    for (const std::size_t rule : question.rules)
+        triggers.insert(rules.rules[rule].trigger.begin(), rules.rules[rule].trigger.end());
     for (const std::size_t event : triggers)
         for (Sample& sample : find_samples(rules, question.rules, event, without, budget)) {
             for (std::size_t i = 0; i < question.rules.size(); ++i)
@@ -79,7 +81,7 @@ Question make_question(const CheckedRules& rules, std::vector<std::size_t> judge
         }
     for (const std::size_t event : named_events(rules, question)) {
         if (triggers.contains(event)) continue;
-        Sample plain{Valuation(rules.file->measures.size(), 0), {}};
+        Sample plain{Valuation(rules.measures.size(), 0), {}};
         plain.obligations.resize(question.rules.size());
         question.occurrences.push_back({event, std::move(plain)});
     }
@@ -127,10 +129,11 @@ std::optional<Clash> clash_of(const Question& question, const std::vector<OpenOb
     };
     Clash result{due, {}, {}};
     std::vector<std::vector<OpenObligation>> choices;
-    for (const Demand* demand : due_now(question.find_obligation(due), due.progress, never_again)) {
-        choices.push_back(forbidding_obligations(question, open, demand->event, demand->end == forever));
-        result.events.push_back(demand->event);
-    }
+    for (const Demand* demand : due_now(question.find_obligation(due), due.progress, never_again))
+        for (const std::size_t event : demand->event) {
+            choices.push_back(forbidding_obligations(question, open, event, demand->end == forever));
+            result.events.push_back(event);
+        }
     if (choices.empty() || !choose_obligations(required, choices, result, 1U << due.rule)) return std::nullopt;
     return result;
 }
@@ -154,7 +157,7 @@ std::size_t last_alternatives(const std::vector<Obligation>& obligations) {
         for (const Demand& last : obligation.any) {
             std::set<std::size_t> events;
             for (const Demand& demand : obligation.any)
-                if (!demand.forbids && demand.end == last.end) events.insert(demand.event);
+                if (!demand.forbids && demand.end == last.end) events.insert(demand.event.begin(), demand.event.end());
             most = std::max(most, events.size());
         }
     return most;

@@ -57,7 +57,7 @@ void add_conditions(const CheckedRules& rules, const std::vector<std::size_t>& r
             if (constant >= 0) compared(op, constant, std::to_string(constant));
 }
 
-Candidate on_event(const CheckedRules& rules, std::size_t event) {
+Candidate on_event(const CheckedRules& rules, const EventCases& event) {
     return {fmt::format("unless {}", rules.event_name(event)), {{}, event, nullptr, nullptr}};
 }
 
@@ -76,7 +76,8 @@ public:
         : rules_(rules), rule_numbers_(rule_numbers), options_(options) {}
 
     std::vector<Suggestion> suggest_one() {
-        std::set<std::size_t> measures, events;
+        std::set<std::size_t> measures;
+        std::set<EventCases> events;
         for (const std::size_t rule : rule_numbers_) {
             for (const std::size_t measure : measures_of(rules_.rules[rule])) measures.insert(measure);
             events.insert(rules_.rules[rule].trigger);
@@ -84,7 +85,7 @@ public:
         for (const std::size_t rule : rule_numbers_) {
             std::vector<Candidate> candidates;
             for (const std::size_t measure : measures) add_conditions(rules_, rule_numbers_, measure, candidates);
-            for (const std::size_t event : events)
+            for (const EventCases& event : events)
                 if (event != rules_.rules[rule].trigger) candidates.push_back(on_event(rules_, event));
             for (const Candidate& candidate : candidates)
                 if (resolves_conflict(with_defeater(rules_, rule, candidate.defeater))) return {{rule, candidate.text}};
@@ -95,7 +96,8 @@ public:
     std::vector<Suggestion> suggest_two() {
         for (const std::size_t first : rule_numbers_)
             for (const std::size_t second : rule_numbers_) {
-                const std::size_t a = rules_.rules[first].trigger, b = rules_.rules[second].trigger;
+                const EventCases& a = rules_.rules[first].trigger;
+                const EventCases& b = rules_.rules[second].trigger;
                 if (first >= second || a == b) continue;
                 const Candidate to_first = on_event(rules_, b), to_second = on_event(rules_, a);
                 if (resolves_conflict(

@@ -35,11 +35,12 @@ class Checker {
 public:
     Checker(const RuleFile& file, diagnostics::Diagnostics& diagnostics, durations::Unit unit)
         : diagnostics_(diagnostics),
-          result_{std::make_shared<const RuleFile>(file), {}, {}, {}, unit},
+          result_{std::make_shared<const RuleFile>(file), {}, {}, file.measures, {}, {}, {}, unit},
           file_(*result_.file) {}
 
     std::optional<CheckedRules> run() {
         declare();
+        find_cases();
         for (const Rule& rule : file_.rules) result_.rules.push_back(check_clause(rule));
         for (const Property& concern : file_.concerns) result_.concerns.push_back(check_clause(concern));
         for (const Property& purpose : file_.purposes) result_.purposes.push_back(check_clause(purpose));
@@ -106,12 +107,151 @@ private:
         if (!meant.empty())
             finding.fixes.push_back(
                 {span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(name, meant, names))});
+        else if (kind == "a measure")
+            finding.notes.push_back({{}, fmt::format("write `in {}` if it is a state of the model", name)});
     }
 
-    std::size_t find_event(const Name& name) {
-        if (const auto found = events_.find(name.text); found != events_.end()) return found->second;
-        not_found(name.text, name.span, "an event", {&events_});
-        return 0;
+    // events
+
+    /// Finds the values that rules give to arguments, then the cases of each event.
+    void find_cases() {
+        result_.arguments.resize(file_.events.size());
+        first_use_.resize(file_.events.size());
+        for (const Rule& rule : file_.rules) note_events(rule.trigger, rule.response);
+        for (const auto* properties : {&file_.concerns, &file_.purposes})
+            for (const Property& property : *properties) {
+                note_events(property.trigger, property.response);
+                if (property.during) note_arguments(property.during->event);
+            }
+        for (std::size_t i = 0; i < file_.events.size(); ++i) add_cases(i, {});
+    }
+
+    void note_events(const Trigger& trigger, const ResponsePtr& response) {
+        note_arguments(trigger.event);
+        note_events(response);
+    }
+    void note_events(const ResponsePtr& response) {
+        if (!response) return;
+        note_arguments(response->event);
+        note_events(response->otherwise);
+        for (const Defeater& defeater : response->defeaters) {
+            if (defeater.event) note_arguments(*defeater.event);
+            note_events(defeater.response);
+        }
+    }
+
+    void note_arguments(const EventName& event) {
+        const auto found = events_.find(event.text);
+        if (found == events_.end()) return;  // reported where it is resolved
+        if (!event.arguments) return;        // any values
+        std::vector<Argument>& places = result_.arguments[found->second];
+        const std::size_t count = event.arguments->size();
+        if (first_use_[found->second] == nullptr) {
+            first_use_[found->second] = &event;
+            places.resize(count);
+        }
+        if (count != places.size()) return report_count(event, places.size(), *first_use_[found->second]);
+        for (std::size_t i = 0; i < count; ++i) note_argument(*(*event.arguments)[i], places[i]);
+    }
+
+    void report_count(const EventName& event, std::size_t expected, const Name& other) {
+        auto& finding = diagnostics_.report(
+            rules::wrong_arguments, event.span,
+            {fmt::format("'{0}' has {1} argument{2} here and {3} in another place: write `{0}` or `_` for any value",
+                         event.text, event.arguments->size(), event.arguments->size() == 1 ? "" : "s", expected)});
+        finding.notes.push_back({other.span, "the other place"});
+    }
+
+    void note_argument(const Expr& written, Argument& place) {
+        const std::string value = argument_value(written);
+        if (value.empty()) return;
+        if (written.op == Op::name && measures_.contains(written.text))
+            diagnostics_.report(rules::wrong_kind, written.span,
+                                {written.text, "a measure", "a value: an argument is a value of the model, or `_`"});
+        const ArgumentKind kind = argument_kind(written);
+        if (place.kind == ArgumentKind::any) place.kind = kind;
+        if (place.kind != kind)
+            diagnostics_.report(rules::wrong_arguments, written.span,
+                                {fmt::format("'{}' is {}, but this argument is {} in another place", written.text,
+                                             kind_text(kind), kind_text(place.kind))});
+        if (kind == ArgumentKind::truth)
+            place.values = {"false", "true"};
+        else if (std::ranges::find(place.values, value) == place.values.end())
+            place.values.push_back(value);
+    }
+    [[nodiscard]] ArgumentKind argument_kind(const Expr& written) const {
+        if (written.op == Op::truth) return ArgumentKind::truth;
+        const bool number = written.op == Op::number || constants_.contains(written.text);
+        return number ? ArgumentKind::number : ArgumentKind::literal;
+    }
+    static const char* kind_text(ArgumentKind kind) {
+        if (kind == ArgumentKind::truth) return "true or false";
+        return kind == ArgumentKind::number ? "a number" : "a literal";
+    }
+    /// The text of the value; "" for `_`.
+    std::string argument_value(const Expr& written) {
+        if (written.op == Op::truth) return written.text;
+        if (written.op == Op::number) return fmt::format("{}", std::stoll(written.text));
+        if (written.text == "_") return "";
+        if (const auto constant = constants_.find(written.text); constant != constants_.end())
+            return fmt::format("{}", constant_value(file_.constants[constant->second].value));
+        return written.text.substr(written.text.rfind(':') + 1);
+    }
+
+    /// Adds all cases of an event that begin with these values.
+    void add_cases(std::size_t event, std::vector<std::string> values) {
+        constexpr std::size_t most_cases = 256;
+        const std::vector<Argument>& places = result_.arguments[event];
+        if (values.size() == places.size()) {
+            first_case_.try_emplace(event, result_.events.size());
+            if (result_.events.size() - first_case_[event] == most_cases)
+                diagnostics_.report(rules::wrong_arguments, first_use_[event]->span,
+                                    {fmt::format("'{}' has more than {} combinations of arguments: name fewer values",
+                                                 file_.events[event].name.text, most_cases)});
+            if (result_.events.size() - first_case_[event] > most_cases) return;
+            result_.events.push_back({event, values, case_text(event, values)});
+            return;
+        }
+        const Argument& place = places[values.size()];
+        values.emplace_back();
+        for (const std::string& value : place.values) {
+            values.back() = value;
+            add_cases(event, values);
+        }
+        values.back() = "";
+        if (place.kind != ArgumentKind::truth) add_cases(event, values);
+    }
+    [[nodiscard]] std::string case_text(std::size_t event, const std::vector<std::string>& values) const {
+        const std::string& name = file_.events[event].name.text;
+        if (values.empty()) return name;
+        std::vector<std::string> shown;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const std::string other = result_.arguments[event][i].values.empty() ? "_" : "other";
+            shown.push_back(values[i].empty() ? other : values[i]);
+        }
+        return fmt::format("{}({})", name, fmt::join(shown, ", "));
+    }
+
+    EventCases find_event(const EventName& name) {
+        const auto found = events_.find(name.text);
+        if (found == events_.end()) {
+            not_found(name.text, name.span, "an event", {&events_});
+            return 0;
+        }
+        std::vector<std::string> values(result_.arguments[found->second].size());
+        if (name.arguments && name.arguments->size() != values.size()) return 0;  // reported
+        for (std::size_t i = 0; name.arguments && i < values.size(); ++i)
+            values[i] = argument_value(*(*name.arguments)[i]);
+        std::vector<std::size_t> cases;
+        for (std::size_t i = 0; i < result_.events.size(); ++i)
+            if (result_.events[i].declared == found->second && fits(values, result_.events[i].values))
+                cases.push_back(i);
+        return cases.empty() ? EventCases() : EventCases(std::move(cases));
+    }
+    static bool fits(const std::vector<std::string>& written, const std::vector<std::string>& values) {
+        return std::ranges::equal(written, values, [](const std::string& pattern, const std::string& value) {
+            return pattern.empty() || pattern == value;
+        });
     }
 
     void check_mappings() {
@@ -207,6 +347,8 @@ private:
                 return result;
             case Op::name:
                 return check_name(expr);
+            case Op::in_state:
+                return check_state(*expr);
             case Op::negation:
             case Op::conjunction:
             case Op::disjunction:
@@ -246,6 +388,23 @@ private:
         } else {
             not_found(expr->text, expr->span, "a measure", {&measures_, &constants_});
         }
+        return result;
+    }
+
+    /// A state is a boolean measure of the model.
+    Typed check_state(const Expr& expr) {
+        const std::string name = "in " + expr.text;
+        std::vector<Measure>& measures = result_.measures;
+        auto found = std::ranges::find_if(measures, [&](const Measure& measure) { return measure.name.text == name; });
+        if (found == measures.end()) {
+            measures.push_back({{name, expr.span}, MeasureType::boolean, {}});
+            found = measures.end() - 1;
+        }
+        Typed result;
+        result.condition.op = Op::name;
+        result.condition.measure = static_cast<std::size_t>(found - measures.begin());
+        result.condition.written = &expr;
+        result.type = Type::truth;
         return result;
     }
 
@@ -354,15 +513,27 @@ private:
     CheckedDefeater check_defeater(const Defeater& written) {
         CheckedDefeater result;
         result.written = &written;
-        const Expr& expr = *written.condition;
-        if (expr.op == Op::name && !expr.braced && !written.response && events_.contains(expr.text)) {
-            result.event = events_.at(expr.text);
+        result.event = defeating_event(written);
+        if (result.event)
             diagnostics_.report(rules::extension, written.span, {"unless EVENT"});
-        } else {
+        else
             result.condition = *check_condition(written.condition);
-        }
         if (written.response) result.duty = check_duty(*written.response);
         return result;
+    }
+
+    std::optional<EventCases> defeating_event(const Defeater& written) {
+        if (written.event) {
+            if (written.response)
+                diagnostics_.report(
+                    rules::wrong_arguments, written.span,
+                    {fmt::format("`unless {0}` ends a duty and has no `then`: write a rule `when {0} then ...` for it",
+                                 written.event->text)});
+            return find_event(*written.event);
+        }
+        const Expr& expr = *written.condition;
+        if (expr.op != Op::name || expr.braced || written.response || !events_.contains(expr.text)) return std::nullopt;
+        return find_event({{expr.text, expr.span}, std::nullopt});
     }
 
     CheckedRule check_clause(const Rule& written) {
@@ -400,7 +571,9 @@ private:
     std::map<std::string, Span> declared_;
     std::map<std::string, std::size_t> events_, measures_, constants_;
     std::set<std::string> literals_;
-    std::set<std::string> circles_;  ///< constants of cycles that have been reported
+    std::vector<const EventName*> first_use_;        ///< of each event
+    std::map<std::size_t, std::size_t> first_case_;  ///< of each event
+    std::set<std::string> circles_;                  ///< constants of cycles that have been reported
 };
 
 }  // namespace

@@ -38,6 +38,7 @@ std::int64_t evaluate_condition(const Condition& condition, const Valuation& val
         case Op::number:
             return condition.value;
         case Op::name:
+        case Op::in_state:
             return values[condition.measure];
         case Op::disjunction:
             return static_cast<std::int64_t>(part(0) != 0 || part(1) != 0);
@@ -65,6 +66,31 @@ std::int64_t evaluate_condition(const Condition& condition, const Valuation& val
             return saturating_product(part(0), part(1));
     }
     return 0;
+}
+
+std::string CheckedRules::event_name(const EventCases& cases) const {
+    EventCase whole = events[*cases.begin()];
+    if (cases.size() == 1) return whole.text;
+    std::string text;
+    for (std::size_t i = 0; i < whole.values.size(); ++i) {
+        const bool fixed =
+            std::ranges::all_of(cases, [&](std::size_t event) { return events[event].values[i] == whole.values[i]; });
+        text += fmt::format("{}{}", i == 0 ? "" : ", ", fixed && !whole.values[i].empty() ? whole.values[i] : "_");
+    }
+    return fmt::format("{}({})", declared_name(*cases.begin()), text);
+}
+
+std::optional<std::size_t> CheckedRules::case_of(std::size_t declared, const std::vector<std::string>& values) const {
+    const std::vector<Argument>& places = arguments[declared];
+    if (values.size() != places.size()) return std::nullopt;
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool named = std::ranges::find(places[i].values, values[i]) != places[i].values.end();
+        known.push_back(named ? values[i] : "");
+    }
+    for (std::size_t i = 0; i < events.size(); ++i)
+        if (events[i].declared == declared && events[i].values == known) return i;
+    return std::nullopt;
 }
 
 std::string instant_text(const CheckedRules& rules, std::int64_t step) {

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rules after name resolution and type checking: events and measures are numbers, constants are values, times are
 // whole numbers of steps. A step is a second, or a time unit of the model if its length is declared.
+//
+// An event with arguments is several events, its cases: one for each combination of the values that the file names, and
+// of other values. A state of the model is a boolean measure, which the model decides.
 #pragma once
 
+#include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/durations/time_unit.hpp"
@@ -28,20 +34,43 @@ using Valuation = std::vector<std::int64_t>;
 /// The value of a condition, or of a number in it.
 [[nodiscard]] std::int64_t evaluate_condition(const Condition& condition, const Valuation& values);
 
+/// The cases of an event for which a part of a rule is written: one, unless an argument is `_`. They differ only in
+/// the arguments that are `_`.
+class EventCases {
+public:
+    // NOLINTNEXTLINE(google-explicit-constructor): an event without arguments is its only case
+    EventCases(std::size_t only = 0) : cases_{only} {}
+    /// Ascending, not empty.
+    explicit EventCases(std::vector<std::size_t> cases) : cases_(std::move(cases)) {}
+
+    [[nodiscard]] bool contains(std::size_t event) const { return std::ranges::find(cases_, event) != cases_.end(); }
+    [[nodiscard]] bool meets(const EventCases& other) const {
+        return std::ranges::any_of(cases_, [&](std::size_t event) { return other.contains(event); });
+    }
+    [[nodiscard]] std::size_t size() const { return cases_.size(); }
+    [[nodiscard]] auto begin() const { return cases_.begin(); }
+    [[nodiscard]] auto end() const { return cases_.end(); }
+
+    friend auto operator<=>(const EventCases&, const EventCases&) = default;
+
+private:
+    std::vector<std::size_t> cases_;
+};
+
 struct Duty;
 using DutyPtr = std::shared_ptr<const Duty>;
 
 struct CheckedDefeater {
-    Condition condition;               ///< over measures; unused if an event defeats
-    std::optional<std::size_t> event;  ///< extension: this event ends the duty
-    DutyPtr duty;                      ///< null: no duty is left
+    Condition condition;              ///< over measures; unused if an event defeats
+    std::optional<EventCases> event;  ///< extension: this event ends the duty
+    DutyPtr duty;                     ///< null: no duty is left
     const Defeater* written = nullptr;
 };
 
 /// The demand of a response.
 struct Duty {
     bool forbids = false;
-    std::size_t event = 0;
+    EventCases event;
     std::int64_t from = 0;           ///< steps
     std::optional<std::int64_t> to;  ///< steps, inclusive; no value: no limit. Below `from`: the duty is empty
     bool measured = false;           ///< a measure determines the limit: `from` and `to` are unknown
@@ -51,7 +80,7 @@ struct Duty {
 };
 
 struct CheckedRule {
-    std::size_t trigger = 0;
+    EventCases trigger;
     std::optional<Condition> condition;
     DutyPtr duty;
     bool assumed = false;
@@ -60,23 +89,53 @@ struct CheckedRule {
 
 struct CheckedProperty {
     bool exists = false;
-    std::size_t trigger = 0;
+    EventCases trigger;
     std::optional<Condition> condition;
-    DutyPtr duty;                       ///< null: no demand
-    std::optional<std::size_t> during;  ///< `while` this event
+    DutyPtr duty;                      ///< null: no demand
+    std::optional<EventCases> during;  ///< `while` this event
     std::optional<Condition> during_condition;
     const Property* written = nullptr;
 };
 
+/// What values the rules give an argument of an event.
+enum class ArgumentKind : std::uint8_t { any, number, truth, literal };
+
+/// An argument of an event in all rules of the file.
+struct Argument {
+    ArgumentKind kind = ArgumentKind::any;
+    std::vector<std::string> values;  ///< "1", "true", "red": those that rules name; for `truth` both
+};
+
+/// One case of an event.
+struct EventCase {
+    std::size_t declared = 0;         ///< index in the file
+    std::vector<std::string> values;  ///< of the arguments; "": a value that no rule names
+    std::string text;                 ///< "goTo(1)"; a value that no rule names is `other`, or `_` if they name none
+};
+
 /// A file that satisfies the rules of the language.
 struct CheckedRules {
-    std::shared_ptr<const RuleFile> file;  ///< owner of the data to which `written` points
+    std::shared_ptr<const RuleFile> file;          ///< owner of the data to which `written` points
+    std::vector<std::vector<Argument>> arguments;  ///< of each event of the file
+    std::vector<EventCase> events;                 ///< in the order of the file
+    std::vector<Measure> measures;                 ///< those of the file, then the states of the model
     std::vector<CheckedRule> rules;
     std::vector<CheckedProperty> concerns, purposes;
     durations::Unit unit;  ///< the length of a step; no value: a step is a second
 
-    [[nodiscard]] const std::string& event_name(std::size_t index) const { return file->events[index].name.text; }
-    [[nodiscard]] const Measure& measure(std::size_t index) const { return file->measures[index]; }
+    [[nodiscard]] const std::string& event_name(std::size_t index) const { return events[index].text; }
+    /// The event as in a rule: "goTo(_)".
+    [[nodiscard]] std::string event_name(const EventCases& cases) const;
+    /// The name without arguments.
+    [[nodiscard]] const std::string& declared_name(std::size_t index) const {
+        return file->events[events[index].declared].name.text;
+    }
+    /// The case of an event of the file that carries these values, as texts. No value if it has another number of them.
+    [[nodiscard]] std::optional<std::size_t> case_of(std::size_t declared,
+                                                     const std::vector<std::string>& values) const;
+    [[nodiscard]] const Measure& measure(std::size_t index) const { return measures[index]; }
+    /// True if the measure is a state of the model.
+    [[nodiscard]] bool is_state(std::size_t measure) const { return measure >= file->measures.size(); }
     [[nodiscard]] const std::string& name(std::size_t rule) const { return rules[rule].written->name.text; }
 };
 

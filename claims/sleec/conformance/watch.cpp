@@ -179,7 +179,7 @@ std::size_t Watch::number_obligation(const Obligation& obligation) {
 void Watch::find_ways() {
     std::vector<std::size_t> at(followed_.size(), 0);
     for (;;) {
-        Valuation values(rules_.file->measures.size(), 0);
+        Valuation values(rules_.measures.size(), 0);
         for (std::size_t i = 0; i < at.size(); ++i) values[followed_[i].measure] = followed_[i].representatives[at[i]];
         const auto obligation = obligation_of(rules_.rules[rule_], values, WithoutLimit::eventually);
         ways_.push_back({values, obligation ? number_obligation(*obligation) : obligations_.max_size()});
@@ -194,9 +194,10 @@ void Watch::find_ways() {
 // ---------------------------------------------------------------- processes
 
 std::vector<std::size_t> Watch::event_indices() const {
-    std::set<std::size_t> events{rules_.rules[rule_].trigger};
+    const EventCases& trigger = rules_.rules[rule_].trigger;
+    std::set<std::size_t> events(trigger.begin(), trigger.end());
     for (const Obligation& obligation : obligations_) {
-        for (const Demand& demand : obligation.any) events.insert(demand.event);
+        for (const Demand& demand : obligation.any) events.insert(demand.event.begin(), demand.event.end());
         events.insert(obligation.ended_by.begin(), obligation.ended_by.end());
     }
     return {events.begin(), events.end()};
@@ -204,11 +205,57 @@ std::vector<std::size_t> Watch::event_indices() const {
 
 Tree Watch::named_events() const {
     Exprs items;
-    for (const std::size_t event : event_indices()) items.push_back(build::name(linking_.events[event].value()));
-    for (const Followed& followed : followed_)
-        if (const auto& linked = linking_.measures[followed.measure]) items.push_back(build::name(linked->channel));
+    for (const std::size_t event : event_indices())
+        for (const Tree& prefix : linking_.events[event].value().prefixes) items.push_back(prefix);
+    for (std::size_t i = 0; i < followed_.size(); ++i)
+        if (const LinkedMeasure* linked = channel_of(i)) items.push_back(build::name(linked->channel));
+    for (const std::string& channel : state_channels()) items.push_back(build::name(channel));
     items.push_back(build::name("tock"));
     return build::productions(std::move(items));
+}
+
+/// The channel from which the component reads a measure; null for a state, and for a measure that it lacks.
+const LinkedMeasure* Watch::channel_of(std::size_t place) const {
+    const auto& linked = linking_.measures[followed_[place].measure];
+    return linked && linked->facts == 0 ? &*linked : nullptr;
+}
+
+/// The channels by which machines show the states of the rule, without duplicates.
+std::vector<std::string> Watch::state_channels() const {
+    std::vector<std::string> result;
+    for (const Followed& followed : followed_) {
+        const auto& linked = linking_.measures[followed.measure];
+        if (linked && linked->facts > 0 && std::ranges::find(result, linked->channel) == result.end())
+            result.push_back(linked->channel);
+    }
+    return result;
+}
+
+/// Takes what a machine shows, and continues as `process`. `first`: the argument that belongs to the first measure.
+/// `follow`: whether the arguments of the states become what is shown.
+Tree Watch::show_states(const std::string& channel, const std::string& process, Exprs arguments, std::size_t first,
+                        bool follow) const {
+    std::vector<cspm::Field> fields;
+    for (std::size_t i = 0; i < followed_.size(); ++i) {
+        const auto& linked = linking_.measures[followed_[i].measure];
+        if (!linked || linked->facts == 0 || linked->channel != channel) continue;
+        const std::string shown = fmt::format("s{}", linked->shown);
+        if (follow) arguments[first + i] = class_of(followed_[i], build::name(shown));
+        for (std::size_t k = fields.size(); k < linked->facts; ++k)
+            fields.push_back(build::input(fmt::format("s{}", k)));
+    }
+    return build::prefix(build::name(channel), std::move(fields), build::call(process, std::move(arguments)));
+}
+
+/// Any of these events, then a process.
+Tree Watch::any_event(const EventCases& events, const Tree& then) const {
+    Exprs prefixes;
+    for (const std::size_t event : events)
+        for (const Tree& prefix : linking_.events[event].value().prefixes) prefixes.push_back(prefix);
+    if (prefixes.empty()) return build::stop();  // no value of the instantiation is meant
+    return build::replicated(ExprKind::replicated_external,
+                             {build::generator("x", build::productions(std::move(prefixes)))},
+                             build::prefix(build::name("x"), then));
 }
 
 /// A measure that the component has not read at this instant may have any value. If it reads the measure later at this
@@ -266,7 +313,7 @@ std::vector<DeclPtr> Watch::start_definitions() const {
             for (const std::int64_t class_value : followed_[i].classes)
                 assumed.push_back(with(build::number(class_value), build::number(class_value)));
             const Tree value = build::name(class_variable(i));
-            const bool compared = readings_ == Readings::one_value;
+            const bool compared = readings_ == Readings::one_value && !is_state(i);
             body = build::if_(build::binary(ExprKind::equal, value, build::number(unknown)),
                               build::internal_choice(std::move(assumed)),
                               with(value, compared ? value : build::number(unknown)));
@@ -293,31 +340,27 @@ std::vector<DeclPtr> Watch::idle_definitions() const {
     for (std::size_t i = 0; i < followed_.size(); ++i) {
         parameters.push_back(class_variable(i));
         measures.push_back(build::name(class_variable(i)));
-        not_read.push_back(build::number(unknown));
+        not_read.push_back(is_state(i) ? measures.back() : build::number(unknown));
         changes.push_back(build::binary(ExprKind::equal, measures.back(), build::number(changing)));
     }
-    const auto any_of_channel = [](const std::string& channel, const Tree& then) {
-        return build::replicated(ExprKind::replicated_external,
-                                 {build::generator("x", build::productions({build::name(channel)}))},
-                                 build::prefix(build::name("x"), then));
-    };
     Exprs choices;
-    const std::string trigger = linking_.events[rules_.rules[rule_].trigger].value();
     for (const std::size_t event : event_indices())
-        choices.push_back(any_of_channel(linking_.events[event].value(), build::call(idle_process, measures)));
+        choices.push_back(any_event(event, build::call(idle_process, measures)));
     const Tree start = build::call("sleec_Start0", measures);
     const bool guarded = readings_ == Readings::one_value && !changes.empty();
-    choices.push_back(any_of_channel(
-        trigger,
+    choices.push_back(any_event(
+        rules_.rules[rule_].trigger,
         guarded ? build::if_(build::any_of(std::move(changes)), build::call(idle_process, measures), start) : start));
     for (std::size_t i = 0; i < followed_.size(); ++i) {
-        const auto& linked = linking_.measures[followed_[i].measure];
-        if (!linked) continue;
+        const LinkedMeasure* linked = channel_of(i);
+        if (linked == nullptr) continue;
         Exprs arguments = measures;
         arguments[i] = class_of_reading(i);
         choices.push_back(build::prefix(build::name(linked->channel), {build::input("d"), build::input("v")},
                                         build::call(idle_process, std::move(arguments))));
     }
+    for (const std::string& channel : state_channels())
+        choices.push_back(show_states(channel, idle_process, measures, 0, true));
     choices.push_back(build::prefix(build::name("tock"), build::call(idle_process, not_read)));
     return {build::function_decl(idle_process, build::variables(parameters), build::choice(std::move(choices)))};
 }
@@ -360,12 +403,11 @@ std::vector<DeclPtr> Watch::wrong_definitions() const {
         same.push_back(build::name(class_variable(i)));
     }
     for (const std::size_t event : event_indices())
-        choices.push_back(build::replicated(
-            ExprKind::replicated_external,
-            {build::generator("x", build::productions({build::name(linking_.events[event].value())}))},
-            build::prefix(build::name("x"), build::call(wrong_process, same))));
+        choices.push_back(any_event(event, build::call(wrong_process, same)));
+    for (const std::string& channel : state_channels())
+        choices.push_back(show_states(channel, wrong_process, same, 0, false));
     for (std::size_t i = 0; i < followed_.size(); ++i)
-        if (linking_.measures[followed_[i].measure])
+        if (channel_of(i) != nullptr)
             choices.push_back(compare_reading(i, build::call(wrong_process, arguments_after_reading(i))));
     choices.push_back(build::prefix(build::name("tock"), break_process()));
     return {build::function_decl(wrong_process, build::variables(parameters), build::choice(std::move(choices)))};
@@ -380,14 +422,14 @@ Tree Watch::on_event(std::size_t index, bool broken, std::size_t event) const {
     for (std::size_t i = 0; i < followed_.size(); ++i) same.push_back(build::name(class_variable(i)));
     Tree result = build::call(open_process(index, broken), same);
     const Demand* forbidden = find_prohibition(obligation);
-    if (forbidden != nullptr && forbidden->event == event && !broken)
+    if (forbidden != nullptr && forbidden->event.contains(event) && !broken)
         result = build::if_(
             within_window(*forbidden),
             build::if_(can_still_be_met(obligation), build::call(open_process(index, true), same), violation_process()),
             result);
     Exprs fulfilled;
     for (const Demand& demand : obligation.any)
-        if (!demand.forbids && demand.event == event) fulfilled.push_back(within_window(demand));
+        if (!demand.forbids && demand.event.contains(event)) fulfilled.push_back(within_window(demand));
     return fulfilled.empty() ? result
                              : build::if_(build::any_of(std::move(fulfilled)), build::name(free_process), result);
 }
@@ -429,12 +471,13 @@ std::vector<DeclPtr> Watch::open_definitions(std::size_t index) const {
         if (broken && find_prohibition(obligations_[index]) == nullptr) continue;
         Exprs choices;
         for (const std::size_t event : event_indices())
-            choices.push_back(build::replicated(
-                ExprKind::replicated_external,
-                {build::generator("x", build::productions({build::name(linking_.events[event].value())}))},
-                build::prefix(build::name("x"), on_event(index, broken, event))));
+            choices.push_back(any_event(event, on_event(index, broken, event)));
+        Exprs same;
+        for (const std::string& parameter : parameters) same.push_back(build::name(parameter));
+        for (const std::string& channel : state_channels())
+            choices.push_back(show_states(channel, open_process(index, broken), same, 1, false));
         for (std::size_t i = 0; i < followed_.size(); ++i) {
-            if (!linking_.measures[followed_[i].measure]) continue;
+            if (channel_of(i) == nullptr) continue;
             Exprs arguments = arguments_after_reading(i);
             arguments.insert(arguments.begin(), time_variable());
             choices.push_back(compare_reading(i, build::call(open_process(index, broken), std::move(arguments))));
@@ -472,14 +515,15 @@ bool Watch::has_demand_without_limit() const {
 }
 
 bool Watch::reads_measures() const {
-    return std::ranges::any_of(
-        followed_, [&](const Followed& followed) { return linking_.measures[followed.measure].has_value(); });
+    for (std::size_t i = 0; i < followed_.size(); ++i)
+        if (channel_of(i) != nullptr) return true;
+    return false;
 }
 
 /// A terminated component has no further steps, but time continues.
 Tree Watch::parallel_process() const {
-    Exprs not_read;
-    for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(unknown));
+    Exprs not_read;  // at first, machines are in no state
+    for (std::size_t i = 0; i < followed_.size(); ++i) not_read.push_back(build::number(is_state(i) ? 0 : unknown));
     Tree component = build::sequential({process_, build::name("sleec_Over")});
     Tree shared = build::name(all_events);
     if (has_demand_without_limit()) {

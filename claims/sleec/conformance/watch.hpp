@@ -7,23 +7,40 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "checker/cspm/syntax/build.hpp"
 #include "checker/cspm/syntax/syntax.hpp"
 #include "claims/sleec/obligations/samples.hpp"
 
 namespace robochart::sleec {
 
-/// A measure in the script: a channel with a direction and a value.
+/// An event in the script.
+struct LinkedEvent {
+    // NOLINTNEXTLINE(google-explicit-constructor): a channel with all its values
+    LinkedEvent(const std::string& channel) : events{channel}, prefixes{cspm::build::name(channel)} {}
+    LinkedEvent(std::vector<std::string> names, std::vector<cspm::ExprPtr> expressions)
+        : events(std::move(names)), prefixes(std::move(expressions)) {}
+
+    std::vector<std::string> events;  ///< "P::M::goToCall.3"; events of the script are equal or continue it with '.'.
+                                      ///< Empty if no value of the instantiation is meant
+    std::vector<cspm::ExprPtr> prefixes;  ///< the same as expressions
+};
+
+/// A measure in the script: a channel with a direction and a value. A state: the channel by which its machine shows the
+/// truth of some facts (csp_emit/showing.hpp).
 struct LinkedMeasure {
     std::string channel;
-    std::vector<std::string> literals;  ///< for a scale: the script's constructors, least first
+    std::vector<std::string> literals = {};  ///< for a scale: the script's constructors, least first
+    std::size_t shown = 0;                   ///< the place of a state among the facts, from 0
+    std::size_t facts = 0;                   ///< the number of facts that the channel of a state shows
 };
 
 /// The channels of a script for the names of a rule file; no value if the script has no channel for a name. All events
 /// of the rule must be linked. A measure that is not linked may have any value at any time.
 struct Linking {
-    std::vector<std::optional<std::string>> events;  ///< channels
+    std::vector<std::optional<LinkedEvent>> events;
     std::vector<std::optional<LinkedMeasure>> measures;
 };
 
@@ -61,7 +78,7 @@ public:
     /// Component and rule in parallel, with all their events.
     [[nodiscard]] cspm::ExprPtr checked_process() const { return parallel_process(); }
     static constexpr const char* waiting = "sleec_waiting";
-    /// True if the rule uses a measure that the component reads.
+    /// True if the rule uses a measure that the component reads. States do not count.
     [[nodiscard]] bool reads_measures() const;
 
     [[nodiscard]] const std::vector<Obligation>& obligations() const { return obligations_; }
@@ -92,6 +109,12 @@ private:
     [[nodiscard]] std::vector<cspm::ExprPtr> arguments_after_reading(std::size_t place) const;
     [[nodiscard]] std::vector<cspm::DeclPtr> wrong_definitions() const;
     [[nodiscard]] cspm::ExprPtr class_of_reading(std::size_t place) const;
+    [[nodiscard]] bool is_state(std::size_t place) const { return rules_.is_state(followed_[place].measure); }
+    [[nodiscard]] const LinkedMeasure* channel_of(std::size_t place) const;
+    [[nodiscard]] std::vector<std::string> state_channels() const;
+    [[nodiscard]] cspm::ExprPtr show_states(const std::string& channel, const std::string& process,
+                                            std::vector<cspm::ExprPtr> arguments, std::size_t first, bool follow) const;
+    [[nodiscard]] cspm::ExprPtr any_event(const EventCases& events, const cspm::ExprPtr& then) const;
     [[nodiscard]] cspm::ExprPtr time_event(std::size_t obligation) const;
     [[nodiscard]] cspm::ExprPtr named_events() const;
     [[nodiscard]] std::vector<std::size_t> event_indices() const;

@@ -5,8 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
+#include "base/diagnostics/spelling.hpp"
+#include "claims/checks/resolve_facts.hpp"
+#include "claims/decide/letters.hpp"
 #include "csp_emit/base/types.hpp"
 
 namespace robochart::sleec {
@@ -15,7 +19,7 @@ namespace {
 using csp_emit::EventMeaning;
 using csp_emit::MeaningKind;
 
-void events_of(const DutyPtr& duty, std::set<std::size_t>& events) {
+void events_of(const DutyPtr& duty, std::set<EventCases>& events) {
     if (!duty) return;
     events.insert(duty->event);
     events_of(duty->otherwise, events);
@@ -36,8 +40,18 @@ public:
           instantiation_(instantiation) {}
 
     ComponentLinking link_all() {
-        for (std::size_t i = 0; i < rules_.file->events.size(); ++i) link_event(rules_.event_name(i));
-        for (std::size_t i = 0; i < rules_.file->measures.size(); ++i) link_measure(rules_.measure(i));
+        for (const claims::Component& component : claims::components_of(system_))
+            if (component.path == component_) visible_.component = component;
+        result_.missing_events.resize(rules_.events.size());
+        result_.linking.events.resize(rules_.events.size());
+        for (std::size_t i = 0; i < rules_.file->events.size(); ++i) link_event(i);
+        for (std::size_t i = 0; i < rules_.measures.size(); ++i)
+            if (rules_.is_state(i))
+                link_state(rules_.measure(i));
+            else
+                link_measure(rules_.measure(i));
+        count_facts();
+        result_.exact = visible_.component.machines.size() == 1;
         return std::move(result_);
     }
 
@@ -54,21 +68,140 @@ private:
         return found == emission_.provenance.events.end() ? nullptr : &found->second;
     }
 
-    void link_event(const std::string& name) {
-        const std::string model = model_name(name);
-        std::string why = fmt::format("{} has no event and no operation '{}'", component_, model);
-        std::optional<std::string> channel;
+    void link_event(std::size_t declared) {
+        const std::string model = model_name(rules_.file->events[declared].name.text);
+        const std::vector<std::string>& defined = visible_.component.defined;
+        const bool inside = std::ranges::find(defined, model) != defined.end();
+        std::string why = inside ? fmt::format(
+                                       "the model defines the operation '{}' of {}: its calls are not visible "
+                                       "from outside; write a rule about the calls that it makes",
+                                       model, component_)
+                                 : fmt::format("{} has no event and no operation '{}'", component_, model);
         for (const char* end : {".in", ".out", "Call"}) {
             const EventMeaning* found = find_meaning(model + end);
             if (found == nullptr) continue;
-            if (found->types.empty())
-                channel = component_ + "::" + model + (*end == 'C' ? end : "");
-            else
-                why = fmt::format("'{}' of {} has data, but events of rules have none", model, component_);
+            why = arguments_mismatch(declared, model, found->types);
+            if (why.empty()) return link_cases(declared, component_ + "::" + model + (*end == 'C' ? end : ""), model);
             break;
         }
-        result_.missing_events.push_back(channel ? "" : why);
-        result_.linking.events.push_back(std::move(channel));
+        for (std::size_t i = 0; i < rules_.events.size(); ++i)
+            if (rules_.events[i].declared == declared) result_.missing_events[i] = why;
+    }
+
+    /// The reason why the arguments in the rules do not fit the event; "" if they do.
+    [[nodiscard]] std::string arguments_mismatch(std::size_t declared, const std::string& model,
+                                                 const std::vector<ir::TypeId>& types) const {
+        const std::vector<Argument>& arguments = rules_.arguments[declared];
+        if (arguments.empty()) return "";  // any values
+        if (arguments.size() != types.size())
+            return fmt::format("'{0}' of {1} carries {2} value{3}, and `{4}` has {5}: write `{4}` without arguments",
+                               model, component_, types.size(), types.size() == 1 ? "" : "s",
+                               rules_.file->events[declared].name.text, arguments.size());
+        for (std::size_t i = 0; i < types.size(); ++i) {
+            const ir::Type& type = system_.type(types[i]);
+            const bool fits = arguments[i].kind == ArgumentKind::any ||
+                              (arguments[i].kind == ArgumentKind::truth && type.kind == ir::TypeKind::boolean) ||
+                              (arguments[i].kind == ArgumentKind::number && csp_emit::is_numeric(type)) ||
+                              (arguments[i].kind == ArgumentKind::literal && type.kind == ir::TypeKind::enumeration);
+            if (!fits)
+                return fmt::format("'{}' of {} carries values of the type {}, not `{}`", model, component_, type.name,
+                                   arguments[i].values.front());
+            for (const std::string& value : arguments[i].values)
+                if (type.kind == ir::TypeKind::enumeration &&
+                    std::ranges::find(type.labels, value) == type.labels.end())
+                    return fmt::format("'{}' is no literal of the type {}{}", value, type.name,
+                                       meant_by(value, type.labels));
+        }
+        return "";
+    }
+    static std::string meant_by(const std::string& name, const std::vector<std::string>& names) {
+        const std::string meant = diagnostics::nearest_spelling(name, names);
+        return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
+    }
+
+    /// An event whose values no rule names is its channel. Otherwise each case has its letters.
+    void link_cases(std::size_t declared, const std::string& channel, const std::string& model) {
+        const bool whole = std::ranges::all_of(rules_.arguments[declared],
+                                               [](const Argument& argument) { return argument.values.empty(); });
+        std::map<std::size_t, LinkedEvent> found;
+        std::string why;
+        try {
+            if (!whole)
+                for (const claims::Letter& letter : letters_of(model)) {
+                    const auto event = rules_.case_of(declared, texts_of(letter));
+                    LinkedEvent& linked = found.try_emplace(event.value(), LinkedEvent({}, {})).first->second;
+                    linked.events.insert(linked.events.end(), letter.events.begin(), letter.events.end());
+                    linked.prefixes.insert(linked.prefixes.end(), letter.prefixes.begin(), letter.prefixes.end());
+                }
+        } catch (const claims::NotDecided& error) {
+            why = error.what();
+        }
+        for (std::size_t i = 0; i < rules_.events.size(); ++i) {
+            if (rules_.events[i].declared != declared) continue;
+            result_.missing_events[i] = why;
+            const auto event = found.find(i);
+            const LinkedEvent never({}, {});
+            if (whole)
+                result_.linking.events[i] = LinkedEvent(channel);
+            else if (why.empty())
+                result_.linking.events[i] = event == found.end() ? never : event->second;
+        }
+    }
+
+    /// The events of the script with this name, one for each combination of values.
+    [[nodiscard]] std::vector<claims::Letter> letters_of(const std::string& model) {
+        visible_.remembered.clear();
+        for (std::size_t i = 0; i < visible_.component.channels.size(); ++i)
+            if (visible_.component.channels[i].name == model) visible_.remembered.push_back(i);
+        return claims::letters_of(visible_, system_, instantiation_, {});
+    }
+
+    /// The values of the letter, as texts.
+    [[nodiscard]] std::vector<std::string> texts_of(const claims::Letter& letter) const {
+        const claims::Channel& channel = visible_.component.channels[letter.occurrence.channel];
+        std::vector<std::string> result;
+        for (std::size_t i = 0; i < channel.types.size(); ++i) {
+            const ir::Type& type = system_.type(channel.types[i]);
+            const claims::Fraction& value = letter.occurrence.values[i];
+            if (type.kind == ir::TypeKind::boolean)
+                result.emplace_back(value == claims::Fraction(0) ? "false" : "true");
+            else if (type.kind == ir::TypeKind::enumeration)
+                result.push_back(type.labels[static_cast<std::size_t>(value.numerator())]);
+            else
+                result.push_back(value.is_whole() ? fmt::format("{}", value.numerator()) : "");
+        }
+        return result;
+    }
+
+    /// Finds the state in the machines of the component, as claims do.
+    void link_state(const Measure& measure) {
+        constexpr std::size_t word = 3;  // "in "
+        const diagnostics::SourceManager sources;
+        diagnostics::Diagnostics findings;
+        std::string why;
+        std::optional<LinkedMeasure> linked;
+        try {
+            claims::FactResolver resolver(system_, visible_, sources, findings);
+            const std::size_t fact = resolver.fact_of_state({measure.name.text.substr(word), measure.name.span});
+            linked = show(visible_.facts[fact]);
+        } catch (const claims::ClaimError&) {
+            why = findings.sorted_findings().front().message();
+        }
+        result_.missing_measures.push_back(std::move(why));
+        result_.linking.measures.push_back(std::move(linked));
+    }
+    LinkedMeasure show(const claims::Fact& fact) {
+        std::vector<claims::Fact>& facts = result_.shown[fact.machine];
+        const auto known = std::ranges::find(facts, fact);
+        const auto place = static_cast<std::size_t>(known - facts.begin());
+        if (known == facts.end()) facts.push_back(fact);
+        return {claims::shown_channel(fact.machine), {}, place, 0};
+    }
+    /// When all states are linked, their machines and the number of facts that these show are known.
+    void count_facts() {
+        for (auto& linked : result_.linking.measures)
+            for (const auto& [machine, facts] : result_.shown)
+                if (linked && linked->channel == claims::shown_channel(machine)) linked->facts = facts.size();
     }
 
     void link_measure(const Measure& measure) {
@@ -115,6 +248,7 @@ private:
     std::string component_;
     const ir::System& system_;
     const ir::Instantiation& instantiation_;
+    claims::CheckedClaim visible_;  ///< a claim about the component without a body, for the functions of claims
     ComponentLinking result_;
 };
 
@@ -126,10 +260,15 @@ ComponentLinking link_rules(const CheckedRules& rules, const csp_emit::Emission&
 }
 
 std::string not_applicable(const CheckedRules& rules, std::size_t rule, const ComponentLinking& linking) {
-    std::set<std::size_t> events{rules.rules[rule].trigger};
+    std::set<EventCases> events{rules.rules[rule].trigger};
     events_of(rules.rules[rule].duty, events);
-    for (const std::size_t event : events)
-        if (!linking.missing_events[event].empty()) return linking.missing_events[event];
+    for (const EventCases& cases : events) {
+        for (const std::size_t event : cases)
+            if (!linking.missing_events[event].empty()) return linking.missing_events[event];
+        const bool possible = std::ranges::any_of(
+            cases, [&](std::size_t event) { return !linking.linking.events[event]->events.empty(); });
+        if (!possible) return fmt::format("no value of the instantiation is meant by {}", rules.event_name(cases));
+    }
     for (const std::size_t measure : measures_of(rules.rules[rule]))
         if (!linking.missing_measures[measure].empty()) return linking.missing_measures[measure];
     return "";

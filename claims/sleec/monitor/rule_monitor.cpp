@@ -54,7 +54,7 @@ void RuleMonitor::observe_event(std::size_t event, const MeasureReadings& values
     }
     open_ = std::move(left);
     for (std::size_t i = 0; i < rules_.rules.size(); ++i)
-        if (!rules_.rules[i].assumed && rules_.rules[i].trigger == event) start_rule(i, values);
+        if (!rules_.rules[i].assumed && rules_.rules[i].trigger.contains(event)) start_rule(i, values);
 }
 
 void RuleMonitor::start_rule(std::size_t rule, const MeasureReadings& values) {

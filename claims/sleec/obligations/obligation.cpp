@@ -3,6 +3,7 @@
 #include "claims/sleec/obligations/obligation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace robochart::sleec {
 namespace {
@@ -37,7 +38,7 @@ private:
             const CheckedDefeater* last = nullptr;
             for (const CheckedDefeater& defeater : duty->defeaters) {
                 if (defeater.event)
-                    result_.ended_by.push_back(*defeater.event);
+                    result_.ended_by.insert(result_.ended_by.end(), defeater.event->begin(), defeater.event->end());
                 else if (evaluate_condition(defeater.condition, values_) != 0)
                     last = &defeater;
             }
@@ -67,29 +68,31 @@ bool is_covered(Window window, std::vector<Window> by) {
     return window.begin > window.end;
 }
 
-/// The windows of the demands of one kind for an event.
-std::vector<Window> demand_windows(const Obligation& obligation, bool forbids, std::size_t event) {
+/// The windows in which the obligation demands an event.
+std::vector<Window> demand_windows(const Obligation& obligation, std::size_t event) {
     std::vector<Window> result;
     for (const Demand& demand : obligation.any)
-        if (demand.forbids == forbids && demand.event == event) result.push_back({demand.begin, demand.end});
+        if (!demand.forbids && demand.event.contains(event)) result.push_back({demand.begin, demand.end});
     return result;
 }
 
-/// True if some prohibition in `of` cannot be broken without violating what is assumed. Outside of the assumed windows,
-/// the event would fulfil a positive demand of the same obligation.
-bool some_prohibition_within(const Obligation& of, std::size_t event, const std::vector<Window>& assumed) {
-    std::vector<Window> closed = demand_windows(of, false, event);
-    closed.insert(closed.end(), assumed.begin(), assumed.end());
-    const std::vector<Window> prohibitions = demand_windows(of, true, event);
-    return std::ranges::any_of(prohibitions, [&](Window prohibition) { return is_covered(prohibition, closed); });
+/// True if some prohibition in `of` cannot be broken without violating what is assumed: `assumed`, if there is one,
+/// forbids its events. Outside of the assumed windows, the event would fulfil a positive demand of the same obligation.
+bool some_prohibition_within(const Obligation& of, const Demand* assumed) {
+    return std::ranges::any_of(of.any, [&](const Demand& prohibition) {
+        if (!prohibition.forbids) return false;
+        return std::ranges::all_of(prohibition.event, [&](std::size_t event) {
+            std::vector<Window> closed = demand_windows(of, event);
+            if (assumed != nullptr && assumed->event.contains(event)) closed.push_back({assumed->begin, assumed->end});
+            return is_covered({prohibition.begin, prohibition.end}, std::move(closed));
+        });
+    });
 }
 
 }  // namespace
 
 bool always_fulfilled(const Obligation& obligation) {
-    return std::ranges::any_of(obligation.any, [&](const Demand& demand) {
-        return demand.forbids && some_prohibition_within(obligation, demand.event, {});
-    });
+    return some_prohibition_within(obligation, nullptr);
 }
 
 std::optional<Obligation> obligation_of(const DutyPtr& duty, const Valuation& values, WithoutLimit without) {
@@ -105,14 +108,16 @@ std::optional<Obligation> obligation_of(const CheckedRule& rule, const Valuation
 /// second of W is in a window in which the other demands E. "E does not occur in W" implies the other iff the other
 /// forbids E in a window that is covered by W and the windows in which the other demands E. (Otherwise there is a
 /// history in which the part is true, no demanded event of the other occurs in its window, and each forbidden one
-/// does.)
+/// does.) If several events may fulfil a demand, or are forbidden, this has to be true for each of them.
 bool implies(const Obligation& stronger, const Obligation& weaker) {
     if (always_fulfilled(weaker)) return true;
     for (const std::size_t event : stronger.ended_by)
         if (std::ranges::find(weaker.ended_by, event) == weaker.ended_by.end()) return false;
     return std::ranges::all_of(stronger.any, [&](const Demand& demand) {
-        if (!demand.forbids) return is_covered({demand.begin, demand.end}, demand_windows(weaker, false, demand.event));
-        return some_prohibition_within(weaker, demand.event, {{demand.begin, demand.end}});
+        if (demand.forbids) return some_prohibition_within(weaker, &demand);
+        return std::ranges::all_of(demand.event, [&](std::size_t event) {
+            return is_covered({demand.begin, demand.end}, demand_windows(weaker, event));
+        });
     });
 }
 

@@ -28,7 +28,7 @@ inline constexpr std::int64_t forever = std::numeric_limits<std::int64_t>::max()
 /// The event occurs, or does not occur, at a second from `begin` to `end` after the trigger.
 struct Demand {
     bool forbids = false;
-    std::size_t event = 0;
+    EventCases event;
     std::int64_t begin = 0;
     std::int64_t end = 0;  ///< inclusive
     const Response* written = nullptr;

@@ -32,7 +32,7 @@ Effect take_event(const Obligation& obligation, Progress& progress, std::size_t 
     if (std::ranges::find(obligation.ended_by, event) != obligation.ended_by.end()) return Effect::fulfilled;
     for (std::size_t i = 0; i < obligation.any.size(); ++i) {
         const Demand& demand = obligation.any[i];
-        if (demand.event != event || progress.elapsed < demand.begin || progress.elapsed > demand.end) continue;
+        if (!demand.event.contains(event) || progress.elapsed < demand.begin || progress.elapsed > demand.end) continue;
         if (!demand.forbids) return Effect::fulfilled;
         progress.broken |= 1U << i;
     }
@@ -53,7 +53,8 @@ bool forbids_forever(const Obligation& obligation, const Progress& progress, std
     for (std::size_t i = 0; i < obligation.any.size(); ++i) {
         const Demand& demand = obligation.any[i];
         if (!can_still_hold(demand, i, progress)) continue;
-        if (!demand.forbids || demand.event != event || demand.end != forever || demand.begin > progress.elapsed)
+        if (!demand.forbids || !demand.event.contains(event) || demand.end != forever ||
+            demand.begin > progress.elapsed)
             return false;
     }
     return true;

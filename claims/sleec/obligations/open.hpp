@@ -2,6 +2,8 @@
 // An open obligation, and the effects of events and seconds on it.
 #pragma once
 
+#include <algorithm>
+
 #include "claims/sleec/obligations/obligation.hpp"
 
 namespace robochart::sleec {
@@ -45,7 +47,8 @@ std::vector<const Demand*> due_now(const Obligation& obligation, const Progress&
             continue;
         }
         if (demand.end < progress.elapsed) continue;
-        const bool last = demand.end == progress.elapsed || (demand.end == forever && never_again(demand.event));
+        const bool last =
+            demand.end == progress.elapsed || (demand.end == forever && std::ranges::all_of(demand.event, never_again));
         if (!last) return {};
         if (demand.begin <= progress.elapsed || demand.end == forever) due.push_back(&demand);
     }

@@ -123,6 +123,11 @@ std::vector<std::size_t> measures_of(const CheckedRule& rule) {
     return result;
 }
 
+bool reads_states(const CheckedRules& rules, std::size_t rule) {
+    return std::ranges::any_of(measures_of(rules.rules[rule]),
+                               [&](std::size_t measure) { return rules.is_state(measure); });
+}
+
 std::vector<std::int64_t> constants_of(const CheckedRule& rule, std::size_t measure) {
     Comparisons found;
     found.constants.resize(measure + 1);
@@ -148,7 +153,7 @@ bool compares_measures(const CheckedRule& rule) {
 /// values, so n values are sufficient.
 std::vector<std::vector<std::int64_t>> representative_values(const CheckedRules& rules,
                                                              const std::vector<std::size_t>& rule_numbers) {
-    const std::vector<Measure>& measures = rules.file->measures;
+    const std::vector<Measure>& measures = rules.measures;
     Comparisons found;
     found.constants.resize(measures.size());
     for (const std::size_t rule : rule_numbers)
@@ -176,7 +181,7 @@ std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<st
                                  std::size_t event, WithoutLimit without, diagnostics::Budget* budget) {
     std::vector<std::size_t> triggered, measures;
     for (const std::size_t rule : rule_numbers) {
-        if (rules.rules[rule].trigger != event) continue;
+        if (!rules.rules[rule].trigger.contains(event)) continue;
         triggered.push_back(rule);
         for (const std::size_t measure : measures_of(rules.rules[rule]))
             if (std::ranges::find(measures, measure) == measures.end()) measures.push_back(measure);
@@ -188,7 +193,7 @@ std::vector<Sample> find_samples(const CheckedRules& rules, const std::vector<st
         if (budget != nullptr) budget->poll();
         Sample sample{valuations.current(), {}};
         for (const std::size_t rule : rule_numbers)
-            sample.obligations.push_back(rules.rules[rule].trigger == event
+            sample.obligations.push_back(rules.rules[rule].trigger.contains(event)
                                              ? obligation_of(rules.rules[rule], sample.values, without)
                                              : std::nullopt);
         const bool known =

@@ -28,6 +28,8 @@ struct Sample {
     const CheckedRules& rules, const std::vector<std::size_t>& rule_numbers);
 /// The measures in the conditions of a rule and its defeaters, without duplicates, in textual order.
 [[nodiscard]] std::vector<std::size_t> measures_of(const CheckedRule& rule);
+/// True if a condition of the rule asks for a state of the model.
+[[nodiscard]] bool reads_states(const CheckedRules& rules, std::size_t rule);
 /// The constants that a rule compares a measure with, ascending.
 [[nodiscard]] std::vector<std::int64_t> constants_of(const CheckedRule& rule, std::size_t measure);
 /// True if a condition of the rule compares two measures.

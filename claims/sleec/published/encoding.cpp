@@ -27,7 +27,8 @@ void collect_mentions(const Condition& condition, std::vector<std::size_t>& resu
 
 void events_in(const DutyPtr& duty, std::vector<std::size_t>& events) {
     if (!duty) return;
-    if (std::ranges::find(events, duty->event) == events.end()) events.push_back(duty->event);
+    for (const std::size_t event : duty->event)
+        if (std::ranges::find(events, event) == events.end()) events.push_back(event);
     events_in(duty->otherwise, events);
     for (const CheckedDefeater& defeater : duty->defeaters) events_in(defeater.duty, events);
 }
@@ -52,6 +53,7 @@ ExprKind kind_of(Op op) {
         case Op::truth:
         case Op::number:
         case Op::name:
+        case Op::in_state:
         case Op::negation:
         case Op::add:
         case Op::subtract:
@@ -92,7 +94,8 @@ std::string Encoding::process_name(std::size_t rule) const {
 std::vector<DeclPtr> Encoding::channel_declarations() const {
     Decls result{build::external({"prioritise"}), build::channel({tock, other_tock}),
                  build::function_decl("OneStep", {build::wildcard()}, build::number(0))};
-    for (std::size_t i = 0; i < rules_.file->events.size(); ++i) result.push_back(build::channel({event_name(i)}));
+    for (std::size_t i = 0; i < rules_.events.size(); ++i)
+        if (rules_.events[i].values.empty()) result.push_back(build::channel({event_name(i)}));
     for (std::size_t i = 0; i < rules_.file->measures.size(); ++i) {
         Tree type = build::name("Bool");
         if (rules_.measure(i).type != MeasureType::boolean) {
@@ -119,6 +122,7 @@ Tree Encoding::condition_expression(const Condition& condition) const {
         case Op::number:
             return build::number(condition.value);
         case Op::name:
+        case Op::in_state:
             return build::name("v_" + measure_name(condition.measure));
         case Op::negation:
             return build::logical_not(condition_expression(condition.parts[0]));
@@ -162,7 +166,7 @@ Tree Encoding::trigger_process(const CheckedRule& rule, const std::string& self)
     Tree then = build::skip();
     if (rule.condition)
         then = read_measures({&*rule.condition}, build::if_(condition_expression(*rule.condition), then, again));
-    Exprs choices{build::prefix(build::name(event_name(rule.trigger)), then)};
+    Exprs choices{build::prefix(build::name(event_name(*rule.trigger.begin())), then)};
     std::vector<std::size_t> free;
     events_in(rule.duty, free);
     for (const std::size_t event : free) choices.push_back(build::prefix(build::name(event_name(event)), again));
@@ -179,7 +183,7 @@ Tree Encoding::response_process(const DutyPtr& duty) const {
             throw NotDecided("SLEEC-TK has no 'not' without 'within', or with 'otherwise'");
         return build::call("WAIT", {build::number(*duty->to)});
     }
-    const Tree event = build::prefix(build::name(event_name(duty->event)), build::skip());
+    const Tree event = build::prefix(build::name(event_name(*duty->event.begin())), build::skip());
     if (!duty->otherwise) {
         if (!duty->to) return event;
         return build::call(name("StartBy"), {event, build::number(*duty->to)});
@@ -203,6 +207,13 @@ Tree Encoding::monitoring_process(const CheckedRule& rule) const {
     return read_measures(conditions, decided);
 }
 
+void Encoding::require_published(std::size_t rule) const {
+    for (const std::size_t event : events_of(rule))
+        if (!rules_.events[event].values.empty()) throw NotDecided("SLEEC-TK has no arguments of events");
+    for (const std::size_t measure : measures_of(rules_.rules[rule]))
+        if (rules_.is_state(measure)) throw NotDecided("SLEEC-TK has no states of the model");
+}
+
 std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_t>& rule_numbers) const {
     const auto var = [](const char* text) { return build::name(text); };
     const Tree stop = build::call(name("TimeStops"));
@@ -224,6 +235,7 @@ std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_
                              build::choice({var("P"), build::sequential({build::call("WAIT", {var("d")}), stop})}))};
     for (const std::size_t rule : rule_numbers) {
         const CheckedRule& checked_rule = rules_.rules[rule];
+        require_published(rule);
         const std::string trigger_name = name(fmt::format("Trigger{}", rule));
         const std::string whole = name(fmt::format("Whole{}", rule));
         timed.push_back(build::value(trigger_name, trigger_process(checked_rule, trigger_name)));
@@ -238,7 +250,8 @@ std::vector<DeclPtr> Encoding::process_declarations(const std::vector<std::size_
 // ---------------------------------------------------------------- pairs
 
 std::vector<std::size_t> Encoding::events_of(std::size_t rule) const {
-    std::vector<std::size_t> events{rules_.rules[rule].trigger};
+    const EventCases& trigger = rules_.rules[rule].trigger;
+    std::vector<std::size_t> events(trigger.begin(), trigger.end());
     events_in(rules_.rules[rule].duty, events);
     return events;
 }

@@ -44,6 +44,8 @@ public:
     }
 
 private:
+    /// Throws NotDecided if the rule has an extension that SLEEC-TK has no names for.
+    void require_published(std::size_t rule) const;
     [[nodiscard]] std::string event_name(std::size_t event) const;
     [[nodiscard]] std::string measure_name(std::size_t measure) const;
     [[nodiscard]] std::string name(const std::string& text) const { return text + names_.suffix; }

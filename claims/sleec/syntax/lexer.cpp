@@ -8,8 +8,6 @@
 #include <array>
 #include <string>
 
-#include "base/diagnostics/escape.hpp"
-#include "base/diagnostics/word_lexer.hpp"
 #include "claims/sleec/syntax/rules.hpp"
 
 namespace robochart::sleec {
@@ -27,20 +25,10 @@ constexpr std::array<std::string_view, 26> reserved{
     "otherwise",   "unless",        "true",        "false",    "relation_start",
     "relation_end"};
 
-/// The equivalent of a character of other notations; "" if it is unknown.
-std::string_view meant_by(std::string_view character) {
-    if (character == "&") return "join conditions with `and`";
-    if (character == "|") return "join conditions with `or`";
-    if (character == "!") return "`not` negates a condition, and `<>` tests whether two values differ";
-    if (character == ";") return "definitions and rules need no terminator";
-    if (character == "#" || character == "%") return "a comment begins with `//`";
-    return {};
-}
-
-class Lexer final : public diagnostics::WordLexer<Token> {
+class Lexer final : public words::Lexer {
 public:
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics, bool comments)
-        : WordLexer(text, source, diagnostics, comments, rules::open_comment) {}
+        : words::Lexer(text, source, diagnostics, comments, symbols, rules::findings) {}
 
 private:
     void read_number() override {
@@ -56,15 +44,13 @@ private:
         push_token(Tok::number, begin);
     }
 
-    void read_symbol() override {
-        const std::size_t begin = at_;
-        if (accept_first(symbols) != nullptr) return push_token(Tok::symbol, begin);
-        skip_character();
-        const std::string shown = diagnostics::escape_for_display(text_from(begin));
-        auto& finding = diagnostics().report(rules::bad_character, span_from(begin), {fmt::format("'{}'", shown)});
-        if (const std::string_view advice = meant_by(shown); !advice.empty())
-            finding.notes.push_back({{}, std::string(advice)});
-        if ((shown == "&" || shown == "|") && peek() == shown.front()) ++at_;
+    [[nodiscard]] std::string_view meant_by(std::string_view character) const override {
+        if (character == "&") return "join conditions with `and`";
+        if (character == "|") return "join conditions with `or`";
+        if (character == "!") return "`not` negates a condition, and `<>` tests whether two values differ";
+        if (character == ";") return "definitions and rules need no terminator";
+        if (character == "#" || character == "%") return "a comment begins with `//`";
+        return {};
     }
 };
 
@@ -82,7 +68,7 @@ bool is_reserved(std::string_view word) {
 std::vector<std::string_view> language_words() {
     std::vector<std::string_view> result(reserved.begin(), reserved.end());
     for (const std::string_view word : {"seconds", "minutes", "hours", "days", "eventually", "else", "exists", "while",
-                                        "assume", "after", "at", "least", "map", "to"})
+                                        "assume", "after", "at", "least", "map", "to", "in"})
         result.push_back(word);
     return result;
 }

@@ -113,7 +113,7 @@ ExprPtr Parser::parse_primary() {
     Expr expr;
     if (accept("{")) {
         expr.op = Op::name;
-        expr.text = name("the name of a measure").text;
+        expr.text = simple_name("the name of a measure").text;
         if (!is_at("}")) fail("'}' (braces hold the name of one measure)");
         take_token();
         expr.braced = true;
@@ -136,10 +136,16 @@ ExprPtr Parser::parse_word() {
     if (is_at("true") || is_at("false")) {
         expr.op = Op::truth;
         expr.text = std::string(take_token().text);
+    } else if (is_at("in") && at_name(1) && !measures_.contains("in")) {
+        take_token();
+        expr.op = Op::in_state;
+        expr.text = qualified_name("a state").text;
+        expr.span = span_since(expr.span);
+        report_first_extension(expr.span, "in STATE");
     } else {
         if (is_at("-")) refuse_construct("negative numbers", peek().span);
         expr.op = Op::name;
-        expr.text = name("a condition").text;
+        expr.text = simple_name("a condition").text;
         if (measures_.contains(expr.text)) only_in(Dialect::sleec_tk, expr.span, "a measure without braces");
     }
     return std::make_shared<const Expr>(std::move(expr));

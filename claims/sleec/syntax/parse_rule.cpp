@@ -13,10 +13,10 @@ Rule Parser::parse_rule() {
         report_extension(take_token().span, "assume");
         rule.assumed = true;
     }
-    rule.name = name("the name of a rule or 'rule_end'");
+    rule.name = simple_name("the name of a rule or 'rule_end'");
     if (is_at("when")) return when_rule(std::move(rule));
     if (is_at("after")) return after_rule(std::move(rule));
-    if (at_name() && is_at("at", 1) && is_at("least", 2)) return at_least_rule(std::move(rule));
+    if (at_name() && (is_at("(", 1) || (is_at("at", 1) && is_at("least", 2)))) return at_least_rule(std::move(rule));
     fail("'when'", {"when", "after"});
 }
 
@@ -44,7 +44,7 @@ Rule Parser::at_least_rule(Rule rule) {
     Response response;
     response.negated = true;
     const Span from = peek().span;
-    response.event = name("the name of an event");
+    response.event = parse_event();
     report_extension(expect("at"), "at least");
     expect("least");
     response.limit = std::make_shared<const Limit>(parse_duration(from));
@@ -60,7 +60,8 @@ Rule Parser::at_least_rule(Rule rule) {
 Property Parser::parse_property(bool concern) {
     Property result;
     result.span = peek().span;
-    result.name = name(concern ? "the name of a concern or 'concern_end'" : "the name of a purpose or 'purpose_end'");
+    result.name =
+        simple_name(concern ? "the name of a concern or 'concern_end'" : "the name of a purpose or 'purpose_end'");
     if (accept("exists")) {
         result.exists = true;
         result.trigger = parse_trigger();
@@ -85,9 +86,42 @@ Property Parser::parse_property(bool concern) {
 
 Trigger Parser::parse_trigger() {
     Trigger result;
-    result.event = name("the name of an event");
+    result.event = parse_event();
     if (accept("and")) result.condition = parse_condition();
     return result;
+}
+
+/// `EVENT [(value, ...)]`.
+EventName Parser::parse_event() {
+    EventName result{simple_name("the name of an event"), std::nullopt};
+    const Span from = peek().span;
+    if (!accept("(")) return result;
+    result.arguments.emplace();
+    do result.arguments->push_back(parse_argument());
+    while (accept(","));
+    expect(")");
+    report_first_extension(span_since(from), "arguments of an event");
+    return result;
+}
+
+/// A number, `true`, `false`, a constant, a literal of the model, or `_`.
+ExprPtr Parser::parse_argument() {
+    Expr expr;
+    const Span from = peek().span;
+    const bool negative = accept("-");
+    if (negative || peek().kind == Tok::number) {
+        if (peek().kind != Tok::number) fail("a number");
+        expr.op = Op::number;
+        expr.text = (negative ? "-" : "") + std::string(take_token().text);
+    } else if (is_at("true") || is_at("false")) {
+        expr.op = Op::truth;
+        expr.text = std::string(take_token().text);
+    } else {
+        expr.op = Op::name;
+        expr.text = qualified_name("a value").text;
+    }
+    expr.span = span_since(from);
+    return std::make_shared<const Expr>(std::move(expr));
 }
 
 /// `action [otherwise inner] {unless condition [then inner]}`.
@@ -98,7 +132,10 @@ ResponsePtr Parser::parse_response() {
     while (is_at("unless")) {
         Defeater defeater;
         const Span from = take_token().span;
-        defeater.condition = parse_condition();
+        if (at_name() && is_at("(", 1) && events_.contains(peek().text))
+            defeater.event = parse_event();
+        else
+            defeater.condition = parse_condition();
         if (accept("then")) defeater.response = parse_inner_response();
         defeater.span = span_since(from);
         result.defeaters.push_back(std::move(defeater));
@@ -127,7 +164,7 @@ Response Parser::parse_action() {
     Response result;
     result.span = peek().span;
     result.negated = accept("not");
-    result.event = name("the name of an event");
+    result.event = parse_event();
     if (is_at("eventually")) {
         only_in(Dialect::legos, take_token().span, "'eventually'");
         result.eventually = true;
@@ -195,7 +232,7 @@ ExprPtr Parser::parse_time() {
     } else {
         if (is_at("-")) refuse_construct("negative numbers", peek().span);
         expr.op = Op::name;
-        expr.text = name("a number or a constant").text;
+        expr.text = simple_name("a number or a constant").text;
     }
     return std::make_shared<const Expr>(std::move(expr));
 }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/diagnostics/spelling.hpp"
 #include "claims/sleec/syntax/rules.hpp"
 
 namespace robochart::sleec {
@@ -21,6 +20,7 @@ constexpr std::string_view limit_form = "a limit of time is `within 5 seconds`, 
 constexpr std::string_view exception_form = "an exception is `unless CONDITION then RESPONSE`";
 constexpr std::string_view comment_form = "a comment begins with `//`";
 constexpr std::string_view constant_form = "`constant NAME = 5` defines a constant";
+constexpr std::string_view value_form = "a value of an event is an argument: `goTo(3)`";
 constexpr std::string_view numeric_form = "numbers are `numeric`";
 constexpr std::string_view rule_name = "the name of a rule or 'rule_end'";
 constexpr std::string_view definition = "a definition or 'def_end'";
@@ -39,11 +39,15 @@ constexpr std::array advice{
     Advice{"'when'", "@", rule_form},
     Advice{rule_name, "@ when", "a rule begins with a name: `R1 when ...`"},
     Advice{rule_name, "if @", exception_form},
+    Advice{rule_name, "unless NAME @ (", "`unless NAME(...)` names an event: declare it with `event NAME`"},
     Advice{rule_name, "@ and", "a rule requires one event: write another rule for another event"},
     Advice{rule_name, "@ or", "a rule requires one event: write another rule for another event"},
     Advice{"'then'", "@ or",
            "a rule begins with one event: write another rule for another event; join conditions with `and` and `or` "
            "after it"},
+    Advice{"'then'", "when NAME @ >", value_form},
+    Advice{"'then'", "when NAME @ <", value_form},
+    Advice{"'then'", "when NAME @ =", value_form},
     Advice{"'then'", "@", rule_form},
     Advice{"", "within NUMBER @", limit_form},
     Advice{"", "measure NAME : @ bool", "truth values are `boolean`"},
@@ -55,6 +59,7 @@ constexpr std::array advice{
     Advice{"')'", "NAME @ NAME", "separate levels with commas: `scale(low, high)`"},
     Advice{"'='", "constant NAME @", constant_form},
     Advice{definition, "@ const", constant_form},
+    Advice{definition, "event NAME @ (", "an event is declared by its name; rules give its arguments: `goTo(1)`"},
     Advice{definition, "event NAME @ ,", "define each event separately: `event NAME`"},
     Advice{definition, "@ - -", comment_form},
     Advice{definition, "NAME @ -", "names consist of letters, digits and `_`"},
@@ -64,90 +69,17 @@ constexpr std::array advice{
            "follows"},
 };
 
-std::string found_text(const Token& token) {
-    if (token.kind == Tok::end) return "the end of the text";
-    return fmt::format("'{}'", token.text.substr(0, 40));
-}
-
 }  // namespace
+
+Parser::Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
+    : Cursor(std::move(tokens), diagnostics, rules::findings, advice, max_depth) {}
 
 std::span<const diagnostics::Advice> syntax_advice() {
     return advice;
 }
 
-diagnostics::AdviceWord Parser::advice_word(std::ptrdiff_t ahead) const {
-    using enum diagnostics::WordKind;
-    const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(at_) + ahead;
-    if (place < 0 || place >= std::ssize(tokens_)) return {end, {}};
-    const Token& token = tokens_[static_cast<std::size_t>(place)];
-    if (token.kind == Tok::end) return {end, {}};
-    if (token.kind == Tok::number) return {number, token.text};
-    return {token.kind == Tok::word && !is_reserved(token.text) ? name : other, token.text};
-}
-
-void Parser::enter_level() {
-    if (depth_ >= max_depth) {
-        diagnostics_.report(rules::too_deep, peek().span, {fmt::format("{}", max_depth)});
-        throw SyntaxError{};
-    }
-    ++depth_;
-}
-
-const Token& Parser::peek(std::size_t ahead) const {
-    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
-}
-
-bool Parser::is_at(std::string_view text, std::size_t ahead) const {
-    return peek(ahead).text == text && peek(ahead).kind != Tok::end;
-}
-
-bool Parser::at_name(std::size_t ahead) const {
-    return peek(ahead).kind == Tok::word && !is_reserved(peek(ahead).text);
-}
-
-const Token& Parser::take_token() {
-    const Token& token = peek();
-    if (at_ + 1 < tokens_.size()) ++at_;
-    return token;
-}
-
-bool Parser::accept(std::string_view text) {
-    if (!is_at(text)) return false;
-    take_token();
-    return true;
-}
-
-Span Parser::expect(std::string_view text) {
-    if (!is_at(text)) fail(fmt::format("'{}'", text), {std::string(text)});
-    return take_token().span;
-}
-
-Name Parser::name(std::string_view what) {
-    if (!at_name()) fail(what);
-    const Token& token = take_token();
-    return {std::string(token.text), token.span};
-}
-
-Span Parser::span_since(Span from) const {
-    return diagnostics::join_spans(from, tokens_[at_ == 0 ? 0 : at_ - 1].span);
-}
-
-void Parser::fail(std::string_view expected, const Words& words) {
-    const Token& token = peek();
-    auto& finding =
-        diagnostics_.report(rules::unexpected_token, token.span, {std::string(expected), found_text(token)});
-    const std::string written(token.text);
-    const std::string meant = token.kind == Tok::word ? diagnostics::nearest_spelling(written, words) : "";
-    if (!meant.empty() && meant != written)
-        finding.fixes.push_back(
-            {token.span, meant, diagnostics::suggestion_verb(diagnostics::is_certain(written, meant, words))});
-    const std::string_view form =
-        diagnostics::advice_on(advice, expected, [this](std::ptrdiff_t ahead) { return advice_word(ahead); });
-    if (!form.empty())
-        finding.notes.push_back({{}, std::string(form)});
-    else if (words.empty() && token.kind == Tok::word && is_reserved(token.text))
-        finding.notes.push_back({{}, fmt::format("'{}' is a word of the language and cannot be a name", token.text)});
-    throw SyntaxError{};
+words::WordUse Parser::use_of(std::string_view word) const {
+    return is_reserved(word) ? words::WordUse::reserved : words::WordUse::name;
 }
 
 void Parser::refuse_construct(std::string_view what, Span span) {
@@ -157,6 +89,11 @@ void Parser::refuse_construct(std::string_view what, Span span) {
 
 void Parser::report_extension(Span span, std::string_view what) {
     diagnostics_.report(rules::extension, span, {std::string(what)});
+}
+
+/// Many rules of a file name values and states.
+void Parser::report_first_extension(Span span, const std::string& what) {
+    if (reported_.insert(what).second) report_extension(span, what);
 }
 
 /// True at the beginning of a definition or rule, or at the end of a block.
@@ -224,7 +161,11 @@ RuleFile Parser::parse_file() {
 }
 
 void Parser::parse_definition(RuleFile& file) {
-    if (accept("event")) return file.events.push_back({name("the name of an event")});
+    if (accept("event")) {
+        file.events.push_back({simple_name("the name of an event")});
+        events_.insert(file.events.back().name.text);
+        return;
+    }
     if (is_at("measure")) {
         file.measures.push_back(parse_measure());
         measures_.insert(file.measures.back().name.text);
@@ -239,7 +180,7 @@ void Parser::parse_definition(RuleFile& file) {
 Measure Parser::parse_measure() {
     Measure result;
     expect("measure");
-    result.name = name("the name of a measure");
+    result.name = simple_name("the name of a measure");
     expect(":");
     if (accept("boolean")) return result;
     if (accept("numeric")) {
@@ -249,7 +190,7 @@ Measure Parser::parse_measure() {
     if (!accept("scale")) fail("'boolean', 'numeric' or 'scale'", {"boolean", "numeric", "scale"});
     result.type = MeasureType::scale;
     expect("(");
-    do result.literals.push_back(name("a value of the scale"));
+    do result.literals.push_back(simple_name("a value of the scale"));
     while (accept(","));
     expect(")");
     return result;
@@ -259,7 +200,7 @@ Measure Parser::parse_measure() {
 Constant Parser::parse_constant() {
     Constant result;
     expect("constant");
-    result.name = name("the name of a constant");
+    result.name = simple_name("the name of a constant");
     expect("=");
     result.value = parse_time();
     return result;
@@ -269,15 +210,9 @@ Constant Parser::parse_constant() {
 Mapping Parser::parse_mapping() {
     Mapping result;
     const Span from = expect("map");
-    result.name = name("the name of an event or a measure");
+    result.name = simple_name("the name of an event or a measure");
     expect("to");
-    const Token& first = peek();
-    result.element = name("an element of the model");
-    while (accept("::")) {
-        const Name next = name("an element of the model");
-        result.element.text += "::" + next.text;
-    }
-    result.element.span = span_since(first.span);
+    result.element = qualified_name("an element of the model");
     report_extension(span_since(from), "map");
     return result;
 }

@@ -11,8 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/advice/advice.hpp"
-#include "base/diagnostics/diagnostic.hpp"
+#include "base/words/cursor.hpp"
 #include "claims/sleec/syntax/lexer.hpp"
 #include "claims/sleec/syntax/syntax.hpp"
 
@@ -22,56 +21,30 @@ namespace robochart::sleec {
 [[nodiscard]] std::span<const diagnostics::Advice> syntax_advice();
 
 /// Parses tokens. After a mistake, it reports one finding and continues at the next rule or definition.
-class Parser {
+class Parser : private words::Cursor {
 public:
     /// The deepest recursion while parsing.
     static constexpr unsigned max_depth = 400;
 
-    Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics)
-        : tokens_(std::move(tokens)), diagnostics_(diagnostics) {}
+    Parser(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics);
 
     [[nodiscard]] RuleFile parse_file();
 
 private:
-    struct SyntaxError {};
-    using Words = std::vector<std::string>;
-    /// Counts the levels of recursion while it exists.
-    class Depth {
-    public:
-        explicit Depth(Parser& parser) : parser_(parser) { parser.enter_level(); }
-        ~Depth() { --parser_.depth_; }
-        Depth(const Depth&) = delete;
-        Depth& operator=(const Depth&) = delete;
-
-    private:
-        Parser& parser_;
-    };
     /// A construct of only one dialect.
     struct Feature {
         Dialect dialect;
         Span span;
         std::string what;
     };
-    void enter_level();
-
     // tokens
-    [[nodiscard]] const Token& peek(std::size_t ahead = 0) const;
-    [[nodiscard]] bool is_at(std::string_view text, std::size_t ahead = 0) const;
-    [[nodiscard]] bool at_name(std::size_t ahead = 0) const;
-    [[nodiscard]] bool at_end() const { return peek().kind == Tok::end; }
-    const Token& take_token();
-    bool accept(std::string_view text);
-    Span expect(std::string_view text);
-    Name name(std::string_view what);
-    [[nodiscard]] Span span_since(Span from) const;
-    /// `words`: the words that are allowed here; the nearest is suggested.
-    [[nodiscard]] diagnostics::AdviceWord advice_word(std::ptrdiff_t ahead) const;
-    [[noreturn]] void fail(std::string_view expected, const Words& words = {});
+    [[nodiscard]] words::WordUse use_of(std::string_view word) const override;
     [[noreturn]] void refuse_construct(std::string_view what, Span span);
     void only_in(Dialect dialect, Span span, std::string_view what) {
         features_.push_back({dialect, span, std::string(what)});
     }
     void report_extension(Span span, std::string_view what);
+    void report_first_extension(Span span, const std::string& what);
     template <class Piece>
     bool parse_guarded(const Piece& piece);
     [[nodiscard]] bool at_item() const;
@@ -91,6 +64,8 @@ private:
     Rule at_least_rule(Rule rule);
     Property parse_property(bool concern);
     Trigger parse_trigger();
+    EventName parse_event();
+    ExprPtr parse_argument();
     ResponsePtr parse_response();        ///< including its defeaters
     ResponsePtr parse_inner_response();  ///< without defeaters, unless it is in braces
     Response parse_action();
@@ -113,12 +88,9 @@ private:
 
     void decide_dialect(RuleFile& file);
 
-    std::vector<Token> tokens_;
-    diagnostics::Diagnostics& diagnostics_;
-    std::set<std::string, std::less<>> measures_;
+    std::set<std::string, std::less<>> events_, measures_;
+    std::set<std::string> reported_;  ///< extensions of which only the first is reported
     std::vector<Feature> features_;
-    std::size_t at_ = 0;
-    unsigned depth_ = 0;
 };
 
 }  // namespace robochart::sleec

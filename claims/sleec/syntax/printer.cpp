@@ -43,13 +43,13 @@ std::string limit_text(const Limit& limit) {
 }
 
 std::string trigger_text(const Trigger& trigger) {
-    if (!trigger.condition) return trigger.event.text;
-    return fmt::format("{} and {}", trigger.event.text, print(trigger.condition));
+    if (!trigger.condition) return print(trigger.event);
+    return fmt::format("{} and {}", print(trigger.event), print(trigger.condition));
 }
 
 std::string action_text(const Response& response) {
     std::string text = response.negated ? "not " : "";
-    text += response.event.text;
+    text += print(response.event);
     if (response.eventually) text += " eventually";
     if (response.limit) text += " within " + limit_text(*response.limit);
     return text;
@@ -57,7 +57,15 @@ std::string action_text(const Response& response) {
 
 }  // namespace
 
+std::string print(const EventName& event) {
+    if (!event.arguments) return event.text;
+    std::string arguments;
+    for (const ExprPtr& argument : *event.arguments) arguments += (arguments.empty() ? "" : ", ") + argument->text;
+    return fmt::format("{}({})", event.text, arguments);
+}
+
 std::string print(const ExprPtr& expr) {
+    if (expr->op == Op::in_state) return "in " + expr->text;
     if (expr->op == Op::name && expr->braced) return fmt::format("{{{}}}", expr->text);
     if (expr->parts.empty()) return expr->text;
     const Expr& first = *expr->parts[0];
@@ -73,7 +81,7 @@ std::string print(const ResponsePtr& response) {
     if (response->otherwise)
         text += fmt::format(" {} {}", response->written_else ? "else" : "otherwise", print(response->otherwise));
     for (const Defeater& defeater : response->defeaters) {
-        text += " unless " + print(defeater.condition);
+        text += " unless " + (defeater.event ? print(*defeater.event) : print(defeater.condition));
         if (defeater.response) text += " then " + print(defeater.response);
     }
     return text + (response->braced ? "}" : "");
@@ -81,7 +89,7 @@ std::string print(const ResponsePtr& response) {
 
 std::string print(const Rule& rule) {
     if (rule.form == RuleForm::at_least)
-        return fmt::format("{} at least {} after {}", rule.response->event.text, limit_text(*rule.response->limit),
+        return fmt::format("{} at least {} after {}", print(rule.response->event), limit_text(*rule.response->limit),
                            trigger_text(rule.trigger));
     const bool after = rule.form == RuleForm::after;
     return fmt::format("{} {}{} {}", after ? "after" : "when", trigger_text(rule.trigger), after ? "," : " then",

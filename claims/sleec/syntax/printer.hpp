@@ -10,6 +10,8 @@ namespace robochart::sleec {
 
 /// A rule on one line, without its name.
 [[nodiscard]] std::string print(const Rule& rule);
+/// An event with its arguments.
+[[nodiscard]] std::string print(const EventName& event);
 /// A condition; if it contains both `and` and `or`, parentheses show their order.
 [[nodiscard]] std::string print(const ExprPtr& expr);
 /// A response on one line.

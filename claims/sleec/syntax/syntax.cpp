@@ -11,8 +11,8 @@ const char* dialect_name(Dialect dialect) {
 }
 
 const char* symbol_of(Op op) {
-    constexpr std::array<const char*, 15> symbols{
-        "", "", "", "or", "and", "not", "<", "<=", ">", ">=", "=", "<>", "+", "-", "*"};
+    constexpr std::array<const char*, 16> symbols{"",   "",  "",   "",  "or", "and", "not", "<",
+                                                  "<=", ">", ">=", "=", "<>", "+",   "-",   "*"};
     return symbols[static_cast<std::size_t>(op)];
 }
 

@@ -5,19 +5,24 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "base/diagnostics/source.hpp"
+#include "base/words/words.hpp"
 
 namespace robochart::sleec {
 
 using diagnostics::Span;
 
-/// An identifier with its place.
-struct Name {
-    std::string text;
-    Span span;
+using words::Name;
+
+struct Expr;
+using ExprPtr = std::shared_ptr<const Expr>;
+
+/// An event in a rule. Extension: with arguments, `goTo(1)`; `_` is any value.
+struct EventName : Name {
+    std::optional<std::vector<ExprPtr>> arguments;  ///< no value: no parentheses; numbers and names
 };
 
 /// The tool that defines a dialect: SLEEC-TK (with a tock-CSP semantics), or LEGOS.
@@ -27,9 +32,10 @@ enum class Dialect : std::uint8_t { sleec_tk, legos };
 
 /// The kind of an expression. `Expr::parts` contains its operands in textual order.
 enum class Op : std::uint8_t {
-    truth,   ///< text: "true" or "false"
-    number,  ///< text: digits
-    name,    ///< text: a measure, a constant, a literal of a scale, or, alone after `unless`, an event
+    truth,     ///< text: "true" or "false"
+    number,    ///< text: digits
+    name,      ///< text: a measure, a constant, a literal of a scale, or, alone after `unless`, an event
+    in_state,  ///< extension: `in STATE`; text: the path of the state, possibly with its machine
     disjunction,
     conjunction,
     negation,
@@ -47,9 +53,6 @@ enum class Op : std::uint8_t {
 [[nodiscard]] const char* symbol_of(Op op);
 /// <, <=, >, >=, =, <>.
 [[nodiscard]] bool is_comparison(Op op);
-
-struct Expr;
-using ExprPtr = std::shared_ptr<const Expr>;
 
 /// A condition or a value.
 struct Expr {
@@ -79,17 +82,18 @@ struct Limit {
 struct Response;
 using ResponsePtr = std::shared_ptr<const Response>;
 
-/// `unless condition [then response]`.
+/// `unless condition [then response]`. Extension: `unless EVENT`.
 struct Defeater {
-    ExprPtr condition;
-    ResponsePtr response;  ///< null: no duty is left
+    ExprPtr condition;               ///< null if `event` has a value
+    std::optional<EventName> event;  ///< an event with arguments; a single name is a condition until it is resolved
+    ResponsePtr response;            ///< null: no duty is left
     Span span;
 };
 
 /// `[not] EVENT [eventually | within ...] [otherwise response] {unless ...}`.
 struct Response {
     bool negated = false;
-    Name event;
+    EventName event;
     std::shared_ptr<const Limit> limit;  ///< null: none
     bool eventually = false;             ///< the keyword is written (LEGOS)
     ResponsePtr otherwise;               ///< null: none
@@ -101,7 +105,7 @@ struct Response {
 
 /// `EVENT [and condition]`.
 struct Trigger {
-    Name event;
+    EventName event;
     ExprPtr condition;  ///< null: none
 };
 

@@ -79,7 +79,7 @@ private:
     void add_condition_words() {
         add_measures();
         add_constants();
-        add_words({"not", "true", "false"});
+        add_words({"not", "true", "false", "in"});
     }
     void add_units() { add_words({"seconds", "minutes", "hours", "days"}); }
 

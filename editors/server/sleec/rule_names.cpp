@@ -82,7 +82,8 @@ public:
         if (response->event.text == name_ || mentioned_in(response->otherwise)) return true;
         if (response->limit && (mentioned_in(response->limit->from) || mentioned_in(response->limit->to))) return true;
         return std::ranges::any_of(response->defeaters, [&](const sleec::Defeater& defeater) {
-            return mentioned_in(defeater.condition) || mentioned_in(defeater.response);
+            return (defeater.event && defeater.event->text == name_) || mentioned_in(defeater.condition) ||
+                   mentioned_in(defeater.response);
         });
     }
 
@@ -119,6 +120,8 @@ constexpr std::array meanings = {
                 "SLEEC-TK nor LEGOS reads it."},
     WordMeaning{"scale", "`measure m : scale(low, mid, high)`: values in order, least first."},
     WordMeaning{"numeric", "A measure that is a whole number."},
+    WordMeaning{
+        "in", "`in STATE`: the model is in this state when the rule begins, as in claims. An extension of this tool."},
     WordMeaning{"boolean", "A measure that is true or false."},
 };
 

@@ -212,6 +212,140 @@ TEST(RulesOfModels, AsRecorded) {
     EXPECT_EQ(almi["Rule4"], "fails");
 }
 
+/// The same duty as a rule and as a claim.
+struct SameDuty {
+    const char* rule;
+    const char* claim;
+    const char* verdict;  ///< of the rule; the claim fails if it is "broken", and holds otherwise
+};
+
+struct SameModel {
+    const char* folder;
+    std::vector<std::string> files;
+    const char* component;  ///< "": the claims have only one
+    std::vector<const char*> events;
+    std::vector<SameDuty> duties;
+};
+
+/// Verdicts of shared/suite/claims, EXPECTED.md, and of shared/suite/sleec, conformance.tsv; those about values and
+/// states follow from the transitions of the models.
+const std::vector<SameModel>& same_models() {
+    static const std::vector<SameModel> models{
+        {"claims/warehouse",
+         {"warehouse.rct"},
+         "",
+         {"estop", "brake", "obstacle", "halt", "reverse", "dock", "batteryLow", "goTo"},
+         {{"when estop then brake within 0 seconds", "estop leads to brake within 0 units", "obeyed"},
+          {"when obstacle then not reverse within 30 seconds", "for 30 units after obstacle, never reverse", "broken"},
+          {"when obstacle then not reverse within 29 seconds", "for 29 units after obstacle, never reverse", "obeyed"},
+          {"reverse at least 30 seconds after obstacle", "reverse at least 30 units after obstacle", "obeyed"},
+          {"reverse at least 31 seconds after obstacle", "reverse at least 31 units after obstacle", "broken"},
+          {"when obstacle then reverse", "obstacle leads to reverse", "broken"},
+          {"when obstacle then halt", "obstacle leads to halt", "obeyed"},
+          {"when goTo(1) then not goTo(3) within 0 seconds", "for 0 units after goTo(1), never goTo(3)", "broken"},
+          {"when goTo then not goTo(4) within 9 seconds", "for 9 units after goTo, never goTo(4)", "obeyed"},
+          {"when goTo(1) then goTo(2) within 0 seconds", "goTo(1) leads to goTo(2) within 0 units", "broken"},
+          {"when batteryLow then goTo(_) within 5 seconds", "batteryLow leads to goTo within 5 units", "broken"},
+          {"when batteryLow and in Emergency then brake within 0 seconds",
+           "while in Emergency, batteryLow leads to brake within 0 units", "obeyed"},
+          {"when batteryLow then brake within 0 seconds unless in Operating",
+           "while not in Operating, batteryLow leads to brake within 0 units", "obeyed"},
+          {"when batteryLow then brake within 0 seconds unless in Operating::Patrolling::Held",
+           "while not in Operating::Patrolling::Held, batteryLow leads to brake within 0 units", "broken"},
+          {"when obstacle and in Operating::Patrolling::Held then not halt within 9 seconds",
+           "while in Operating::Patrolling::Held, never obstacle", "never asked"}}},
+        {"claims/rover",
+         {"robot.rct", "wander.rct"},
+         "",
+         {"forward", "stop", "halt", "turn"},
+         {{"when stop then halt within 1 seconds", "stop leads to halt within 1 units", "obeyed"},
+          {"forward at least 4 seconds after turn", "forward at least 4 units after turn", "broken"},
+          {"when turn(_) then not forward within 3 seconds unless halt",
+           "forward at least 4 units after turn unless halt", "obeyed"}}},
+        {"claims/ends",
+         {"ends.rct"},
+         "ends::Ends",
+         {"estop", "brake"},
+         {{"when estop then not brake within 5 seconds", "for 5 units after estop, never brake", "obeyed"},
+          {"when estop then brake within 1 seconds", "estop leads to brake within 1 units", "broken"}}},
+        {"sleec/FireFighter/robochart",
+         {"main.rct", "jss_running_example-conformance.assertions"},
+         "",
+         {"CameraStart", "SoundAlarm", "GoHome"},
+         {{"when SoundAlarm then not GoHome within 300 seconds", "for 300 units after SoundAlarm, never GoHome",
+           "broken"},
+          {"when CameraStart then SoundAlarm within 2 seconds", "CameraStart leads to SoundAlarm within 2 units",
+           "broken"}}},
+        {"sleec/ALMI-project",
+         {"main.rct", "system.rct", "verification.assertions"},
+         "",
+         {"StartLunchTime", "InformUser", "DetectUserFallen", "CallSupport"},
+         {{"when StartLunchTime then InformUser within 5 seconds", "StartLunchTime leads to InformUser within 5 units",
+           "never asked"},
+          {"when DetectUserFallen then not CallSupport within 180 seconds",
+           "for 180 units after DetectUserFallen, never CallSupport", "broken"}}}};
+    return models;
+}
+
+TEST(RulesOfModels, SayWhatTheSameClaimsSay) {
+    if (tests::shared_folder().empty()) GTEST_SKIP() << "no shared/suite";
+    for (const SameModel& model : same_models()) {
+        std::string rules = "def_start", claims;
+        for (const char* event : model.events) rules += std::string(" event ") + event;
+        rules += " def_end rule_start\n";
+        std::vector<std::string> check{"check", "", "-q"};
+        for (std::size_t i = 0; i < model.duties.size(); ++i) {
+            const std::string name = "D" + std::to_string(i);
+            const std::string of = *model.component == '\0' ? "" : std::string(" of ") + model.component;
+            rules += name + " " + model.duties[i].rule + "\n";
+            claims += "claim " + name + of + " : " + model.duties[i].claim + "\n";
+            check.insert(check.end(), {"--assertion", name});
+        }
+        std::vector<std::pair<std::string, std::string>> copied{{"d.sleec", rules + "rule_end\n"},
+                                                                {"d.claims", claims}};
+        for (const std::string& file : model.files)
+            copied.emplace_back(file, tests::read_contents(tests::shared_folder() / "suite" / model.folder / file));
+        const Folder folder(copied);
+        check[1] = folder / ".";
+        const Ran decided = run(check);
+        const Ran obeyed = run({"rules", folder / "d.sleec", folder / ".", "--format", "json"});
+        const json found = json::parse(obeyed.out, nullptr, false);
+        ASSERT_FALSE(found.is_discarded()) << model.folder << obeyed.err;
+        for (std::size_t i = 0; i < model.duties.size(); ++i) {
+            SCOPED_TRACE(std::string(model.folder) + ": " + model.duties[i].rule);
+            const std::string name = "D" + std::to_string(i), verdict = model.duties[i].verdict;
+            const bool fails = decided.out.find("  FAILS        " + name + " [") != std::string::npos;
+            EXPECT_EQ(fails, verdict == "broken") << decided.out << decided.err;
+            const auto entry = std::ranges::find_if(found["verdicts"], [&](const json& one) {
+                return one["rule"] == name && (*model.component == '\0' || one["component"] == model.component);
+            });
+            ASSERT_NE(entry, found["verdicts"].end());
+            EXPECT_EQ((*entry)["verdict"], verdict);
+        }
+        EXPECT_LE(decided.exit, 1) << decided.err;
+    }
+}
+
+TEST(RulesOfModels, ThatNameWhatTheModelLacksAreNotApplicable) {
+    const auto answer_to = [](const std::string& rule) {
+        const Folder folder(
+            {{"m.rct",
+              "stm M { event go : nat event halt initial i state A { } state B { }\n"
+              "transition t { from i to A } transition u { from A to B trigger go ? x action halt }\n"
+              "var x : nat }\n"},
+             {"m.sleec", "def_start event go event halt def_end rule_start\nR " + rule + "\nrule_end\n"}});
+        return run({"rules", folder / "m.sleec", folder / "m.rct"}).out;
+    };
+    EXPECT_THAT(answer_to("when go(1) and in A then halt within 0 seconds"), HasSubstr("R by M: obeyed"));
+    EXPECT_THAT(answer_to("when go and in B then halt within 0 seconds"), HasSubstr("R by M: never asked"));
+    EXPECT_THAT(answer_to("when go(99) then halt"),
+                HasSubstr("R by M: not applicable: no value of the instantiation is meant by go(99)"));
+    EXPECT_THAT(answer_to("when go(true) then halt"),
+                HasSubstr("R by M: not applicable: 'go' of M carries values of the type nat, not `"));
+    EXPECT_THAT(answer_to("when go(1, 2) then halt"), HasSubstr("write `go` without arguments"));
+    EXPECT_THAT(answer_to("when go and in Aa then halt"), HasSubstr("no state `Aa` of M; did you mean `A`?"));
+}
+
 // ---------------------------------------------------------------- as assertions
 
 const std::string bell_rules =
@@ -283,6 +417,11 @@ TEST(RulesOfLogs, AreObeyedOrBroken) {
     EXPECT_THAT(open.out, HasSubstr("R begins while a measure that decides what it asks for is not read"));
     EXPECT_EQ(logged("robochart-trace 1\ncomponent Bell\nunobserved open!\nrun a\nRing? tock\ntock\n", rule).exit, 3);
     EXPECT_EQ(logged("robochart-trace 2\nrun a\n", rule).exit, 2);
+    const std::string values = "R when Ring(1) then OpenDoor(_) within 0 seconds";
+    EXPECT_EQ(logged(log_head + "Ring?1 tock\n", values).exit, 1);
+    EXPECT_EQ(logged(log_head + "Ring?1 open!7 tock\nRing?2 tock\n", values).exit, 0);
+    EXPECT_EQ(logged(log_head + "Ring? tock\n", values).exit, 3) << "the values are unknown";
+    EXPECT_EQ(logged(log_head + "Ring? tock\n", "R when Ring and in A then OpenDoor within 0 seconds").exit, 3);
 }
 
 const std::string scenario = "corpus/aggregation/aggregation.scenario";

@@ -44,6 +44,34 @@ TEST(SleecConflicts, WindowsMeetOrNot) {
     EXPECT_EQ(conflicts("A when Go then Stop\nB when Halt then not Stop"), "A-B") << "never again";
 }
 
+/// `_` is each value; two different values are different events.
+TEST(SleecConflicts, OfArguments) {
+    const std::string one = "A when Go(1) then Stop(1) within 5 seconds\n";
+    EXPECT_EQ(conflicts(one + "B when Halt then not Stop(2) within 9 seconds"), "");
+    EXPECT_EQ(conflicts(one + "B when Halt then not Stop(_) within 9 seconds"), "A-B");
+    EXPECT_EQ(conflicts(one + "B when Halt then not Stop(1) within 9 seconds"), "A-B");
+    const std::string any = "A when Go then Stop(_) within 5 seconds\n";
+    EXPECT_EQ(conflicts(any + "B when Halt then not Stop(1) within 9 seconds"), "") << "another value";
+    EXPECT_EQ(conflicts(any + "B when Halt then not Stop(_) within 9 seconds"), "A-B");
+    EXPECT_EQ(conflicts("A when Go then Stop(_) within 5 seconds\nB when Halt then not Stop(true) within 9 seconds\n"
+                        "C when Alarm then not Stop(false) within 9 seconds"),
+              "A-B-C")
+        << "there is no third truth value";
+}
+
+TEST(SleecConflicts, ArgumentsMakeRulesRedundant) {
+    const auto redundant = [](const std::string& weak, const std::string& strong) {
+        const CheckedRules rules = rules_of("A " + weak + "\nB " + strong);
+        return is_redundant(rules, 0, 1, {});
+    };
+    EXPECT_TRUE(redundant("when Go(1) then Stop within 5 seconds", "when Go(_) then Stop within 5 seconds"));
+    EXPECT_FALSE(redundant("when Go(_) then Stop within 5 seconds", "when Go(1) then Stop within 5 seconds"));
+    EXPECT_TRUE(redundant("when Go then Stop(_) within 5 seconds", "when Go then Stop(1) within 5 seconds"));
+    EXPECT_FALSE(redundant("when Go then Stop(1) within 5 seconds", "when Go then Stop(_) within 5 seconds"));
+    EXPECT_TRUE(redundant("when Go then not Stop(1) within 5 seconds", "when Go then not Stop(_) within 5 seconds"));
+    EXPECT_FALSE(redundant("when Go then not Stop(_) within 5 seconds", "when Go then not Stop(1) within 5 seconds"));
+}
+
 /// The correct verdicts for fault 1 of SLEEC-TK, `>=` on a scale.
 TEST(SleecConflicts, OfScales) {
     const std::string stop = "A1 when Go and load >= mid then Stop within 2 seconds\n";

@@ -25,6 +25,59 @@ TEST(SleecCheck, FollowsNames) {
     EXPECT_EQ(read.checked_too().diagnostics.sorted_findings().front().fixes.at(0).replacement, "Stop");
 }
 
+TEST(SleecCheck, DividesEventsByTheirArguments) {
+    Read read(
+        with_definitions("R1 when Go(1) then Stop(red, true)\nR2 when Go(MAX) then not Stop(_, false)\n"
+                         "R3 when Go(_) then Halt unless Stop(_, _)"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    const CheckedRules& rules = *read.checked;
+    std::string text;
+    for (const EventCase& event : rules.events) text += event.text + " ";
+    EXPECT_EQ(text,
+              "Go(1) Go(5) Go(other) Stop(red, false) Stop(red, true) Stop(other, false) Stop(other, true) Halt Alarm "
+              "Help ");
+    EXPECT_EQ(rules.event_name(rules.rules[0].trigger), "Go(1)");
+    EXPECT_EQ(rules.event_name(rules.rules[1].duty->event), "Stop(_, false)");
+    EXPECT_EQ(rules.event_name(rules.rules[2].trigger), "Go(_)");
+    EXPECT_EQ(rules.event_name(rules.rules[2].duty->defeaters[0].event.value()), "Stop(_, _)");
+    EXPECT_EQ(rules.case_of(0, {"5"}), 1U);
+    EXPECT_EQ(rules.case_of(0, {"7"}), 2U);
+    EXPECT_EQ(rules.case_of(0, {}), std::nullopt);
+    EXPECT_EQ(rules.case_of(1, {"blue", "true"}), 6U);
+}
+
+TEST(SleecCheck, ReadsAnEventWithoutArgumentsAsAllOfThem) {
+    Read read(with_definitions("R1 when Go(1) then Stop\nR2 when Go then Halt unless Go"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    const std::vector<CheckedRule>& rules = read.checked->rules;
+    EXPECT_EQ(rules[0].trigger, EventCases(0));
+    EXPECT_EQ(rules[1].trigger, EventCases({0, 1}));
+    EXPECT_EQ(rules[1].duty->defeaters[0].event, EventCases({0, 1}));
+}
+
+TEST(SleecCheck, RefusesWrongArguments) {
+    EXPECT_EQ(findings("R when Go(1) then Stop\nS when Go(1, _) then Stop"), "SLEEC-P09:7 SLEEC-T09:8");
+    EXPECT_EQ(findings("R when Go(1) then Go(1, 2)"), "SLEEC-P09:7 SLEEC-T09:7");
+    EXPECT_EQ(findings("R when Go(1) then Go(red)"), "SLEEC-P09:7 SLEEC-T09:7");
+    EXPECT_EQ(findings("R when Go(near) then Stop"), "SLEEC-P09:7 SLEEC-T02:7");
+    EXPECT_EQ(findings("R when Go then Stop unless Halt(1) then Stop"), "SLEEC-P09:7 SLEEC-T09:7 SLEEC-P09:7");
+    std::string many;
+    for (int i = 0; i < 300; ++i) many += "R" + std::to_string(i) + " when Go(" + std::to_string(i) + ") then Stop\n";
+    EXPECT_NE(findings(many).find("SLEEC-T09"), std::string::npos) << "too many cases";
+}
+
+TEST(SleecCheck, StatesAreMeasuresOfTheModel) {
+    Read bare(with_definitions("R when Go and Held then Stop"));
+    EXPECT_EQ(bare.checked_too().diagnostics.sorted_findings().front().notes.at(0).message,
+              "write `in Held` if it is a state of the model");
+    Read read(with_definitions("R when Go and in A::B and not in C then Stop unless in A::B and near"));
+    ASSERT_TRUE(read.checked_too().checked) << read.report();
+    ASSERT_EQ(read.checked->measures.size(), 6U);
+    EXPECT_EQ(read.checked->measure(4).name.text, "in A::B");
+    EXPECT_FALSE(read.checked->is_state(3));
+    EXPECT_TRUE(read.checked->is_state(4));
+}
+
 TEST(SleecCheck, RefusesNamesGivenTwice) {
     EXPECT_EQ(Read("def_start event A measure A : boolean def_end rule_start rule_end").checked_too().findings(),
               "SLEEC-T03:1");

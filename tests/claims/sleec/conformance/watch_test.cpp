@@ -29,6 +29,8 @@ channel Go, Stop, Halt, Alarm, Help : Way
 channel near, safe : Way.Bool
 channel level : Way.{0..9}
 channel load : Way.Load
+channel Walk : Way.{0..3}
+channel shown : Bool.Bool
 Wait(n, P) = if n == 0 then P else tock -> Wait(n - 1, P)
 )";
 
@@ -172,6 +174,55 @@ TEST(SleecWatch, NumbersAndScalesByTheirClasses) {
     EXPECT_EQ(judged("when Go and load >= mid then Stop within 0 seconds",
                      "C = load.in?x -> Go.in -> (if x == high then Stop.out -> tock -> C else tock -> C)"),
               "broken");
+}
+
+/// `in A` is shown by the machine; `A` is left by the event itself.
+TEST(SleecWatch, StatesAreThoseBeforeTheTrigger) {
+    Linking states = linking();
+    states.measures.push_back(LinkedMeasure{"shown", {}, 1, 2});
+    const std::string rule = "when Go and in A then Stop within 0 seconds";
+    EXPECT_EQ(judged(rule, "C = shown!true!true -> Go.in -> shown!true!false -> tock -> C", states), "broken");
+    EXPECT_EQ(judged(rule, "C = shown!true!true -> Go.in -> shown!true!false -> Stop.out -> tock -> C", states),
+              "obeyed");
+    EXPECT_EQ(judged(rule, "C = shown!true!false -> Go.in -> shown!true!true -> tock -> tock -> C", states),
+              "obeyed, never asked");
+    EXPECT_EQ(judged(rule, "C = shown!false!true -> tock -> tock -> D\nD = Go.in -> tock -> D", states), "broken")
+        << "a state holds while time passes";
+    EXPECT_EQ(judged("when Go then Stop within 0 seconds unless in A",
+                     "C = shown!true!true -> Go.in -> shown!true!false -> tock -> C", states),
+              "obeyed, never asked");
+}
+
+TEST(SleecWatch, EventsWithValues) {
+    const auto walked = [](const std::string& rule, const std::string& component) {
+        Linking linked = linking();
+        linked.events.clear();
+        // Go, then the cases of Stop in the order of the values, then the others
+        linked.events.emplace_back("Go");
+        for (const char* value : {"1", "3"})
+            linked.events.push_back(LinkedEvent({std::string("Walk.out.") + value},
+                                                {cspm::build::dot({cspm::build::name("Walk"), cspm::build::name("out"),
+                                                                   cspm::build::number(value[0] - '0')})}));
+        linked.events.push_back(LinkedEvent({}, {}));  // another value, which the instantiation does not have
+        for (const char* event : {"Halt", "Alarm", "Help"}) linked.events.emplace_back(event);
+        return judged(rule, component, linked);
+    };
+    EXPECT_EQ(walked("when Stop(1) then Stop(3) within 1 seconds", "C = Walk.out.1 -> tock -> Walk.out.3 -> C"),
+              "obeyed");
+    EXPECT_EQ(walked("when Stop(1) then Stop(3) within 1 seconds", "C = Walk.out.1 -> tock -> Walk.out.1 -> C"),
+              "broken");
+    EXPECT_EQ(walked("when Go then Stop(1) within 1 seconds unless Alarm\nS when Stop(3) then Halt",
+                     "C = Go.in -> tock -> Walk.out.3 -> tock -> tock -> C"),
+              "broken");
+    EXPECT_EQ(walked("when Go then Stop(_) within 1 seconds\nS when Stop(1) then Stop(3)",
+                     "C = Go.in -> tock -> Walk.out.3 -> tock -> tock -> C"),
+              "obeyed");
+    EXPECT_EQ(walked("when Go then not Stop(_) within 1 seconds\nS when Stop(1) then Stop(3)",
+                     "C = Go.in -> tock -> Walk.out.3 -> tock -> tock -> C"),
+              "broken");
+    EXPECT_EQ(walked("when Go then not Stop(1) within 1 seconds\nS when Stop(1) then Stop(3)",
+                     "C = Go.in -> tock -> Walk.out.3 -> tock -> tock -> C"),
+              "obeyed");
 }
 
 TEST(SleecWatch, AMeasureThatTheComponentLacksMayBeAnything) {

@@ -88,7 +88,7 @@ public:
                 monitor_files(*all[i], "f" + std::to_string(i) + ".sleec", read[i]->sources, WithoutLimit::eventually);
             files.push_back(made.front());
             if (i == 0) files.push_back(made.back());
-            measures.push_back(all[i]->file->measures.size());
+            measures.push_back(all[i]->measures.size());
         }
         files.push_back({"driver.cpp", driver(all.size(), measures)});
         cpp_emit::BuildOptions options;
@@ -180,6 +180,8 @@ TEST(MonitorFile, AgreesOnAllHistoriesOfTwelveSteps) {
         "when Go then not Stop",
         "when Go then Stop within 0 seconds otherwise Go within 1 seconds",
         "when Go then Stop within 2 seconds unless Go",
+        "when Go(1) then Go(_) within 2 seconds",
+        "when Go(_) then not Go(1) within 2 seconds otherwise Go(_) within 1 seconds",
     };
     std::vector<std::unique_ptr<Read>> read;
     std::vector<const CheckedRules*> checked;
@@ -223,8 +225,8 @@ TEST(MonitorFile, AgreesOnRandomHistoriesOfRandomRules) {
         }()));
         Both both(*checked[i], compiled.functions(i));
         std::mt19937_64 random(i + 1000);
-        const auto events = static_cast<std::uint32_t>(checked[i]->file->events.size());
-        const std::size_t measures = checked[i]->file->measures.size();
+        const auto events = static_cast<std::uint32_t>(checked[i]->events.size());
+        const std::size_t measures = checked[i]->measures.size();
         for (int step = 0; step < 3000 && !HasFailure(); ++step) {
             const auto drawn = static_cast<std::uint32_t>(random() % (2 * events));
             std::vector<std::int64_t> values(measures);

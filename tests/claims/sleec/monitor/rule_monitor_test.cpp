@@ -35,7 +35,7 @@ public:
             linking.events.emplace_back(event.name.text);
             events += ", " + event.name.text;
         }
-        linking.measures.resize(rules.file->measures.size());
+        linking.measures.resize(rules.measures.size());
         const Watch watch(rules, 0, linking, cspm::build::name("Anything"));
         diagnostics::SourceManager sources;
         diagnostics::Diagnostics diagnostics;
@@ -106,8 +106,8 @@ std::string key(const Place& place) {
     std::string text;
     for (const auto& [obligation, progress] : place.monitor.open_duties()) {
         for (const Demand& demand : obligation.any)
-            text += std::to_string(demand.event) + (demand.forbids ? "-" : "+") + std::to_string(demand.begin) + "." +
-                    std::to_string(demand.end) + " ";
+            text += std::to_string(*demand.event.begin()) + (demand.forbids ? "-" : "+") +
+                    std::to_string(demand.begin) + "." + std::to_string(demand.end) + " ";
         text += std::to_string(progress.elapsed) + "." + std::to_string(progress.broken) + "; ";
     }
     for (const lts::StateIndex state : place.states) text += std::to_string(state) + " ";
@@ -184,10 +184,10 @@ TEST(RuleMonitor, AgreesWithTheCheckerOnRandomHistories) {
         }
         ++compared;
         std::mt19937_64 random(seed);
-        const std::size_t events = rules.file->events.size();
+        const std::size_t events = rules.events.size();
         std::optional<RuleMonitor> monitor(std::in_place, rules, WithoutLimit::eventually);
         RuleProcess::States states{0};
-        const MeasureReadings values(rules.file->measures.size(), 0);
+        const MeasureReadings values(rules.measures.size(), 0);
         for (int step = 0; step < 2000 && !HasFailure(); ++step) {
             const std::size_t drawn = random() % (2 * events);
             if (drawn < events)

@@ -122,7 +122,7 @@ bool occurs(std::uint32_t history, std::size_t event, std::int64_t second) {
 bool holds(const Demand& demand, std::uint32_t history) {
     bool came = false;
     for (std::int64_t i = demand.begin; i < seconds && i <= demand.end; ++i)
-        came = came || occurs(history, demand.event, i);
+        came = came || occurs(history, *demand.event.begin(), i);
     return came != demand.forbids;
 }
 

@@ -41,6 +41,20 @@ TEST(SleecFormat, OneItemALine) {
         "rule_end\n");
 }
 
+TEST(SleecFormat, ArgumentsAndStates) {
+    EXPECT_EQ(
+        formatted("def_start event go event halt def_end rule_start R when go (1 ,_)and in A :: B then not halt( - 2 )"
+                  "within (3+2) seconds unless(in C) R2 halt (3) at least (1+1) seconds after go(0,0) rule_end"),
+        "def_start\n"
+        "    event go\n"
+        "    event halt\n"
+        "def_end\n"
+        "rule_start\n"
+        "    R when go(1, _) and in A::B then not halt(-2) within (3 + 2) seconds unless (in C)\n"
+        "    R2 halt(3) at least (1 + 1) seconds after go(0, 0)\n"
+        "rule_end\n");
+}
+
 TEST(SleecFormat, LongRulesBreakAtTheirBranches) {
     EXPECT_EQ(
         formatted("def_start event AVeryLongNameOfAnEvent event AnotherLongNameOfAnEvent measure near : boolean "

@@ -177,6 +177,28 @@ TEST(SleecReader, LimitsNestingAndChains) {
     EXPECT_EQ(Read(with_definitions(braces)).findings(), "SLEEC-P01:7");
 }
 
+TEST(SleecReader, ReadsArgumentsAndStates) {
+    const Read read(
+        with_definitions("R1 when Go(1, red) then not Stop(_) within 3 seconds unless Halt(-2)\n"
+                         "R2 when Go(2, Colour::red) and near or in Operating::Held then Stop(true)\n"
+                         "R3 Stop(false) at least 2 seconds after Go(MAX, _)"));
+    ASSERT_TRUE(read.diagnostics.ok()) << read.report();
+    ASSERT_EQ(read.file.rules.size(), 3U);
+    EXPECT_EQ(print(read.file.rules[0]), "when Go(1, red) then not Stop(_) within 3 seconds unless Halt(-2)");
+    EXPECT_EQ(print(read.file.rules[1]), "when Go(2, Colour::red) and near or in Operating::Held then Stop(true)");
+    EXPECT_EQ(print(read.file.rules[2]), "Stop(false) at least 2 seconds after Go(MAX, _)");
+}
+
+/// Files of the published dialects keep their meaning: `in` may be a measure.
+TEST(SleecReader, KnowsAMeasureWithTheNameIn) {
+    const Read read(
+        "def_start event Go event Stop measure in : boolean def_end rule_start R1 when Go then Stop unless in\n"
+        "R2 when Stop and in then Go rule_end");
+    ASSERT_TRUE(read.diagnostics.ok()) << read.report();
+    ASSERT_EQ(read.file.rules.size(), 2U);
+    EXPECT_EQ(read.file.rules[0].response->defeaters[0].condition->op, Op::name);
+}
+
 struct Mistake {
     const char* text;  ///< text of a rule, or of a whole file if it starts with "def_start" or "rule_start"
     const char* note;
@@ -198,9 +220,13 @@ const Mistake mistakes[] = {
     {"R if Go then Stop", "has the form `R1 when"},
     {"R when Go -> Stop", "has the form `R1 when"},
     {"when Go then Stop", "begins with a name"},
+    {"R when Go then Stop unless Gone(1)", "declare it with `event NAME`"},
     {"R when Go then Stop and Alarm", "requires one event"},
     {"R when Go then Stop or Alarm", "requires one event"},
     {"R when Go or near then Stop", "begins with one event"},
+    {"R when Go > 3 then Stop", "is an argument: `goTo(3)`"},
+    {"R when Go < 3 then Stop", "is an argument: `goTo(3)`"},
+    {"R when Go = 3 then Stop", "is an argument: `goTo(3)`"},
     {"R when Go and level == 3 then Stop", "`=` compares values"},
     {"def_start measure m : bool def_end", "`boolean`"},
     {"def_start measure m : int def_end", "`numeric`"},
@@ -212,6 +238,7 @@ const Mistake mistakes[] = {
     {"def_start constant C : 5 def_end", "`constant NAME = 5`"},
     {"def_start const C = 5 def_end", "`constant NAME = 5`"},
     {"def_start event A, B def_end", "define each event separately"},
+    {"def_start event goTo(1) def_end", "rules give its arguments: `goTo(1)`"},
     {"def_start -- words\nevent A def_end", "begins with `//`"},
     {"def_start event Low-Battery def_end", "letters, digits and `_`"},
     {"rule_start R when Go then Stop rule_end", "`def_start ... def_end`"},

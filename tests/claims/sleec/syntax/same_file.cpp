@@ -17,8 +17,13 @@ bool same_element(const Name& a, const Name& b) {
     return a.text == b.text;
 }
 
+bool same_event(const EventName& a, const EventName& b) {
+    if (a.text != b.text || a.arguments.has_value() != b.arguments.has_value()) return false;
+    return !a.arguments || std::ranges::equal(*a.arguments, *b.arguments, same_expr);
+}
+
 bool same_element(const Trigger& a, const Trigger& b) {
-    return same_element(a.event, b.event) && same_expr(a.condition, b.condition);
+    return same_event(a.event, b.event) && same_expr(a.condition, b.condition);
 }
 
 bool same_limit(const Limit* a, const Limit* b) {
@@ -29,6 +34,7 @@ bool same_limit(const Limit* a, const Limit* b) {
 bool same_response(const ResponsePtr& a, const ResponsePtr& b);
 
 bool same_element(const Defeater& a, const Defeater& b) {
+    if (a.event.has_value() != b.event.has_value() || (a.event && !same_event(*a.event, *b.event))) return false;
     return same_expr(a.condition, b.condition) && same_response(a.response, b.response);
 }
 
@@ -39,7 +45,7 @@ bool same_list(const std::vector<Item>& a, const std::vector<Item>& b, const Sam
 
 bool same_response(const ResponsePtr& a, const ResponsePtr& b) {
     if (!a || !b) return a == b;
-    return a->negated == b->negated && a->eventually == b->eventually && same_element(a->event, b->event) &&
+    return a->negated == b->negated && a->eventually == b->eventually && same_event(a->event, b->event) &&
            same_limit(a->limit.get(), b->limit.get()) && same_response(a->otherwise, b->otherwise) &&
            same_list(a->defeaters, b->defeaters,
                      [](const Defeater& x, const Defeater& y) { return same_element(x, y); });
