@@ -15,10 +15,10 @@ struct AutomatonState {
     std::vector<std::optional<std::size_t>> by_letter;
     std::optional<std::size_t> by_tock;
     bool may_end = true;
-    bool owes = false;              ///< the claim requires an event
-    bool judges = false;            ///< the claim is evaluated on the states or variables here
-    std::vector<bool> serves = {};  ///< by letter: true if the letter is an answer or an exception
-    /// True if some event, the passing of time, or the end would break the claim in this state.
+    bool owes = false;              ///< an event is demanded
+    bool judges = false;            ///< the states or variables are judged here
+    std::vector<bool> serves = {};  ///< by letter: it is an answer or an exception
+    /// Something is asked here: an event, the passing of time or the end would break the claim.
     [[nodiscard]] bool asks() const;
 };
 

@@ -32,7 +32,7 @@ struct Conflict {
     bool for_ever = false;  ///< true if no demand is due yet, but the demanded event is forbidden forever
     bool endless = false;   ///< no event is forbidden, but every due event triggers further demands at this instant,
                             ///< without end
-    /// Other events that must occur before the conflict to obey the rules, each with its second.
+    /// Other events before the conflict that are needed to obey the rules: second and event.
     std::vector<std::pair<std::int64_t, std::size_t>> besides;
 };
 
@@ -55,10 +55,10 @@ struct AnalysisOptions {
 /// rules, or more. `judged` is ascending.
 [[nodiscard]] ConflictAnswer find_conflict(const CheckedRules& rules, std::vector<std::size_t> judged,
                                            const AnalysisOptions& options);
-/// Searches for the smallest conflicting sets of rules. Assumptions are not members of these sets. A duty with n
-/// alternatives at one last instant conflicts with at most n other rules, so larger sets need not be checked. In
-/// addition, sets of up to six rules that trigger each other within an instant are checked, also with one more rule
-/// that forbids an event demanded in them. Sets of three or more rules are not checked if a subset is in conflict.
+/// Searches the smallest conflicting sets of rules that are not assumptions. A duty with n alternatives at one last
+/// instant conflicts with at most n other rules, so larger sets need not be checked. In addition, sets of up to six
+/// rules that trigger each other within an instant are checked, also with one more rule that forbids an event demanded
+/// in them. Sets of three or more rules are not checked if a subset is in conflict.
 void for_each_question(const CheckedRules& rules, const AnalysisOptions& options,
                        const std::function<void(const ConflictAnswer&)>& take);
 /// Returns true if `by` demands everything that `rule` demands for the same trigger. Throws NotDecided.
