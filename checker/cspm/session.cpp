@@ -563,7 +563,6 @@ struct Session::Impl {
             return system(term, expr->span, compilation_budget);
         };
         try {
-            // Combining the parts takes longer than their compression.
             for (const ExprPtr& expr : {assertion.assertion.specification, assertion.assertion.implementation})
                 if (expr) parts.compress_parts(term_of_side(expr), compilation_budget);
             if (parts.shrinkage() < least_shrinkage) return std::nullopt;
