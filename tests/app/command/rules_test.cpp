@@ -331,7 +331,7 @@ TEST(RulesOfModels, ThatNameWhatTheModelLacksAreNotApplicable) {
         const Folder folder(
             {{"m.rct",
               "stm M { event go : nat event halt initial i state A { } state B { }\n"
-              "transition t { from i to A } transition u { from A to B trigger go ? x action halt }\n"
+              "transition t { from i to A } transition u { from A to B trigger go ? x action halt <{ 0 } }\n"
               "var x : nat }\n"},
              {"m.sleec", "def_start event go event halt def_end rule_start\nR " + rule + "\nrule_end\n"}});
         return run({"rules", folder / "m.sleec", folder / "m.rct"}).out;
