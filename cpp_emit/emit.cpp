@@ -53,6 +53,12 @@ void add_exploration(const Generation& generation, const Core& core, Emission& e
         emission.files.push_back({"robochart/tracked.hpp", tracked_header()});
         emission.files.push_back({"robochart/deployed.hpp", deployed_header()});
     }
+    if (tracks_sequences(generation)) {
+        emission.files.push_back({"robochart/tracked_sequences.hpp", tracked_sequences()});
+        if (!generation.component.views) emission.files.push_back({"robochart/views.hpp", views_header()});
+        if (!generation.component.toolkit) emission.files.push_back({"robochart/toolkit.hpp", toolkit_header()});
+        if (!generation.component.matrices) emission.files.push_back({"robochart/matrix.hpp", matrix_header()});
+    }
     emission.files.insert(emission.files.end(), std::begin(files), std::end(files));
 }
 

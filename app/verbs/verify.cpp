@@ -486,7 +486,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         if (!unlike_blocks.empty())
             one.result.warnings.push_back(fmt::format(
                 "the csp block Instantiations is not read here: {}; --const sets constants", unlike_blocks));
-        if (has_sequences(project.system))
+        if (has_sequences(project.system) && !one.result.lists_of_any_length)
             one.result.warnings.push_back(
                 fmt::format("sequences have at most {} items in this check; --range Seq=0..N sets another bound",
                             project.instantiation.sequence_bound));

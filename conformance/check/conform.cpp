@@ -34,6 +34,7 @@
 #include "counterexample/evaluation_failure.hpp"
 #include "cpp_emit/plan/exploration_ports.hpp"
 #include "cpp_emit/plan/resolve_component.hpp"
+#include "cpp_emit/plan/unsupported.hpp"
 #include "csp_emit/emit.hpp"
 #include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/number_parts.hpp"
@@ -304,11 +305,28 @@ cpp_emit::Options generator_options(const TimedModel& timed, const Options& opti
     return generator;
 }
 
+/// The reason why code can be generated for the component, but has too many values to be explored. Other limits of the
+/// generator are its errors.
+std::optional<std::string> reason_not_explored(const ir::System& system, const ir::Instantiation& instantiation,
+                                               const ir::ComponentRef& component) {
+    diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
+    const auto resolved = cpp_emit::resolve_component(system, instantiation, component, apart);
+    if (!resolved || !cpp_emit::check_support(system, instantiation, *resolved, apart)) return std::nullopt;
+    const auto beyond = cpp_emit::beyond_exploration(system, instantiation, *resolved);
+    if (beyond.empty()) return std::nullopt;
+    return fmt::format("{}: {}", beyond.front().name, beyond.front().limit);
+}
+
 /// Generates and compiles code for an instantiation and compares it with the script of this instantiation.
 Result judge_values(const TimedModel& timed, const ir::ComponentRef& component, const ir::Instantiation& instantiation,
                     const csp_emit::Emission& script, const Options& options, diagnostics::Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.error_count();
     const ir::System& system = timed.model.system;
+    if (auto reason = reason_not_explored(system, instantiation, component)) {
+        Result result;
+        result.reason = std::move(*reason);
+        return result;
+    }
     const cpp_emit::Emission code =
         cpp_emit::emit(system, instantiation, component, generator_options(timed, options), diagnostics);
     if (diagnostics.error_count() != errors || code.shim.empty())
@@ -350,6 +368,7 @@ Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& compone
         with_few.claims = std::make_shared<const CycleClaims>(std::move(claims));
     }
     Result result = judge_values(timed, component, few.instantiation, script, with_few, diagnostics);
+    result.lists_of_any_length = few.lists_of_any_length;
     for (const RepresentedType& type : few.types) result.represented.push_back({type.name, type.values});
     return result;
 }
@@ -367,9 +386,10 @@ Result decide_for_all(Result least, const TimedModel& timed, const ir::Component
         return least;
     }
     diagnostics::Diagnostics apart;  // discarded, because the first check has reported the same findings
-    return judge_few_values(
-        timed, component,
-        choose_representatives(timed.model.system, timed.model.instantiation, resolved, *enough.names), options, apart);
+    return judge_few_values(timed, component,
+                            choose_representatives(timed.model.system, timed.model.instantiation, resolved,
+                                                   *enough.names, timed.model.list_bounds),
+                            options, apart);
 }
 
 /// The component with its types of numbers, and the values that stand for all of them.
@@ -387,6 +407,9 @@ std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::Co
     if (!resolved) return std::nullopt;
     std::vector<ir::TypeId> types = cpp_emit::tracked_types(model.system, *resolved);
     if (types.empty()) return std::nullopt;
+    const auto is_sequence = [&](ir::TypeId type) { return ir::is_number_sequence(model.system, type); };
+    for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(*resolved))
+        if (std::ranges::any_of(output.types, is_sequence)) return std::nullopt;
     std::vector<ir::MachineId> machines;
     for (const cpp_emit::Unit& unit : resolved->units) machines.push_back(unit.id);
     auto values = ir::value_model(model.system, model.instantiation, machines, {});
@@ -459,6 +482,7 @@ Options options_for_all_values(const Options& options) {
 
 /// The normal form of the model itself, for readers; "" if its carriers are too large.
 std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef& component, const Options& options) {
+    if (reason_not_explored(timed.model.system, timed.model.instantiation, component)) return "";
     diagnostics::Diagnostics apart;
     try {
         auto model =
@@ -478,6 +502,7 @@ std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef
 ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRef& component, ValueSearch search,
                                   const rc_interface& code, const Options& options, const EventPlaces& places) {
     constexpr int most_rounds = 8;
+    if (code.tracking->types != search.types.size()) return {};  // lists of one type have several capacities
     const TrackedCode tracked(code, timed.model.system, search.types);
     const OutputTypes output_types = tracked_output_types(search);
     std::vector<ir::Cut> cuts;
@@ -501,7 +526,10 @@ ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRe
         if (decided) {
             result.normal_form = concrete_normal_form(timed, component, options);
             result.all_values = model.data;
-            if (result.outcome == Outcome::conforms) {
+            result.lists_of_any_length = true;
+            const bool sequences = std::ranges::any_of(
+                search.types, [&](ir::TypeId type) { return ir::is_number_sequence(timed.model.system, type); });
+            if (result.outcome == Outcome::conforms && !sequences) {
                 const Interface interface =
                     interface_of_model(model.system, timed.model.instantiation, component, script.provenance, code);
                 diagnostics::Budget budget(options.limits);
@@ -578,6 +606,19 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     }
 }
 
+/// The model in which lists that the machines build have carriers of their own; no value if there are no such lists.
+std::optional<TimedModel> with_longer_lists(const TimedModel& timed) {
+    TimedModel result{timed.model, {}, timed.sources, timed.sound};
+    RenamedSystem& model = result.model;
+    model.list_bounds = separate_longer_lists(model.system, model.instantiation);
+    if (model.list_bounds.empty()) return std::nullopt;
+    extend_carriers(model.instantiation, model.system, model.list_bounds, cpp_emit::max_input_values);
+    diagnostics::Diagnostics apart;  // discarded, because the emission of the model has reported the same findings
+    result.script = csp_emit::emit(model.system, model.instantiation, csp_emit::Time::timed, {}, *timed.sources, apart);
+    if (!apart.ok()) return std::nullopt;
+    return result;
+}
+
 /// Checks the values of the carriers, or a few values that represent all.
 Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                            diagnostics::Diagnostics& diagnostics) {
@@ -585,7 +626,8 @@ Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& comp
     diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
     const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
     Representatives few;
-    if (resolved) few = choose_representatives(model.system, model.instantiation, *resolved);
+    if (resolved)
+        few = choose_representatives(model.system, model.instantiation, *resolved, least_names, model.list_bounds);
     if (few.types.empty())
         return judge_values(timed, component, model.instantiation, timed.script, options, diagnostics);
     Result least = judge_few_values(timed, component, few, options, diagnostics);
@@ -617,7 +659,8 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
     ForAllValues all = conform_for_all_values(timed, component, options, diagnostics);
     const bool differs = all.result && all.result->outcome == Outcome::differs;
     if (all.result && !differs) return std::move(*all.result);
-    Result result = conform_in_carriers(timed, component, options, diagnostics);
+    const std::optional<TimedModel> longer = with_longer_lists(timed);
+    Result result = conform_in_carriers(longer ? *longer : timed, component, options, diagnostics);
     // A difference between values of carriers is shown in numbers. One beyond the carriers is a difference, too.
     if (differs && result.outcome != Outcome::differs) return std::move(*all.result);
     if (result.represented.empty()) {

@@ -22,7 +22,7 @@ namespace robochart::conformance {
 namespace {
 
 using Kind = ModelRole::Kind;
-constexpr ModelState gone = 0xffffffffU;
+constexpr ModelState no_state = 0xffffffffU;
 constexpr std::uint32_t nowhere = 0xffffffffU;
 
 /// Registers, or outputs, in ascending order.
@@ -94,7 +94,7 @@ private:
 
     /// Ignores inputs that M has received and cannot receive again before time passes.
     std::uint32_t narrowed(std::uint32_t received, ModelState model) {
-        if (received == 0 || model == gone) return 0;
+        if (received == 0 || model == no_state) return 0;
         const std::vector<bool>& hears = model_.heard_inputs(model);
         Numbers left;
         for (const std::uint32_t input : numbers_[received])
@@ -119,7 +119,7 @@ private:
         budget_.charge();
         const Place here = places_[at];
         const bool acting = here.left == 0;
-        if (here.model == gone) {
+        if (here.model == no_state) {
             if (!acting) stuck_ = at;
             return;
         }
@@ -135,7 +135,7 @@ private:
                     break;
                 case Kind::tick:
                     urgent = true;
-                    next.model = gone;
+                    next.model = no_state;
                     add(next);
                     break;
                 case Kind::input:
@@ -197,7 +197,7 @@ private:
         std::unordered_map<ModelState, std::uint32_t> first;  // a place of each state; never iterated
         std::vector<ModelState> starts;
         for (std::uint32_t at = 0; at < places_.size(); ++at)
-            if (places_[at].model != gone && (places_[at].left == 0) == acting &&
+            if (places_[at].model != no_state && (places_[at].left == 0) == acting &&
                 first.emplace(places_[at].model, at).second)
                 starts.push_back(places_[at].model);
         struct Visit {
@@ -245,7 +245,7 @@ private:
     }
 
     [[nodiscard]] std::string describe(ModelState state) const {
-        return state == gone ? "terminating" : model_.describe(state);
+        return state == no_state ? "terminating" : model_.describe(state);
     }
 
     void add_steps(std::vector<refine::Step>& steps, const ModelEdge& edge, ModelState target) const {

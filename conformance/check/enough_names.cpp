@@ -48,7 +48,8 @@ public:
     EnoughNames find() {
         std::optional<OpenChoice> choice;
         for (std::size_t names = least_names; names <= most_names; ++names) {
-            const Representatives few = choose_representatives(model_.system, model_.instantiation, resolved_, names);
+            const Representatives few =
+                choose_representatives(model_.system, model_.instantiation, resolved_, names, model_.list_bounds);
             std::string error;
             const auto model = load(few, error);
             if (!model) return {std::nullopt, std::move(error)};

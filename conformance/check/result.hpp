@@ -169,6 +169,7 @@ struct Result {
     /// The data of the component, if the result is about all values of ideal numbers; otherwise empty. The classes are
     /// those of the model's conditions.
     std::vector<ir::ReplacedData> all_values;
+    bool lists_of_any_length = false;  ///< the explored lists stand for lists of any length
     /// If the result is about all values and the code conforms: the test with numbers of the robot.
     std::optional<RobotNumbers> robot;
     /// The reason why a search for all values did not decide; "": it decided, or there was no such search.

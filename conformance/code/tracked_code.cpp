@@ -17,8 +17,10 @@ bool TrackedCode::set_values(const ir::ValueModel& model) const {
         const auto found = std::ranges::find(model.types, types_[t], &ir::ExploredValues::type);
         if (found == model.types.end()) return false;
         std::vector<std::int64_t> numbers;
-        for (const std::vector<std::int64_t>& value : found->values)
+        for (const std::vector<std::int64_t>& value : found->values) {
+            if (ir::is_number_sequence(system_, types_[t])) numbers.push_back(static_cast<std::int64_t>(value.size()));
             numbers.insert(numbers.end(), value.begin(), value.end());
+        }
         const auto count = static_cast<std::uint32_t>(found->values.size());
         if (code_.tracking->set_values(t, count, numbers.data()) == 0) return false;
     }
@@ -37,14 +39,42 @@ bool convert_constant(ir::Cut& cut, std::int64_t scale) {
     return constant.has_value();
 }
 
+/// The number of a sequence that a comparison reads; no value if it reads several.
+std::optional<ir::Cut> sequence_cut(ir::TypeId type, const rc_comparison& comparison,
+                                    std::span<const rc_window> windows) {
+    std::optional<std::uint32_t> part;
+    for (std::uint32_t p = 0; p < ROBOCHART_MAX_PARTS; ++p) {
+        if (comparison.coefficient[p] == 0) continue;
+        if (part) return std::nullopt;
+        part = p;
+    }
+    if (!part) return std::nullopt;
+    ir::Cut cut{type, {comparison.coefficient[*part]}, comparison.constant};
+    for (const rc_window& window : windows) {
+        if (window.type != comparison.type || window.part != *part) continue;
+        cut.window = ir::SequenceWindow{{}, window.greatest != 0};
+        for (std::int64_t bit = 0; bit < ROBOCHART_MAX_PLACES; ++bit)
+            if ((window.places[bit / 64] >> (bit % 64) & 1U) != 0) cut.window->places.push_back(bit + 1);
+    }
+    return cut;
+}
+
 }  // namespace
 
 std::optional<std::vector<ir::Cut>> TrackedCode::comparisons(std::int64_t scale) const {
     const rc_comparison* list = nullptr;
     const std::uint32_t count = code_.tracking->comparisons(&list);
+    const rc_window* windows = nullptr;
+    const std::uint32_t window_count = code_.tracking->windows(&windows);
     std::vector<ir::Cut> result;
     for (const rc_comparison& comparison : std::span(list, count)) {
         const ir::TypeId type = types_.at(comparison.type);
+        if (ir::is_number_sequence(system_, type)) {
+            auto cut = sequence_cut(type, comparison, std::span(windows, window_count));
+            if (!cut) return std::nullopt;
+            result.push_back(normalized(std::move(*cut)));
+            continue;
+        }
         const std::vector<ir::NumberPart> parts = ir::number_parts(system_, type);
         ir::Cut cut{type, {comparison.coefficient, comparison.coefficient + parts.size()}, comparison.constant};
         std::set<bool> real;  // of the parts that the form reads

@@ -109,6 +109,7 @@ private:
     }
 
     void mark_inspected(ir::TypeId id) {
+        if (system_.type(id).kind == ir::TypeKind::sequence) result.inspects_lists = true;
         for (const ir::TypeKind kind : {ir::TypeKind::nat, ir::TypeKind::integer, ir::TypeKind::real})
             raise_use(kind, NumberUse::computed);
         result.looked_into.push_back(id);
@@ -154,6 +155,7 @@ private:
         if (!expr || is_leaf(expr->kind) || is_constant(*expr)) return;
         const ir::ExprKind kind = expr->kind;
         if (kind == ir::ExprKind::record || kind == ir::ExprKind::tuple) return mark_constructed(*expr);
+        if (kind == ir::ExprKind::sequence || kind == ir::ExprKind::concat) return mark_list(*expr);
         if (kind == ir::ExprKind::member) {
             mark_selected(expr->args[0]->type);
             return mark_passed_on(expr->args[0]);
@@ -169,6 +171,17 @@ private:
         const std::vector<ir::TypeId>& parts = system_.type(whole.type).args;
         for (std::size_t i = 0; i < whole.args.size(); ++i)
             mark_stored(whole.args[i], i < parts.size() ? parts[i] : ir::TypeId{});
+    }
+
+    /// Marks a list that is built from values or from other lists, and does not depend on them.
+    void mark_list(const ir::Expr& list) {
+        mark_selected(list.type);
+        for (const ir::ExprPtr& part : list.args) {
+            if (list.kind == ir::ExprKind::sequence)
+                mark_stored(part, system_.type(list.type).args.at(0));
+            else
+                mark_stored(part, list.type);
+        }
     }
 
     void mark_compared(const ir::Expr& operand) {

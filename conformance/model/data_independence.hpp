@@ -22,6 +22,7 @@ struct DataIndependence {
     NumberUse nat = NumberUse::passed_on;
     NumberUse integer = NumberUse::passed_on;
     NumberUse real = NumberUse::passed_on;
+    bool inspects_lists = false;  ///< some operator depends on a list; otherwise lists are copied, sent and appended
     std::vector<ir::TypeId> looked_into;  ///< types with parts for which something depends on values or on parts of
                                           ///< values
 

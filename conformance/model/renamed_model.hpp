@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"
+#include "conformance/model/longer_lists.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
@@ -14,7 +15,8 @@ namespace robochart::conformance {
 struct RenamedSystem {
     ir::System system;
     ir::Instantiation instantiation;
-    bool changed = false;  ///< some name differs
+    bool changed = false;         ///< some name differs
+    ListBounds list_bounds = {};  ///< of types that only lists have which the machines build
 };
 
 /// Reports findings about names to the diagnostics.

@@ -165,10 +165,26 @@ public:
             represent_numbers(ir::TypeKind::integer, result_.instantiation.integer);
             represent_numbers(ir::TypeKind::real, result_.instantiation.real);
         }
+        result_.lists_of_any_length = !result_.types.empty() && lists_are_passed_on();
         return std::move(result_);
     }
 
 private:
+    /// Whether no operator depends on a list, and the values in all lists are represented.
+    [[nodiscard]] bool lists_are_passed_on() const {
+        return !independent_.inspects_lists && std::ranges::all_of(boundary_types(), [&](ir::TypeId type) {
+            return !contains_lists(type) || is_represented(system_, result_, type);
+        });
+    }
+    /// Recursion depth: the depth of types.
+    [[nodiscard]] bool contains_lists(ir::TypeId id) const {
+        const ir::Type& type = system_.type(id);
+        const auto inside = [&](ir::TypeId part) { return contains_lists(part); };
+        return type.kind == ir::TypeKind::sequence || std::ranges::any_of(type.args, inside) ||
+               std::ranges::any_of(type.literal_args,
+                                   [&](const auto& arguments) { return std::ranges::any_of(arguments, inside); });
+    }
+
     [[nodiscard]] bool too_many() const {
         if (!cpp_emit::beyond_exploration(system_, result_.instantiation, component_).empty()) return true;
         double valuations = 1;
@@ -351,8 +367,11 @@ RepresentedParts represented_parts(const ir::System& system, const Representativ
 }
 
 Representatives choose_representatives(const ir::System& system, const ir::Instantiation& instantiation,
-                                       const cpp_emit::Component& component, std::size_t names) {
-    return RepresentativeChooser(system, instantiation, component, names).choose();
+                                       const cpp_emit::Component& component, std::size_t names,
+                                       const ListBounds& bounds) {
+    Representatives result = RepresentativeChooser(system, instantiation, component, names).choose();
+    extend_carriers(result.instantiation, system, bounds, cpp_emit::max_input_values);
+    return result;
 }
 
 }  // namespace robochart::conformance

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "conformance/model/longer_lists.hpp"
 #include "cpp_emit/plan/component.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
@@ -28,6 +29,8 @@ struct RepresentedType {
 struct Representatives {
     ir::Instantiation instantiation;
     std::vector<RepresentedType> types;
+    /// The lists of the instantiation stand for lists of any length.
+    bool lists_of_any_length = false;
 };
 
 /// The least number of names of a represented type.
@@ -37,9 +40,11 @@ inline constexpr std::size_t least_names = 2;
 /// independent type, the representatives are the values of constants, the initial values, and `names` further values.
 /// The first two names differ from the other values and from each other in every part. The parts of one value also
 /// differ from each other if the carriers allow it, so that lost or exchanged parts are detected. A type that has too
-/// few values for the names is not represented.
+/// few values for the names is not represented. Carriers of lists with bounds contain all lists of the represented
+/// values up to these bounds.
 [[nodiscard]] Representatives choose_representatives(const ir::System&, const ir::Instantiation&,
-                                                     const cpp_emit::Component&, std::size_t names = least_names);
+                                                     const cpp_emit::Component&, std::size_t names = least_names,
+                                                     const ListBounds& bounds = {});
 
 /// Whether few values represent the type or one of its parts.
 [[nodiscard]] bool is_represented(const ir::System&, const Representatives&, ir::TypeId);

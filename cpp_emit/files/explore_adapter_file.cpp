@@ -66,6 +66,7 @@ private:
             out_.line("#include \"robochart/tracked.hpp\"");
             out_.line("#include \"robochart/deployed.hpp\"");
         }
+        if (tracks_sequences(generation_)) out_.line("#include \"robochart/tracked_sequences.hpp\"");
         if (printers_.words_of_logs()) {
             out_.line("#include \"robochart/explore_values.hpp\"");
             out_.line(fmt::format("#include \"{}\"", trace_header_name(generation_)));
@@ -212,6 +213,10 @@ private:
     /// The value at `place` of a tracked type, from its part number `part` on. Recursion depth: the depth of types.
     std::string tracked_value(ir::TypeId id, std::size_t table, const std::string& place, std::size_t& part) const {
         const ir::Type& type = generation_.system.type(id);
+        if (type.kind == ir::TypeKind::sequence)
+            return is_tracked()
+                       ? fmt::format("{}::input({}, {})", type_text(id), table, place)
+                       : fmt::format("robochart::set_values.sequence<{}>({}, {})", type_text(id), table, place);
         if (is_numeric(type.kind)) {
             const std::string function =
                 is_tracked() ? type_text(id) + "::part" : fmt::format("robochart::set_values.part<{}>", type_text(id));
@@ -341,9 +346,9 @@ private:
         out_.line("State current;");
         out_.line("std::memcpy(&current, state, sizeof current);");
         out_.line("robochart::Text text(buffer, size);");
-        if (is_tracked()) out_.line("robochart::tracking.recording = false;");
+        if (is_tracked()) out_.line("robochart::tracking.paused = true;");
         out_.line("print(text, \"\", current);");
-        if (is_tracked()) out_.line("robochart::tracking.recording = true;");
+        if (is_tracked()) out_.line("robochart::tracking.paused = false;");
         out_.close();
     }
 
@@ -439,10 +444,15 @@ private:
         out_.open("constexpr rc_tracking tracked = {");
         out_.line(fmt::format("{}, tracked_parts, tracked_inputs,", tracked_.size()));
         out_.line("[](std::uint32_t type, std::uint32_t count, const std::int64_t* numbers) -> std::uint32_t {");
+        if (tracks_sequences(generation_))
+            out_.line(
+                "    if (tracked_parts[type] == 0) return robochart::tracking.set_sequences(type, count, numbers) ? 1 "
+                ": 0;");
         out_.line("    return robochart::tracking.set_values(type, tracked_parts[type], count, numbers) ? 1 : 0;");
         out_.line("},");
         out_.line("[](const rc_comparison** list) -> std::uint32_t { return robochart::tracking.comparisons(list); },");
         out_.line("[]() -> std::uint32_t { return robochart::tracking.losses(); },");
+        out_.line("[](const rc_window** list) -> std::uint32_t { return robochart::tracking.windows(list); },");
         out_.line("&deployed_code,");
         out_.close("};");
     }
@@ -527,6 +537,12 @@ private:
 };
 
 }  // namespace
+
+bool tracks_sequences(const Generation& generation) {
+    if (generation.options.tracked_scale == 0) return false;
+    return std::ranges::any_of(tracked_types(generation.system, generation.component),
+                               [&](ir::TypeId type) { return ir::is_number_sequence(generation.system, type); });
+}
 
 std::string shim_source(const Generation& generation, const Core& core) {
     return ShimWriter(generation, core).write();

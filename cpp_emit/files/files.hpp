@@ -28,6 +28,8 @@ struct Core {
 /// Writes the concept that corresponds to the comment with the platform's methods, for calls like
 /// "turn(std::declval<Real>())".
 void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
+/// Whether the code computes with tracked numbers and has inputs that are sequences of numbers.
+[[nodiscard]] bool tracks_sequences(const Generation&);
 /// The source that exports robochart_explore() (runtime/explore_abi.h).
 [[nodiscard]] std::string shim_source(const Generation&, const Core&);
 
@@ -47,6 +49,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
 [[nodiscard]] std::string tracked_header();
+[[nodiscard]] std::string tracked_sequences();
 [[nodiscard]] std::string deployed_header();
 [[nodiscard]] std::string timer_header();
 [[nodiscard]] std::string layout_helpers();

@@ -15,7 +15,8 @@ std::vector<OutputFile> shipped_headers() {
             {"robochart/probes.hpp", probes_header()},     {"robochart/runtime.hpp", runtime_header()},
             {"robochart/text.hpp", text_header()},         {"robochart/timer.hpp", timer_header()},
             {"robochart/toolkit.hpp", toolkit_header()},   {"robochart/tracked.hpp", tracked_header()},
-            {"robochart/trace.hpp", trace_helpers()},      {"robochart/views.hpp", views_header()}};
+            {"robochart/trace.hpp", trace_helpers()},      {"robochart/tracked_sequences.hpp", tracked_sequences()},
+            {"robochart/views.hpp", views_header()}};
 }
 
 std::vector<OutputFile> value_headers(const Component& component) {

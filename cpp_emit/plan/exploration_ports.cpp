@@ -36,8 +36,8 @@ std::vector<Output> exploration_outputs(const Component& component) {
 std::vector<ir::TypeId> tracked_types(const ir::System& system, const Component& component) {
     std::vector<ir::TypeId> result;
     const auto add = [&](ir::TypeId type) {
-        if (std::ranges::find(result, type) == result.end() && !ir::number_parts(system, type).empty())
-            result.push_back(type);
+        const bool numbers = !ir::number_parts(system, type).empty() || ir::is_number_sequence(system, type);
+        if (numbers && std::ranges::find(result, type) == result.end()) result.push_back(type);
     };
     for (const Register& input : exploration_registers(component))
         if (input.type) add(*input.type);

@@ -28,8 +28,9 @@ struct Output {
 [[nodiscard]] std::vector<Register> exploration_registers(const Component&);
 /// Lists called operations, then sent events, then written variables.
 [[nodiscard]] std::vector<Output> exploration_outputs(const Component&);
-/// The types of inputs and outputs that consist of numbers alone, without duplicates: first those of the registers,
-/// then those of the outputs, in order. These are the types of rc_tracking (runtime/explore_abi.h).
+/// The types of inputs and outputs that consist of numbers alone, or are sequences of numbers, without duplicates:
+/// first those of the registers, then those of the outputs, in order. These are the types of rc_tracking
+/// (runtime/explore_abi.h).
 [[nodiscard]] std::vector<ir::TypeId> tracked_types(const ir::System&, const Component&);
 
 }  // namespace robochart::cpp_emit

@@ -29,6 +29,11 @@ template <class T, std::size_t capacity>
 using Count = std::conditional_t<(alignof(T) > 1), std::uint64_t,
                                  std::conditional_t<(capacity < 255), std::uint8_t, ByteCount>>;
 
+/// How folds over a collection or a view are computed without a visit of its elements; specialised for sequences whose
+/// items are not known (tracked_sequences.hpp). Otherwise false.
+template <class Collection, class = void>
+struct OwnFolds : std::false_type {};
+
 /// Lexicographic order; a prefix comes first.
 template <class T>
 constexpr bool ordered_before(const T* a, std::size_t count_a, const T* b, std::size_t count_b) noexcept {

@@ -23,14 +23,17 @@ public:
     }
     template <class Number>
     [[nodiscard]] Number part(std::uint32_t type, std::uint32_t place, std::uint32_t part) const noexcept {
-        const std::int64_t bits = table_[type].numbers[place * table_[type].parts + part];
-        if constexpr (std::is_floating_point_v<Number>) {
-            double value = 0.0;
-            std::memcpy(&value, &bits, sizeof value);
-            return static_cast<Number>(value);
-        } else {
-            return static_cast<Number>(bits);
-        }
+        return number<Number>(table_[type].numbers[place * table_[type].parts + part]);
+    }
+    /// A sequence, of which the length is set first. If it is longer than the capacity, it overflows.
+    template <class Sequence>
+    [[nodiscard]] Sequence sequence(std::uint32_t type, std::uint32_t place) const noexcept {
+        const std::int64_t* at = table_[type].numbers;
+        for (std::uint32_t i = 0; i < place; ++i) at += 1 + *at;
+        Sequence result;
+        for (const std::int64_t* item = at + 1; item <= at + *at; ++item)
+            result.append(number<typename Sequence::value_type>(*item));
+        return result;
     }
     /// The place of the first value that is equal to these numbers; -1 if there is none.
     template <class... Parts>
@@ -50,6 +53,16 @@ private:
         std::uint32_t parts = 0, count = 0;
     };
 
+    template <class Number>
+    [[nodiscard]] static Number number(std::int64_t bits) noexcept {
+        if constexpr (std::is_floating_point_v<Number>) {
+            double value = 0.0;
+            std::memcpy(&value, &bits, sizeof value);
+            return static_cast<Number>(value);
+        } else {
+            return static_cast<Number>(bits);
+        }
+    }
     /// A NaN is equal to every NaN.
     template <class Number>
     [[nodiscard]] static bool equal(Number a, Number b) noexcept {

@@ -11,10 +11,11 @@
 extern "C" {
 #endif
 
-#define ROBOCHART_ABI_VERSION 7
+#define ROBOCHART_ABI_VERSION 8
 #define ROBOCHART_MAX_ARGUMENTS 8
 #define ROBOCHART_MAX_CHOICES 32
 #define ROBOCHART_MAX_PARTS 8
+#define ROBOCHART_MAX_PLACES 4096
 
 /* An input register: a received event, or an externally written shared variable. */
 typedef struct rc_input {
@@ -90,6 +91,14 @@ typedef struct rc_comparison {
     int64_t constant;        /* in the units of the parts: reals times the scale of tracked numbers */
 } rc_comparison;
 
+/* A part of the sequences of a type: the least or greatest number at some places. */
+typedef struct rc_window {
+    uint32_t type;
+    uint32_t part;           /* an index into rc_comparison.coefficient; 0 is the size */
+    uint32_t greatest;       /* 0: the least number */
+    const uint64_t* places;  /* ROBOCHART_MAX_PLACES bits; the lowest bit of the first word is place 1 */
+} rc_window;
+
 /* What the code did that neither copies an input value nor compares a linear form of it. */
 #define RC_TRACKED_RELATION 1U /* it compared two input values */
 #define RC_TRACKED_OUTPUT 2U   /* an output was computed */
@@ -111,13 +120,16 @@ typedef struct rc_deployed {
 /* The interface of code with tracked numbers (robochart/tracked.hpp). */
 typedef struct rc_tracking {
     uint32_t types;          /* types of numbers at the boundary: of inputs, then of outputs, as they occur */
-    const uint32_t* parts;   /* of each type: how many numbers a value has */
+    const uint32_t* parts;   /* of each type: how many numbers a value has; 0: its values are sequences */
     const int32_t* input;    /* of each input: its type; -1: another type */
-    /* Sets the explored values of a type, number by number. Type 0 is set first, and forgets everything. 0: too many. */
+    /* Sets the explored values of a type, number by number. Type 0 is set first, and forgets everything. 0: too many.
+     * Of a sequence, the length comes first. */
     uint32_t (*set_values)(uint32_t type, uint32_t count, const int64_t* numbers);
     /* What the code has done since: its comparisons, each once, and a set of RC_TRACKED_ flags. */
     uint32_t (*comparisons)(const rc_comparison** list);
     uint32_t (*losses)(void);
+    /* The windows of sequences that it has read. */
+    uint32_t (*windows)(const rc_window** list);
     const rc_deployed* deployed;
 } rc_tracking;
 

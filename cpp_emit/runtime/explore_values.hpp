@@ -28,6 +28,18 @@ void log_value(Tracer& tracer, Tracked<Carrier> value) noexcept {
     log_units(tracer, value.raw(), Carrier::scale);
 }
 #endif
+#ifdef ROBOCHART_TRACKED_SEQUENCES_HPP
+template <class Carrier, std::size_t capacity>
+void log_value(Tracer& tracer, const Sequence<Tracked<Carrier>, capacity>& value) noexcept {
+    const std::int64_t length = value.known() ? 0 : tracking.size_of(value.type(), value.index());
+    tracer.text("<");
+    for (std::int64_t i = 0; i < length; ++i) {
+        if (i > 0) tracer.text(",");
+        log_units(tracer, tracking.items_of(value.type(), value.index())[i], Carrier::scale);
+    }
+    tracer.text(">");
+}
+#endif
 
 /// Writes log text to a Text.
 class TextTracer final : public Tracer {

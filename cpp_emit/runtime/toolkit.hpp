@@ -477,7 +477,10 @@ constexpr R iter(N times, const A& relation, Any any) noexcept {
 }
 template <class R, class A>
 constexpr R size(const A& items) noexcept {
-    return R(static_cast<std::int64_t>(items.size()));
+    if constexpr (OwnFolds<A>::value)
+        return OwnFolds<A>::template size<R>(items);
+    else
+        return R(static_cast<std::int64_t>(items.size()));
 }
 template <class R, class A>
 constexpr R hasMin(const A& items) noexcept {

@@ -1,8 +1,9 @@
 // Tracked numbers record how they were computed, so that an exploration can give an answer for all values. A tracked
 // number is known, or it is a linear form of the parts of one input value. Every comparison of a form is recorded,
 // because the explorer has to try values with each answer. Every use other than a comparison or a copy is recorded as a
-// loss. Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). Delivered with the generated
-// code. Copyright: see LICENSE (Apache-2.0).
+// loss. Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). The parts of a sequence are
+// its size and the least and greatest numbers of windows (tracked_sequences.hpp). Delivered with the generated code.
+// Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACKED_HPP
 #define ROBOCHART_TRACKED_HPP
 
@@ -39,12 +40,43 @@ struct LinearForm {
     }
 };
 
+/// A set of places of a sequence.
+struct PlaceSet {
+    static constexpr std::uint32_t words = ROBOCHART_MAX_PLACES / 64;
+
+    std::uint64_t word[words] = {};
+
+    /// `place`: from 1 to ROBOCHART_MAX_PLACES.
+    void add(std::int64_t place) noexcept {
+        word[(place - 1) / 64] |= std::uint64_t{1} << (static_cast<std::uint64_t>(place - 1) % 64);
+    }
+    [[nodiscard]] bool has(std::int64_t place) const noexcept {
+        return (word[(place - 1) / 64] >> (static_cast<std::uint64_t>(place - 1) % 64) & 1U) != 0;
+    }
+    /// 0 if the set is empty.
+    [[nodiscard]] std::int64_t first() const noexcept {
+        for (std::int64_t place = 1; place <= ROBOCHART_MAX_PLACES; ++place)
+            if (has(place)) return place;
+        return 0;
+    }
+    friend bool operator==(const PlaceSet& a, const PlaceSet& b) noexcept {
+        for (std::uint32_t i = 0; i < words; ++i)
+            if (a.word[i] != b.word[i]) return false;
+        return true;
+    }
+};
+
 /// The explored values of each type, the forms of all numbers, and the recorded comparisons and losses. Does not
 /// allocate memory, because a call of generated code may be stopped anywhere.
 class Tracking {
 public:
     static constexpr std::uint32_t most_types = 16;
     static constexpr std::uint32_t most_numbers = 16384;
+    static constexpr std::uint32_t most_sequences = 2048;
+    static constexpr std::uint32_t most_items = 1U << 18U;
+    static constexpr std::uint32_t most_windows = 64;
+    /// The part of a sequence that is its size.
+    static constexpr std::uint32_t size_part = 0;
     static constexpr std::uint32_t most_forms = 16384;
     static constexpr std::uint32_t most_comparisons = 256;
 
@@ -53,7 +85,7 @@ public:
         if (type == 0) forget();
         const std::uint32_t size = parts * count;
         if (type >= most_types || parts > ROBOCHART_MAX_PARTS || size > most_numbers - numbers_) return false;
-        table_[type] = {numbers_, parts, count};
+        table_[type] = {numbers_, parts, count, false};
         for (std::uint32_t i = 0; i < size; ++i) {
             LinearForm form;
             form.type = type;
@@ -65,6 +97,45 @@ public:
         return true;
     }
 
+    /// The same for a type of sequences: the length of each value, then its items.
+    bool set_sequences(std::uint32_t type, std::uint32_t count, const std::int64_t* numbers) noexcept {
+        if (type == 0) forget();
+        if (type >= most_types || count > most_sequences - sequences_) return false;
+        table_[type] = {sequences_, 0, count, true};
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::int64_t length = *numbers++;
+            if (length > ROBOCHART_MAX_PLACES || length > most_items - items_) return false;
+            sequence_[sequences_++] = {items_, length};
+            for (std::int64_t place = 0; place < length; ++place) item_[items_++] = *numbers++;
+        }
+        return true;
+    }
+    /// Finds or adds a window of sequences, a set of places that is not empty; returns its part in `part`. False if there
+    /// are too many.
+    bool find_window(std::uint32_t type, const PlaceSet& places, bool greatest, std::uint32_t& part) noexcept {
+        part = size_part + 1;
+        for (std::uint32_t i = 0; i < windows_; ++i) {
+            if (window_[i].type != type) continue;
+            if (places_[i] == places && (window_[i].greatest != 0) == greatest) return true;
+            ++part;
+        }
+        if (windows_ == most_windows || part >= ROBOCHART_MAX_PARTS) return false;
+        places_[windows_] = places;
+        window_[windows_] = {type, part, greatest ? 1U : 0U, places_[windows_].word};
+        ++windows_;
+        return true;
+    }
+    std::uint32_t windows(const rc_window** list) const noexcept {
+        *list = window_;
+        return windows_;
+    }
+    [[nodiscard]] std::int64_t size_of(std::uint32_t type, std::uint32_t index) const noexcept {
+        return sequence_[table_[type].first + index].length;
+    }
+    [[nodiscard]] const std::int64_t* items_of(std::uint32_t type, std::uint32_t index) const noexcept {
+        return item_ + sequence_[table_[type].first + index].first;
+    }
+
     /// The handle of a part of a value.
     [[nodiscard]] std::uint32_t part(std::uint32_t type, std::uint32_t index, std::uint32_t part) const noexcept {
         return table_[type].first + index * table_[type].parts + part;
@@ -74,6 +145,12 @@ public:
     [[nodiscard]] WideInteger value(const LinearForm& form) const noexcept {
         const Table& table = table_[form.type];
         WideInteger sum = form.constant;
+        if (table.sequences) {
+            for (std::uint32_t i = 0; i < ROBOCHART_MAX_PARTS; ++i)
+                if (form.coefficient[i] != 0)
+                    sum += WideInteger{form.coefficient[i]} * part_of_sequence(form.type, form.index, i);
+            return sum;
+        }
         for (std::uint32_t i = 0; i < table.parts; ++i)
             sum += WideInteger{form.coefficient[i]} * number_[table.first + form.index * table.parts + i];
         return sum;
@@ -93,7 +170,7 @@ public:
 
     /// Records the comparison of a form with zero.
     void record(const LinearForm& difference) noexcept {
-        if (!recording) return;
+        if (paused) return;
         rc_comparison found{};
         found.type = difference.type;
         for (std::size_t i = 0; i < ROBOCHART_MAX_PARTS; ++i) found.coefficient[i] = difference.coefficient[i];
@@ -106,7 +183,7 @@ public:
     }
     /// Records a loss (an RC_TRACKED_ flag): after this use, the explored values may no longer represent all values.
     void lose(std::uint32_t loss) noexcept {
-        if (recording) losses_ |= loss;
+        if (!paused) losses_ |= loss;
     }
     /// Records a loss that remains when other values are explored. An example is an inexact literal, which may be
     /// constructed only once.
@@ -129,24 +206,54 @@ public:
         return -1;
     }
 
-    bool recording = true;  ///< false while a state is printed
+    bool paused = false;  ///< while a state is printed, nothing is recorded
 
 private:
     struct Table {
         std::uint32_t first = 0, parts = 0, count = 0;
+        bool sequences = false;
+    };
+    struct Sequence {
+        std::uint32_t first = 0;
+        std::int64_t length = 0;
     };
 
+    /// The extremum of a window in which the sequence has no place is 0.
+    [[nodiscard]] std::int64_t part_of_sequence(std::uint32_t type, std::uint32_t index,
+                                                std::uint32_t part) const noexcept {
+        const std::int64_t length = size_of(type, index);
+        if (part == size_part) return length;
+        std::uint32_t found = 0;
+        while (found < windows_ && (window_[found].type != type || window_[found].part != part)) ++found;
+        if (found == windows_) return 0;
+        const std::int64_t* const items = items_of(type, index);
+        const bool greatest = window_[found].greatest != 0;
+        bool empty = true;
+        std::int64_t result = 0;
+        for (std::int64_t place = 1; place <= length; ++place) {
+            if (!places_[found].has(place)) continue;
+            const std::int64_t item = items[place - 1];
+            if (empty || (greatest ? item > result : item < result)) result = item;
+            empty = false;
+        }
+        return result;
+    }
     static bool equal(const rc_comparison& a, const rc_comparison& b) noexcept {
         for (std::size_t i = 0; i < ROBOCHART_MAX_PARTS; ++i)
             if (a.coefficient[i] != b.coefficient[i]) return false;
         return a.type == b.type && a.constant == b.constant;
     }
-    void forget() noexcept { numbers_ = forms_ = comparisons_ = losses_ = 0; }
+    void forget() noexcept { numbers_ = sequences_ = items_ = windows_ = forms_ = comparisons_ = losses_ = 0; }
 
     Table table_[most_types] = {};
     std::int64_t number_[most_numbers] = {};
+    Sequence sequence_[most_sequences] = {};
+    std::int64_t item_[most_items] = {};
+    rc_window window_[most_windows] = {};
+    PlaceSet places_[most_windows] = {};
     LinearForm form_[most_forms] = {};
     rc_comparison comparison_[most_comparisons] = {};
+    std::uint32_t sequences_ = 0, items_ = 0, windows_ = 0;
     std::uint32_t numbers_ = 0, forms_ = 0, comparisons_ = 0, losses_ = 0, lasting_losses_ = 0;
 };
 
@@ -187,6 +294,16 @@ public:
         Tracked result;
         result.bits_ = std::int64_t{tracking.part(type, index, part)} * 2 + 1;
         return result;
+    }
+
+    /// A part of a sequence, which has a form of its own.
+    [[nodiscard]] static Tracked part_of_sequence(std::uint32_t type, std::uint32_t index,
+                                                  std::uint32_t part) noexcept {
+        LinearForm form;
+        form.type = type;
+        form.index = index;
+        form.coefficient[part] = 1;
+        return made(form, Tracked());
     }
 
     [[nodiscard]] constexpr bool known() const noexcept { return (bits_ & 1) == 0; }

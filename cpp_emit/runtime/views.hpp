@@ -51,6 +51,7 @@ public:
             if (visit(item)) return true;
         return false;
     }
+    [[nodiscard]] constexpr const Plain& collection() const noexcept { return collection_; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return collection_.size(); }
     /// The item at a place from 1 to size().
     [[nodiscard]] constexpr const value_type& at(std::int64_t place) const noexcept {
@@ -282,6 +283,8 @@ public:
             return false;
         }
     }
+    [[nodiscard]] constexpr const Places& places() const noexcept { return places_; }
+    [[nodiscard]] constexpr const Sequence& sequence() const noexcept { return sequence_; }
 
 private:
     Places places_;
@@ -296,7 +299,10 @@ constexpr Window<Places, Sequence> extract(Places places, Sequence sequence) noe
 
 template <class View>
 constexpr bool empty(const View& view) noexcept {
-    return !view.any([](const auto&) { return true; });
+    if constexpr (OwnFolds<View>::value)
+        return OwnFolds<View>::empty(view);
+    else
+        return !view.any([](const auto&) { return true; });
 }
 /// An element that is not NaN, if there is one. Otherwise some element, or a default-constructed value.
 template <class View>
@@ -311,22 +317,30 @@ constexpr typename View::value_type first_number(const View& view) noexcept {
 /// The least element; a default-constructed value if there is none. NaN counts only if there is nothing else.
 template <class R, class View>
 constexpr R min(const View& view) noexcept {
-    auto result = first_number(view);
-    view.any([&](const auto& element) {
-        if (element < result) result = element;
-        return false;
-    });
-    return convert<R>(result);
+    if constexpr (OwnFolds<View>::value) {
+        return convert<R>(OwnFolds<View>::extremum(view, false));
+    } else {
+        auto result = first_number(view);
+        view.any([&](const auto& element) {
+            if (element < result) result = element;
+            return false;
+        });
+        return convert<R>(result);
+    }
 }
 /// The greatest element; a default-constructed value if there is none. NaN counts only if there is nothing else.
 template <class R, class View>
 constexpr R max(const View& view) noexcept {
-    auto result = first_number(view);
-    view.any([&](const auto& element) {
-        if (result < element) result = element;
-        return false;
-    });
-    return convert<R>(result);
+    if constexpr (OwnFolds<View>::value) {
+        return convert<R>(OwnFolds<View>::extremum(view, true));
+    } else {
+        auto result = first_number(view);
+        view.any([&](const auto& element) {
+            if (result < element) result = element;
+            return false;
+        });
+        return convert<R>(result);
+    }
 }
 /// The number of items, equal ones included.
 template <class R, class View>

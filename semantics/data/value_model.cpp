@@ -11,7 +11,9 @@
 #include "semantics/data/classes.hpp"
 #include "semantics/data/linear.hpp"
 #include "semantics/data/rewriter.hpp"
+#include "semantics/data/windows.hpp"
 #include "semantics/evaluate/carrier.hpp"
+#include "semantics/ir/arithmetic.hpp"
 #include "semantics/ir/number_parts.hpp"
 #include "semantics/ir/visit.hpp"
 
@@ -29,6 +31,7 @@ std::int64_t& number_at(Value& value, const NumberPart& part) {
 
 /// True for a literal, which every finite instantiation contains.
 bool is_literal(const Expr& root) {
+    if (root.kind == ExprKind::sequence && root.args.empty()) return true;
     const Expr& expr = root.kind == ExprKind::negate ? *root.args.at(0) : root;
     return expr.kind == ExprKind::integer || expr.kind == ExprKind::real;
 }
@@ -87,6 +90,13 @@ private:
     [[nodiscard]] bool machines_are_free(const System& rewritten) const;
     bool divide_type(TypeId type, const std::set<PlaceId>& flows, std::map<PlaceId, ValueClasses>& divided,
                      ValueModel& result) const;
+    bool divide_numbers(TypeId type, const std::set<PlaceId>& flows, std::vector<Value>& values,
+                        ValueModel& result) const;
+    bool divide_sequences(TypeId type, const std::set<PlaceId>& flows, std::vector<Value>& values,
+                          ValueModel& result) const;
+    [[nodiscard]] ClosedValue closed_of(MachineId machine) const {
+        return [this, machine](const Expr& expr) { return sampling_.closed_value(machine, expr); };
+    }
     [[nodiscard]] std::vector<Value> written_values(TypeId type, const std::set<PlaceId>& flows) const;
     [[nodiscard]] bool add_conditions(LinearConditions& linear, TypeId type, const std::set<PlaceId>& flows) const;
     [[nodiscard]] std::optional<std::vector<Value>> values_in_regions(const LinearConditions& linear, TypeId type,
@@ -112,10 +122,11 @@ bool Explorer::add_place(PlaceId place) {
     if (place == no_id || !has_numbers(system_, places_[place].type)) return true;
     const PlaceId flow = places_.class_of(place);
     const auto uses = uses_.find(flow);
-    const bool copied = classes_.contains(flow) && !number_parts(system_, places_[flow].type).empty() &&
-                        uses != uses_.end() &&
+    const TypeId type = places_[flow].type;
+    const bool numbers = !number_parts(system_, type).empty() || is_number_sequence(system_, type);
+    const bool copied = classes_.contains(flow) && numbers && uses != uses_.end() &&
                         std::ranges::all_of(uses->second.writes, [](const Written& written) { return written.closed; });
-    if (copied) flows_[places_[flow].type].insert(flow);
+    if (copied) flows_[type].insert(flow);
     return copied;
 }
 
@@ -163,8 +174,7 @@ std::vector<Value> Explorer::written_values(TypeId type, const std::set<PlaceId>
 bool Explorer::add_conditions(LinearConditions& linear, TypeId type, const std::set<PlaceId>& flows) const {
     for (const PlaceId flow : flows) {
         for (const Condition& condition : uses_.at(flow).conditions) {
-            const auto closed = [&](const Expr& expr) { return sampling_.closed_value(condition.machine, expr); };
-            if (!linear.add(*condition.expr, closed)) return false;
+            if (!linear.add(*condition.expr, closed_of(condition.machine))) return false;
         }
     }
     const std::vector<NumberPart> parts = number_parts(system_, type);
@@ -230,9 +240,137 @@ void Explorer::add_cuts(const LinearConditions& linear, TypeId type, std::vector
     }
 }
 
+/// The comparisons of a sequence's numbers, and those of its size by which a window has places: the form
+/// 2 * size - (2 * first - 1) is positive if it does.
+void add_sequence_cuts(const SequenceConditions& conditions, TypeId type, std::vector<Cut>& cuts) {
+    for (const auto& [window, threshold] : conditions.comparisons()) {
+        cuts.push_back({type, {1}, -threshold, window});
+        if (window && !window->places.empty()) cuts.push_back({type, {2}, 1 - 2 * window->places.front()});
+    }
+}
+
+/// Adds a comparison of the code. False if it is not one of a number with a threshold.
+bool add_sequence_cut(SequenceConditions& conditions, const Cut& cut) {
+    const std::int64_t coefficient = cut.coefficients.at(0);
+    if (cut.window) return coefficient == 1 && conditions.add_threshold(*cut.window, -cut.constant);
+    // The sign of coefficient * size + constant is known if that of size - threshold is.
+    const std::int64_t threshold = *floor_divide(-cut.constant, coefficient);
+    return threshold < 0 || conditions.add_size(threshold);
+}
+
+/// Makes another sequence of the same region, or shows that there is none. Statement: a region has only one sequence if
+/// this sequence cannot be followed by an item, and each of its items is the only one in some window that is equal to
+/// the window's number, which is a threshold. Reason: the lengths with these windows are an interval, so another
+/// sequence of the region is not longer. In the windows of the greatest items (with `max`: the least ones) there are no
+/// other items, so each other sequence has these items in these places. The windows of the next items contain only
+/// these places and those before, and so on.
+class SequenceChanges {
+public:
+    /// `unit`: of one item.
+    SequenceChanges(const SequenceConditions& conditions, std::int64_t unit, bool natural)
+        : conditions_(conditions), unit_(unit), natural_(natural) {}
+
+    [[nodiscard]] std::optional<Value> other(const Value& value) const {
+        const std::vector<int> signs = conditions_.signs_at(value);
+        std::optional<Value> result;
+        const auto try_value = [&](Value changed) {
+            if (!result && changed != value && conditions_.signs_at(changed) == signs) result = std::move(changed);
+        };
+        for (const std::int64_t item : {beyond(1), beyond(-1)}) {
+            Value longer = value;
+            longer.parts.push_back({item, {}});
+            try_value(std::move(longer));
+        }
+        if (!value.parts.empty()) {
+            Value shorter = value;
+            shorter.parts.pop_back();
+            try_value(std::move(shorter));
+        }
+        for (std::size_t place = 0; place < value.parts.size() && !result; ++place) {
+            if (place > most_places && place + 1 < value.parts.size()) continue;
+            for (const std::int64_t change : {unit_, -unit_, std::int64_t{1}, std::int64_t{-1}}) {
+                Value changed = value;
+                changed.parts[place].number += change;
+                if (!natural_ || changed.parts[place].number >= 0) try_value(std::move(changed));
+            }
+        }
+        return result;
+    }
+
+    /// Whether it is known that the region has no other sequence. Requires that `other` has found none.
+    [[nodiscard]] bool is_alone(const Value& value) const {
+        const std::vector<SequenceConditions::Comparison> comparisons = conditions_.comparisons();
+        if (value.parts.size() > comparisons.size()) return false;
+        const auto length = static_cast<std::int64_t>(value.parts.size());
+        const std::vector<int> signs = conditions_.signs_at(value);
+        std::set<std::int64_t> fixed;
+        for (std::size_t i = 0; i < comparisons.size(); ++i) {
+            if (!comparisons[i].window || signs[i] != 0) continue;
+            std::vector<std::int64_t> equal;
+            for (const std::int64_t place : comparisons[i].window->places)
+                if (place <= length &&
+                    value.parts[static_cast<std::size_t>(place - 1)].number == comparisons[i].threshold)
+                    equal.push_back(place);
+            if (equal.size() == 1) fixed.insert(equal.front());
+        }
+        return static_cast<std::int64_t>(fixed.size()) == length;
+    }
+
+private:
+    static constexpr std::size_t most_places = 64;
+
+    /// A number beyond all thresholds, or the least natural number.
+    [[nodiscard]] std::int64_t beyond(std::int64_t side) const {
+        std::int64_t greatest = 0;
+        for (const auto& [window, threshold] : conditions_.comparisons())
+            if (window) greatest = std::max(greatest, std::abs(threshold));
+        const std::int64_t result = side * (greatest + unit_);
+        return natural_ ? std::max<std::int64_t>(result, 0) : result;
+    }
+
+    const SequenceConditions& conditions_;
+    std::int64_t unit_;
+    bool natural_;
+};
+
+/// Adds `fresh_values` sequences of each region, or the only one. False if there are too many, or if it is not known
+/// whether a region has others.
+bool Explorer::divide_sequences(TypeId type, const std::set<PlaceId>& flows, std::vector<Value>& values,
+                                ValueModel& result) const {
+    if (values.size() > 1) return false;  // the code cannot build other sequences than the empty one
+    SequenceConditions conditions(system_, sampling_.instantiation().scale);
+    for (const PlaceId flow : flows)
+        for (const Condition& condition : uses_.at(flow).conditions)
+            if (!conditions.add(*condition.expr, closed_of(condition.machine))) return false;
+    for (const Cut& cut : cuts_) {
+        if (cut.type != type) continue;
+        if (!add_sequence_cut(conditions, cut)) return false;
+        result.cuts.push_back(cut);
+    }
+    const TypeId element = system_.type(type).args.at(0);
+    const bool real = system_.type(element).kind == TypeKind::real;
+    const std::int64_t unit = real ? sampling_.instantiation().scale : 1;
+    const auto candidates = conditions.values(element, {unit, {}});
+    if (!candidates) return false;
+    const SequenceChanges changes(conditions, unit, system_.type(element).kind == TypeKind::nat);
+    std::set<std::vector<int>> regions;
+    for (const Value& value : *candidates) {
+        sampling_.instantiation().poll();
+        if (!regions.insert(conditions.signs_at(value)).second) continue;
+        if (value != values.front()) values.push_back(value);
+        auto other = changes.other(value);
+        if (!other && !changes.is_alone(value)) return false;
+        if (other && *other != values.front()) values.push_back(std::move(*other));
+        if (values.size() > most_modelled_values) return false;
+    }
+    add_sequence_cuts(conditions, type, result.cuts);
+    return true;
+}
+
 /// Makes one class for each value.
 std::optional<ValueClasses> Explorer::classes_for(PlaceId flow, const std::vector<Value>& values) const {
     ValueClasses result;
+    const bool sequences = is_number_sequence(system_, places_[flow].type);
     result.witnesses = values;
     for (std::size_t v = 0; v < values.size(); ++v) result.of_value.emplace(values[v], v);
     for (const Condition& condition : uses_.at(flow).conditions) {
@@ -240,7 +378,8 @@ std::optional<ValueClasses> Explorer::classes_for(PlaceId flow, const std::vecto
         for (const Value& value : values) {
             sampling_.instantiation().poll();
             const auto answer = sampling_.truth(condition.machine, *condition.expr, value);
-            if (!answer || *answer < 0) return std::nullopt;
+            // The model takes no transition with an undefined guard. Conditions about numbers are defined.
+            if (!answer || (*answer < 0 && !sequences)) return std::nullopt;
             answers.push_back(*answer == 1);
         }
     }
@@ -269,23 +408,34 @@ void Explorer::add_comparisons(const Condition& condition, TypeId type, const st
 
 bool Explorer::divide_type(TypeId type, const std::set<PlaceId>& flows, std::map<PlaceId, ValueClasses>& divided,
                            ValueModel& result) const {
-    LinearConditions linear(system_, sampling_.instantiation());
     std::vector<Value> values = written_values(type, flows);
     const std::size_t written = values.size();
-    if (!add_conditions(linear, type, flows) || !add_regions(linear, type, values)) return false;
+    const bool sequences = is_number_sequence(system_, type);
+    const bool found =
+        sequences ? divide_sequences(type, flows, values, result) : divide_numbers(type, flows, values, result);
+    if (!found) return false;
     for (const PlaceId flow : flows) {
         auto classes = classes_for(flow, values);
         if (!classes) return false;
         divided.emplace(flow, std::move(*classes));
     }
-    add_cuts(linear, type, result.cuts);
-    for (const PlaceId flow : flows)
-        for (const Condition& condition : uses_.at(flow).conditions) add_comparisons(condition, type, values, result);
     ExploredValues& explored = result.types.emplace_back(ExploredValues{type, {}, written});
     for (Value& value : values) {
         Numbers& numbers = explored.values.emplace_back();
+        if (sequences)
+            for (const Value& item : value.parts) numbers.push_back(item.number);
         for (const NumberPart& part : number_parts(system_, type)) numbers.push_back(number_at(value, part));
     }
+    return true;
+}
+
+bool Explorer::divide_numbers(TypeId type, const std::set<PlaceId>& flows, std::vector<Value>& values,
+                              ValueModel& result) const {
+    LinearConditions linear(system_, sampling_.instantiation());
+    if (!add_conditions(linear, type, flows) || !add_regions(linear, type, values)) return false;
+    add_cuts(linear, type, result.cuts);
+    for (const PlaceId flow : flows)
+        for (const Condition& condition : uses_.at(flow).conditions) add_comparisons(condition, type, values, result);
     return true;
 }
 

@@ -12,24 +12,27 @@
 #include <vector>
 
 #include "semantics/data/class_model.hpp"
+#include "semantics/data/window.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
 
 namespace robochart::ir {
 
 /// A comparison of a linear form with zero: the sum of coefficients times the numbers of a value (number_parts.hpp),
-/// plus the constant in units (ValueModel::scale).
+/// plus the constant in units (ValueModel::scale). The form of a sequence has one number, which is the least or
+/// greatest one at the places of a window, or the size; the constant is whole if this number is.
 struct Cut {
     TypeId type;
     std::vector<std::int64_t> coefficients;  ///< one for each number of the type; not all are 0
     std::int64_t constant = 0;
+    std::optional<SequenceWindow> window = {};  ///< of a sequence; no value: the size
     friend auto operator<=>(const Cut&, const Cut&) = default;
 };
 /// The same cut with coprime numbers and a positive first coefficient.
 [[nodiscard]] Cut normalized(Cut cut);
 
-/// The values of one type, number by number: reals in units, others whole. The enumerations of the model have a literal
-/// for each, in this order; the first is the default value of the type.
+/// The values of one type, number by number: reals in units, others whole. The numbers of a sequence are its items. The
+/// enumerations of the model have a literal for each, in this order; the first is the default value of the type.
 struct ExploredValues {
     TypeId type;
     std::vector<std::vector<std::int64_t>> values;
@@ -56,8 +59,8 @@ struct ValueModel {
 
 /// The value model of these machines, whose regions are divided by the conditions of the model and by `cuts`. No value
 /// if the machines compute numbers or durations, compare values with each other, or contain other data with numbers or
-/// without a finite set of values (sequences, say). No value either if there are no numbers, a remainder, or too many
-/// regions. The instantiation is that of the model, with its own carriers.
+/// without a finite set of values (sequences of records, say). No value either if there are no numbers, a remainder, or
+/// too many regions. The instantiation is that of the model, with its own carriers.
 [[nodiscard]] std::optional<ValueModel> value_model(const System& system, const Instantiation& instantiation,
                                                     const std::vector<MachineId>& machines,
                                                     const std::vector<Cut>& cuts);

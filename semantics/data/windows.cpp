@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/diagnostics/containers.hpp"
 #include "semantics/ir/arithmetic.hpp"
 #include "semantics/ir/visit.hpp"
 
@@ -60,8 +61,7 @@ bool SequenceConditions::add_comparison(const Expr& subject, const Expr& with) {
     if (is_toolkit(plain, "sequence_toolkit_size") && is_place(without_casts(*plain.args.at(0)))) {
         const bool real = system_.type(with.type).kind == TypeKind::real;
         const std::int64_t size = real ? *floor_divide(value->number, scale_) : value->number;
-        if (size >= 0) sizes_.insert(size);  // every size is greater than a negative number
-        return size < longest_sequence;
+        return size < 0 || add_size(size);  // every size is greater than a negative number
     }
     if (&plain != &subject || !value->parts.empty()) return false;
     return add_window(plain, value->number);
@@ -69,7 +69,6 @@ bool SequenceConditions::add_comparison(const Expr& subject, const Expr& with) {
 
 /// `min(ran(extract(W, s)))` and the same with `max`.
 bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold) {
-    if (threshold <= -greatest_threshold || threshold >= greatest_threshold) return false;
     const bool greatest = is_toolkit(extremum, "sequence_toolkit_max");
     if (!greatest && !is_toolkit(extremum, "sequence_toolkit_min")) return false;
     const Expr& range = without_casts(*extremum.args.at(0));
@@ -78,11 +77,16 @@ bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold
     if (!is_toolkit(extract, "sequence_toolkit_extract") || !is_place(*extract.args.at(1))) return false;
     const auto places = closed_(*extract.args.at(0));
     if (!places) return false;
-    Window window;
+    SequenceWindow window{{}, greatest};
     for (const Value& place : places->parts)
-        if (place.number >= 1) window.insert(place.number);
-    if (!window.empty() && *window.rbegin() > longest_sequence) return false;
-    greatest_.insert(greatest);
+        if (place.number >= 1) window.places.push_back(place.number);
+    diagnostics::sort_unique(window.places);
+    return add_threshold(window, threshold);
+}
+
+bool SequenceConditions::add_threshold(const SequenceWindow& window, std::int64_t threshold) {
+    if (threshold <= -greatest_threshold || threshold >= greatest_threshold) return false;
+    if (!window.places.empty() && window.places.back() > longest_sequence) return false;
     const auto known = std::ranges::find(windows_, window);
     const auto number = static_cast<std::size_t>(known - windows_.begin());
     if (known == windows_.end()) {
@@ -93,11 +97,47 @@ bool SequenceConditions::add_window(const Expr& extremum, std::int64_t threshold
     return true;
 }
 
+bool SequenceConditions::add_size(std::int64_t size) {
+    sizes_.insert(size);
+    return size < longest_sequence;
+}
+
+std::vector<SequenceConditions::Comparison> SequenceConditions::comparisons() const {
+    std::vector<Comparison> result;
+    for (std::size_t w = 0; w < windows_.size(); ++w)
+        for (const std::int64_t threshold : thresholds_[w]) result.push_back({windows_[w], threshold});
+    for (const std::int64_t size : sizes_) result.push_back({std::nullopt, size});
+    return result;
+}
+
+std::vector<int> SequenceConditions::signs_at(const Value& sequence) const {
+    const auto length = static_cast<std::int64_t>(sequence.parts.size());
+    const auto sign = [](std::int64_t number, std::int64_t threshold) {
+        return static_cast<int>(number > threshold) - static_cast<int>(number < threshold);
+    };
+    std::vector<int> result;
+    for (const Comparison& comparison : comparisons()) {
+        if (!comparison.window) {
+            result.push_back(sign(length, comparison.threshold));
+            continue;
+        }
+        std::optional<std::int64_t> extremum;
+        for (const std::int64_t place : comparison.window->places) {
+            if (place > length) break;
+            const std::int64_t number = sequence.parts[static_cast<std::size_t>(place - 1)].number;
+            const bool further = !extremum || (comparison.window->greatest ? number > *extremum : number < *extremum);
+            if (further) extremum = number;
+        }
+        result.push_back(extremum ? sign(*extremum, comparison.threshold) : 2);
+    }
+    return result;
+}
+
 /// The places of each cell, ascending, by the windows that contain them.
 std::map<std::vector<std::size_t>, std::vector<std::int64_t>> SequenceConditions::cells() const {
     std::map<std::int64_t, std::vector<std::size_t>> of_place;
     for (std::size_t w = 0; w < windows_.size(); ++w)
-        for (const std::int64_t place : windows_[w]) of_place[place].push_back(w);
+        for (const std::int64_t place : windows_[w].places) of_place[place].push_back(w);
     std::map<std::vector<std::size_t>, std::vector<std::int64_t>> result;
     for (const auto& [place, windows] : of_place) result[windows].push_back(place);
     return result;
@@ -142,7 +182,10 @@ std::vector<std::int64_t> SequenceConditions::numbers_beside(const std::vector<s
 std::optional<std::vector<Value>> SequenceConditions::values(TypeId element, const Value& other) const {
     const TypeKind kind = system_.type(element).kind;
     const bool number = kind == TypeKind::real || kind == TypeKind::integer || kind == TypeKind::nat;
-    if (greatest_.size() > 1 || (!windows_.empty() && !number)) return std::nullopt;
+    const auto is_greatest = [](const SequenceWindow& window) { return window.greatest; };
+    const auto kinds = std::ranges::count_if(windows_, is_greatest);
+    const bool mixed = kinds != 0 && kinds != static_cast<std::ptrdiff_t>(windows_.size());
+    if (mixed || (!windows_.empty() && !number)) return std::nullopt;
     const auto all_cells = cells();
     std::vector<Value> result;
     for (const std::int64_t length : lengths()) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "semantics/data/linear.hpp"
+#include "semantics/data/window.hpp"
 
 namespace robochart::ir {
 
@@ -33,6 +34,19 @@ public:
     /// Candidates; no value if there are too many. `element`: the type of the elements; `other`: the element at places
     /// in no window.
     [[nodiscard]] std::optional<std::vector<Value>> values(TypeId element, const Value& other) const;
+
+    /// Adds a comparison of the number in a window, or of the size, with a threshold. False if it is too large.
+    [[nodiscard]] bool add_threshold(const SequenceWindow& window, std::int64_t threshold);
+    [[nodiscard]] bool add_size(std::int64_t size);
+    /// A comparison of the number in a window, or of the size (no window), with a threshold.
+    struct Comparison {
+        std::optional<SequenceWindow> window;
+        std::int64_t threshold = 0;
+    };
+    [[nodiscard]] std::vector<Comparison> comparisons() const;
+    /// For each comparison, the sign of the number less the threshold; 2 if the sequence has no place in the window.
+    [[nodiscard]] std::vector<int> signs_at(const Value& sequence) const;
+
     /// The greatest size that the conditions compare the size with; no value if they read elements.
     [[nodiscard]] std::optional<std::int64_t> greatest_size() const {
         if (!windows_.empty()) return std::nullopt;
@@ -41,8 +55,6 @@ public:
 
 private:
     [[nodiscard]] bool add_condition(const Expr& condition);
-    using Window = std::set<std::int64_t>;
-
     [[nodiscard]] bool add_comparison(const Expr& subject, const Expr& with);
     [[nodiscard]] bool add_window(const Expr& extremum, std::int64_t threshold);
     [[nodiscard]] std::map<std::vector<std::size_t>, std::vector<std::int64_t>> cells() const;
@@ -53,10 +65,9 @@ private:
     const System& system_;
     std::int64_t scale_;
     ClosedValue closed_;  ///< of the condition that is added
-    std::vector<Window> windows_;
+    std::vector<SequenceWindow> windows_;
     std::vector<std::set<std::int64_t>> thresholds_;  ///< of each window, in the unit of its numbers
     std::set<std::int64_t> sizes_;                    ///< numbers that the size is compared with
-    std::set<bool> greatest_;                         ///< for each kind of window: whether it is `max`
 };
 
 }  // namespace robochart::ir

@@ -222,6 +222,10 @@ public:
         : system_(system), known_(known), result_(result) {}
 
     void look_at(const Expr&, const Machine*);
+    /// Records steps of counters: `n = n + 7`, `n = n - 7`.
+    void look_at_assignment(const Stmt&, const Machine&);
+    /// A counter that is compared with a number by order may exceed it by one step.
+    void add_steps();
     /// If two variables are compared by order, their type must contain a greater and a smaller number for each value
     /// that one of them may have.
     void add_extremes(const Literals&);
@@ -237,9 +241,18 @@ private:
         return expr.type.is_valid() ? system_.type(expr.type).kind : TypeKind::unit;
     }
 
+    /// A number that the values of a variable are compared with by order, or that is added to them.
+    struct NumberOfVariable {
+        const Machine* machine;
+        VariableId variable;
+        TypeKind kind;
+        Decimal number;
+    };
+
     const System& system_;
     const KnownValues& known_;
     Compared& result_;
+    std::vector<NumberOfVariable> limits_, steps_;
     std::set<TypeKind> unlike_variables_;  // types with order comparisons of two values that can both change
     Decimals thresholds_;                  // numbers that reals are compared with by order
 };
@@ -286,7 +299,35 @@ void Comparisons::add(const Expr& subject, const Decimal& value, const Machine* 
     else
         return;
     if (type == TypeKind::real && ordered) thresholds_.push_back(value);
+    if (subject.kind == ExprKind::variable && ordered) limits_.push_back({machine, subject.variable, type, value});
     add_operands(subject, value, machine, ordered);
+}
+
+void Comparisons::look_at_assignment(const Stmt& stmt, const Machine& machine) {
+    if (stmt.kind != StmtKind::assign || !stmt.path.empty()) return;
+    const Expr* value = stmt.value.get();
+    while (value->kind == ExprKind::cast) value = value->args[0].get();
+    if (value->kind != ExprKind::plus && value->kind != ExprKind::minus) return;
+    const Expr* counter = value->args[0].get();
+    while (counter->kind == ExprKind::cast) counter = counter->args[0].get();
+    if (counter->kind != ExprKind::variable || counter->variable != stmt.variable) return;
+    const auto numbers = known_.find_values(*value->args[1], &machine);
+    if (!numbers) return;
+    for (const Decimal& number : *numbers)
+        steps_.push_back(
+            {&machine, stmt.variable, kind(*counter), value->kind == ExprKind::plus ? number : negate_decimal(number)});
+}
+
+void Comparisons::add_steps() {
+    for (const NumberOfVariable& step : steps_) {
+        for (const NumberOfVariable& limit : limits_) {
+            const bool same = step.machine == limit.machine && step.variable == limit.variable;
+            const auto beyond = add_decimals(limit.number, step.number);
+            if (!same || !beyond) continue;
+            if (step.kind == TypeKind::integer) result_.integer.insert(floor_of(*beyond));
+            if (step.kind == TypeKind::nat && floor_of(*beyond) >= 0) result_.nat.insert(floor_of(*beyond));
+        }
+    }
 }
 
 void Comparisons::add_operands(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
@@ -380,6 +421,9 @@ Compared compared_values(const System& system, const Chosen& chosen, const Liter
     for (const Function& function : system.functions)
         for (const auto* conditions : {&function.preconditions, &function.postconditions})
             for (const ExprPtr& condition : *conditions) look_at(*condition, nullptr);
+    for (const Machine& machine : system.machines)
+        visit_statements(machine, [&](const Stmt& stmt) { comparisons.look_at_assignment(stmt, machine); });
+    comparisons.add_steps();
     comparisons.add_extremes(literals);
     comparisons.add_between(literals);
     return result;

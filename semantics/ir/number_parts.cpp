@@ -35,6 +35,11 @@ std::vector<NumberPart> number_parts(const System& system, TypeId type) {
     return parts;
 }
 
+bool is_number_sequence(const System& system, TypeId type) {
+    const Type& whole = system.type(type);
+    return whole.kind == TypeKind::sequence && is_number(system.type(whole.args.at(0)).kind);
+}
+
 /// Recursion depth: the depth of types.
 bool has_numbers(const System& system, TypeId id) {
     const Type& type = system.type(id);

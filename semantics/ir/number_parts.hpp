@@ -21,6 +21,9 @@ struct NumberPart {
 /// for all other types.
 [[nodiscard]] std::vector<NumberPart> number_parts(const System& system, TypeId type);
 
+/// True for sequences of nat, int or real.
+[[nodiscard]] bool is_number_sequence(const System& system, TypeId type);
+
 /// True if a value of the type, or a part of it, is a number or has no finite set of values.
 [[nodiscard]] bool has_numbers(const System& system, TypeId type);
 

@@ -67,6 +67,22 @@ bool compared(int site, T a, int op, T b, T other, T step) {
         default: return holds(a, op, b);
     }
 }
+/// `a < Bound{b}` with a fault.
+template <class T>
+struct Bound { T value; };
+template <class T>
+bool operator<(T a, Bound<T> b) {
+    switch (robochart_mutant) {
+        case -10: return a <= b.value;
+        case -11: return a < b.value + T(0.25);
+        case -12: return a < b.value - T(0.25);
+        case -13: return a < b.value || a > T(1000);
+        case -14: return a < b.value && !(a < T(-1000));
+        default: return a < b.value;
+    }
+}
+inline int one_less(int mutant) { return robochart_mutant == mutant ? -1 : 0; }
+inline int one_more(int mutant) { return robochart_mutant == mutant ? 1 : 0; }
 }
 )";
 static_assert(fault_kinds == 7, "robochart_mutant is 7 * site + kind");
@@ -360,6 +376,74 @@ INSTANTIATE_TEST_SUITE_P(
                    near_reals,
                    {{1, 1}, {-1, 2}, {1, -1}, {-1, -1}, {-2, -1}, {0, 0.5}}}),
     [](const auto& tested) { return std::string(tested.param.name); });
+
+constexpr const char* scanner = R"(
+import sequence_toolkit::*
+import set_toolkit::*
+import relation_toolkit::*
+enumeration Side { ahead left_ long_ }
+stm Scanner {
+	event scan : Seq(real)
+	event seen : Side
+	var ranges : Seq(real)
+	initial i
+	state Waiting { }
+	junction which
+	transition t0 { from i to Waiting }
+	transition t1 { from Waiting to which trigger scan?ranges }
+	transition t2 { from which to Waiting condition min(ran(extract([2, 3], ranges))) < 0.5 action seen!Side::ahead }
+	transition t3 { from which to Waiting condition not (min(ran(extract([2, 3], ranges))) < 0.5) /\
+		min(ran(extract([4, 6], ranges))) < 0.5 action seen!Side::left_ }
+	transition t4 { from which to Waiting condition size(ranges) > 7 /\ not (min(ran(extract([2, 3], ranges))) < 0.5) /\
+		not (min(ran(extract([4, 6], ranges))) < 0.5) action seen!Side::long_ }
+	transition t5 { from which to Waiting condition size(ranges) < 2 }
+}
+)";
+
+/// Faults in the first condition: its bound, and the places of its window, in the test that the window has a number, in
+/// the least number, or in both. Sequences are lengths, then numbers of quarters.
+TEST(AllValuesOfSequences, EveryFaultyWindowIsFound) {
+    const std::string window = "Interval<Nat>(Nat(2), Nat(3))";
+    Mutants mutants(scanner, "Scanner",
+                    {{window, "Interval<Nat>(Nat(2 + mutants::one_less(-20) + mutants::one_more(-21)), Nat(3))"},
+                     {window,
+                      "Interval<Nat>(Nat(2 + mutants::one_less(-22) + mutants::one_more(-23)), "
+                      "Nat(3 + mutants::one_less(-24) + mutants::one_more(-25)))"},
+                     {"< Real(0.5)", "< mutants::Bound<Real>{Real(0.5)}"},
+                     {"> Nat(7)", "> Nat(7 + mutants::one_less(-30) + mutants::one_more(-31))"}});
+    ASSERT_TRUE(mutants.is_compiled());
+    const ForAllValues original = mutants.judge();
+    ASSERT_TRUE(original.result) << original.reason;
+    ASSERT_EQ(original.result->outcome, Outcome::conforms) << original.result->reason;
+    ASSERT_EQ(original.result->all_values.size(), 1U);
+    EXPECT_TRUE(original.result->all_values.front().all_values);
+    const std::vector<std::vector<double>> one_of_each_class{{},
+                                                             {9},
+                                                             {9, 0.25},
+                                                             {9, 0.75},
+                                                             {9, 0.25, 9, 0.25},
+                                                             {9, 0.25, 9, 0.75},
+                                                             {9, 0.75, 9, 0.25},
+                                                             {9, 0.75, 9, 0.75},
+                                                             {9, 0.75, 9, 0.75, 9, 9, 9, 9}};
+    std::vector<NumberList> witnesses;
+    for (const auto& witness : one_of_each_class) {
+        NumberList& numbers = witnesses.emplace_back(NumberList{static_cast<std::int64_t>(witness.size())});
+        for (const double number : witness)
+            numbers.push_back(std::llround(number * static_cast<double>(mutants.scale())));
+    }
+    const auto expected = mutants.behaviours(witnesses);
+    int survivors = 0;
+    for (const int mutant : {-10, -11, -12, -13, -14, -20, -21, -22, -23, -24, -25, -30, -31}) {
+        SCOPED_TRACE(mutant);
+        mutants.select(mutant);
+        const ForAllValues judged = mutants.judge();
+        ASSERT_TRUE(judged.result) << judged.reason;
+        EXPECT_EQ(judged.result->outcome, Outcome::differs);
+        if (mutants.behaviours(witnesses) == expected) ++survivors;
+    }
+    EXPECT_GE(survivors, 3) << "one value of each class of the model would find as much";
+}
 
 constexpr const char* delay = R"(
 stm Delay {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The values of value models: every region of a fine grid has a value, and every region with several points has two.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,6 +69,92 @@ TEST(ValueModels, EveryRegionHasTwoValues) {
         SCOPED_TRACE(guard);
         expect_regions(*model, std::string(type) == "int");
     }
+}
+
+/// The sign of a cut at a sequence; 2 if the sequence has no place in the window.
+int sign_at(const Cut& cut, const std::vector<std::int64_t>& sequence) {
+    const auto length = static_cast<std::int64_t>(sequence.size());
+    std::vector<std::int64_t> numbers{length};
+    if (cut.window) {
+        numbers.clear();
+        for (const std::int64_t place : cut.window->places)
+            if (place <= length) numbers.push_back(sequence[static_cast<std::size_t>(place - 1)]);
+        if (numbers.empty()) return 2;
+    }
+    const auto [least, greatest] = std::ranges::minmax(numbers);
+    const bool upper = cut.window && cut.window->greatest;
+    const std::int64_t sum = cut.constant + cut.coefficients.front() * (upper ? greatest : least);
+    return (sum > 0 ? 1 : 0) - (sum < 0 ? 1 : 0);
+}
+
+std::optional<ValueModel> sequence_values(const std::string& type, const std::string& guard,
+                                          const std::vector<Cut>& cuts = {}) {
+    const auto lowered = samples::lower_text(
+        fmt::format("import sequence_toolkit::*\nimport set_toolkit::*\nimport relation_toolkit::*\n"
+                    "stm S {{ event e : Seq({0}) event o var x : Seq({0}) initial i state A {{ }} junction k "
+                    "transition t0 {{ from i to A }} transition t1 {{ from A to k trigger e ? x }} "
+                    "transition t2 {{ from k to A condition {1} action o }} }}",
+                    type, guard));
+    diagnostics::Diagnostics found;
+    const Instantiation instantiation = instantiate_system(lowered->system, {}, found);
+    return value_model(lowered->system, instantiation, {MachineId{0}}, cuts);
+}
+
+/// Every sequence of up to six items from a grid is in the region of two explored sequences, or is the empty one.
+void expect_regions_of_sequences(const ValueModel& model, bool whole) {
+    ASSERT_EQ(model.types.size(), 1U);
+    const auto signs = [&](const std::vector<std::int64_t>& sequence) {
+        std::vector<int> result;
+        for (const Cut& cut : model.cuts) result.push_back(sign_at(cut, sequence));
+        return result;
+    };
+    std::map<std::vector<int>, std::size_t> found;
+    for (const auto& value : model.types.front().values) ++found[signs(value)];
+    std::mt19937 random(20261130);
+    for (int sample = 0; sample < 20'000; ++sample) {
+        std::vector<std::int64_t> sequence(random() % 7);
+        for (std::int64_t& item : sequence)
+            item = whole ? static_cast<std::int64_t>(random() % 7)
+                         : static_cast<std::int64_t>(random() % 9) * model.scale / 4;
+        // A sequence of thresholds may be the only one of its region.
+        const bool alone = std::ranges::all_of(sequence, [&](std::int64_t item) {
+            return std::ranges::any_of(model.cuts, [&](const Cut& cut) { return cut.window && cut.constant == -item; });
+        });
+        ASSERT_GE(found[signs(sequence)], alone ? 1U : 2U) << fmt::format("{}", fmt::join(sequence, " "));
+    }
+}
+
+TEST(ValueModels, EveryRegionOfSequencesHasTwoValues) {
+    const char* near = "min(ran(extract([2, 3], x))) < 0.5";
+    for (const std::string& guard :
+         {std::string(near), std::string(near) + " /\\ not (min(ran(extract([3, 5], x))) < 0.5)",
+          std::string("size(x) == 4 /\\ max(ran(extract([1, 2], x))) >= 1.5"), std::string("size(x) > 2")}) {
+        SCOPED_TRACE(guard);
+        const auto model = sequence_values("real", guard);
+        ASSERT_TRUE(model);
+        expect_regions_of_sequences(*model, false);
+    }
+    const auto whole = sequence_values("nat", "min(ran(extract([1, 2], x))) > 3");
+    ASSERT_TRUE(whole);
+    expect_regions_of_sequences(*whole, true);
+}
+
+TEST(ValueModels, WindowsOfTheCodeDivideSequences) {
+    const auto first = sequence_values("real", "min(ran(extract([2, 3], x))) < 0.5");
+    ASSERT_TRUE(first);
+    const Cut shifted{first->types.front().type, {1}, -first->scale, SequenceWindow{{1, 2}, false}};
+    const auto second = sequence_values("real", "min(ran(extract([2, 3], x))) < 0.5", {shifted});
+    ASSERT_TRUE(second);
+    EXPECT_GT(second->types.front().values.size(), first->types.front().values.size());
+    EXPECT_NE(std::ranges::find(second->cuts, shifted), second->cuts.end());
+    expect_regions_of_sequences(*second, false);
+}
+
+/// Code cannot build other sequences than the empty one, and single items are read in no window.
+TEST(ValueModels, OtherUsesOfSequencesHaveNone) {
+    EXPECT_FALSE(sequence_values("real", "x[2] < 0.5"));
+    EXPECT_FALSE(sequence_values("real", "x == <1.0>"));
+    EXPECT_FALSE(sequence_values("real", "min(ran(extract([1, 2], x))) < 0.5 /\\ max(ran(extract([1, 2], x))) > 0.5"));
 }
 
 TEST(ValueModels, CutsDivideRegions) {

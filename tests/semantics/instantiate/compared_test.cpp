@@ -34,6 +34,21 @@ TEST(Compared, WholeNumbersHaveOneOnEitherSide) {
     EXPECT_EQ(of_guard("n in [1, 4]").nat.back(), 5);
 }
 
+/// The counter with the guard `guard` and the assignment `assignment`.
+Instantiation of_counter(const std::string& guard, const std::string& assignment) {
+    return of_guard(guard + " action " + assignment);
+}
+
+TEST(Compared, ACounterMayExceedANumberByOneStep) {
+    EXPECT_EQ(of_counter("i > -20", "i = i - 7").integer.front(), -27);
+    EXPECT_EQ(of_counter("i > -20", "i = i - 7").integer.back(), 7) << "a number of the model";
+    EXPECT_EQ(of_counter("i <= 20", "i = i + 9").integer.back(), 29);
+    EXPECT_EQ(of_counter("n < 20", "n = n + 9").nat.back(), 29);
+    EXPECT_EQ(of_counter("i == 20", "i = i + 9").integer.back(), 21) << "no order";
+    EXPECT_EQ(of_counter("n < 20", "m = m + 9").nat.back(), 21) << "another variable";
+    EXPECT_EQ(of_counter("n < 20", "n = m + 9").nat.back(), 21) << "no counter";
+}
+
 TEST(Compared, OnlyTheTypeThatIsComparedIsWidened) {
     const auto inst = of_guard("i > 2");
     EXPECT_EQ(inst.nat, (Numbers{0, 1, 2}));
