@@ -330,8 +330,8 @@ TEST(RulesOfModels, ThatNameWhatTheModelLacksAreNotApplicable) {
     const auto answer_to = [](const std::string& rule) {
         const Folder folder(
             {{"m.rct",
-              "stm M { event go : nat event halt initial i state A { } state B { }\n"
-              "transition t { from i to A } transition u { from A to B trigger go ? x action halt <{ 0 } }\n"
+              "stm M { event go : nat event halt initial i state A { } state B { entry halt <{ 0 } }\n"
+              "transition t { from i to A } transition u { from A to B trigger go ? x }\n"
               "var x : nat }\n"},
              {"m.sleec", "def_start event go event halt def_end rule_start\nR " + rule + "\nrule_end\n"}});
         return run({"rules", folder / "m.sleec", folder / "m.rct"}).out;
