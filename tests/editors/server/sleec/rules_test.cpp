@@ -103,7 +103,7 @@ TEST(RuleTexts, CompletionFitsThePlace) {
         "def_end\n"
         "rule_start R when ";
     EXPECT_EQ(offered(begun), "Go Stop");
-    EXPECT_EQ(offered(begun + "Go and "), "load near MAX not true false");
+    EXPECT_EQ(offered(begun + "Go and "), "load near MAX not true false in");
     EXPECT_EQ(offered(begun + "Go and load >= "), "low high");
     EXPECT_EQ(offered(begun + "Go then "), "Go Stop not");
     EXPECT_EQ(offered(begun + "Go then not "), "Go Stop");
