@@ -78,7 +78,7 @@ std::string proof_text(const refine::Statistics& size) {
     return reason.empty() ? "" : fmt::format("               {}\n", reason);
 }
 
-/// The assertion whose run is printed, and the other components with the same run.
+/// Where a run that several components share is printed, and which other components have the same run.
 struct SharedRun {
     std::string shown_at;             ///< "module P::M"; "": with this assertion
     std::vector<std::string> others;  ///< components with the same run

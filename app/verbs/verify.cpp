@@ -514,8 +514,8 @@ void note_nothing_checked(const Options& options, Report& report) {
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();
 }
 
-/// True if a part has components for the verb. One of several parts may contain only types; no code is generated for
-/// it.
+/// True if a part has components for the verb. If there are several parts, a part may contain only types; no code is
+/// generated for such a part.
 bool has_components(const driver::Part& part, const std::vector<driver::Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||

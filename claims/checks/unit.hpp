@@ -24,7 +24,7 @@ struct DeclaredUnit {
                                                     const diagnostics::SourceManager& sources,
                                                     diagnostics::Diagnostics& diagnostics);
 
-/// Reports that two places declare different units, at both.
+/// Reports, at each of the two places, that they declare different units.
 void report_difference(const DeclaredUnit& one, const DeclaredUnit& other, const diagnostics::SourceManager& sources,
                        diagnostics::Diagnostics& diagnostics);
 

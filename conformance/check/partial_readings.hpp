@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks conformance, but tries the readings of a register only if the code or the model depends on them. Used for
-// components whose registers have too many valuations in all states of the model (docs/conformance.md, "Partial
-// readings").
+// Checks conformance, but tries the readings of a register only if the code or the model depends on them. `conform`
+// uses this search if the search that tries every valuation of the registers in every state of the model reaches a
+// limit (docs/conformance.md, "Partial readings").
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"

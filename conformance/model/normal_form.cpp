@@ -43,8 +43,8 @@ std::string value_name(std::size_t index) {
     return fmt::format("x__{}", index);
 }
 
-/// `terminate -> SKIP` with an event that the normal form declares, because not every component has an event
-/// `terminate`.
+/// `terminate -> SKIP`, with an event that the normal form declares in place of `terminate`, because not every
+/// component has an event `terminate`.
 ExprPtr end() {
     return b::prefix(b::name(end_event), b::skip());
 }

@@ -459,7 +459,8 @@ std::string ProgramWriter::outside_place(const ir::Stmt& call, const Unit& opera
     return label;
 }
 
-/// Offers the operation to the platform. If the platform performs it, the model's definition counts as finished.
+/// Writes code that offers the operation to the platform. If the platform performs it, the operation's definition in
+/// the model is treated as finished: its frame goes to the final state.
 void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& frame) {
     const std::size_t parameters = generation_.component.modelled_call(operation.id).signature->parameters.size();
     std::vector<std::string> texts;

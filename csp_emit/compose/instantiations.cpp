@@ -240,7 +240,7 @@ std::vector<DeclPtr> data_definitions(const Project& project) {
 
 namespace {
 
-/// The names that the script declares at its top, except those for records.
+/// The names that the script declares at top level, except those for records.
 std::set<std::string> names_at_top(const ir::System& system) {
     std::set<std::string> names;
     const auto add_component = [&](const auto& component) {

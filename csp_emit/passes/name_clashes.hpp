@@ -26,7 +26,7 @@ struct FileBlocks {
 /// The definitions of the instantiations, by the names that the model's elements have in the script.
 [[nodiscard]] std::set<std::string> given_names(const std::vector<FileBlocks>& files, const NamesForBlocks& of_model);
 
-/// New names for generated code: for bound names that are also channels or constructors of the user.
+/// New names for the bound names in generated code that are also names of the user's channels or constructors.
 [[nodiscard]] cspm::NewNames new_names_of_ours(const UserNames& theirs, const std::vector<cspm::DeclPtr>& generated,
                                                NameManager& names);
 

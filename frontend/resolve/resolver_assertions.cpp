@@ -425,7 +425,8 @@ void AssertionResolver::resolve_simulation(Simulation& simulation) {
             .notes.push_back({block->name_span, "the block is declared here"});
 }
 
-/// A claim is about components of the dialect of its file. RoboSim compares with simulations of RoboChart components.
+/// A claim is about components of the dialect of its file. A claim in a RoboSim file cannot name a RoboChart component
+/// directly. It compares with a simulation of that component.
 void AssertionResolver::check_dialect(const ComponentPath& path, const QualifiedName& name) {
     const auto* component =
         path.steps.empty() ? nullptr : dynamic_cast<const Context*>(follow_reference(path.steps.back()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `conform --export`: the complete state space of the code for other tools, and a script that contains the model. Our
-// own checker of scripts must decide the script as `conform` does.
+// `conform --export`: the complete state space of the code for other tools, and a script that contains the model. For
+// this script, the project's checker of scripts must give the same answer as `conform`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>

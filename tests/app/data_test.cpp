@@ -855,8 +855,9 @@ TEST(Carriers, OfRoboToolAreThoseOfTheOptionAndOfExportedScripts) {
                 ::testing::HasSubstr("nametype core_nat = {0..7}\n"));
 }
 
-/// A script with classes is a second file. `cspm` decides its assertions as `check` decides the claims, and RoboTool's
-/// carriers do not: 21.25 is their greatest number.
+/// `emit csp` writes a second script, in which classes of values replace the carriers. Its assertions have the answers
+/// that `check` gives to the claims. Those of the first script do not: it has RoboTool's carriers, and 21.25 is their
+/// greatest number.
 TEST(Carriers, AScriptWithClassesHasTheAnswersOfTheModel) {
     const std::string model =
         "stm S { event e : real event stop var x : real initial i state A { } state High { } state Both { } junction k "

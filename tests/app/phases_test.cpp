@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The output of each phase for one model that uses every construct (phases/gate.rct), compared with a golden. After an
-// intended change, read the new texts, then store them: ROBOCHART_STORE_GOLDEN=tests/app/phases.
+// Compares the output of each phase, for one model that uses every construct (phases/gate.rct), with the stored text.
+// After an intended change, read the new texts, then store them: ROBOCHART_STORE_GOLDEN=tests/app/phases.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

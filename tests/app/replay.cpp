@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// This code parses descriptions of states independently of the code under test. Both share only the names that the
-// emission records.
+// See replay.hpp. This code parses descriptions of states independently of the code under test. The two share only the
+// names that the generator of scripts records.
 #include "tests/app/replay.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Independent models have the same verdicts in one run as alone, for any number of models. The test runs all folders of
-// models next to the repository, if they are present: a sample, or every model with ROBOCHART_TOGETHER=all.
+// Independent models have the same verdicts in one run as alone, for any number of models. The test uses the folders of
+// models next to the repository, if they are present: every third model, or all models with ROBOCHART_TOGETHER=all.
 #include <gtest/gtest.h>
 
 #include <algorithm>

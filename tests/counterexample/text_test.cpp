@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs as text: contents and omissions.
+// Tests the texts of runs: what they contain and what they omit.
 #include "counterexample/text.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meaning of RoboSim (docs/robosim.md): small models against processes written by hand from its rules. Each
-// specification follows from the rule that its test names.
+// Tests the meaning of RoboSim (docs/robosim.md): compares small models with processes written by hand from its rules.
+// Each specification follows from the rule that its test names.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

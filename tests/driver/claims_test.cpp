@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims of claims files: their verdicts, how they are explained, what they rest on.
+// Tests the claims of claims files: their verdicts, the explanations of the verdicts, and the facts on which they
+// depend.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files `representations.aird`, in which RoboTool stores diagrams (XMI of Sirius and GMF), as plain data: the drawn
-// elements and their places. References are resolved elsewhere (fragments.hpp), so reading opens no other file.
+// Reads the files `representations.aird` into plain data: the drawn elements and their places. RoboTool stores diagrams
+// in these files (XMI of Sirius and GMF). References are resolved elsewhere (fragments.hpp), so reading opens no other
+// file.
 #pragma once
 
 #include <cstddef>

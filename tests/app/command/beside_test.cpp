@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Additional output files: --json, --junit, --sarif and --html in one run, for every outcome.
+// Tests additional output files: --json, --junit, --sarif and --html in one run, for every outcome.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

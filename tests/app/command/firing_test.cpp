@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The core property "every transition fires", for models in which it is obvious whether a transition can be taken.
+// Tests the core property "every transition fires" on models in which it is obvious whether each transition can be
+// taken.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

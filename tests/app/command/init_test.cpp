@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `init`: the files that it writes verify without changes, and it overwrites no existing file.
+// Tests `init`: the files that it writes can be verified without changes, and it overwrites no existing file.
 #include <gmock/gmock.h>
 
 #include <filesystem>

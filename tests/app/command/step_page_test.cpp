@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `step --html`: the page embeds the offers of the terminal, runs no code from the model, and in a browser keys lead to
-// the expected states.
+// Tests `step --html`: the page offers the same steps as the terminal, and runs no code from the model. In a browser,
+// keys lead to the expected states.
 #include <gmock/gmock.h>
 
 #include <cstdlib>

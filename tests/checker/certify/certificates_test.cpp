@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Certificates: their files, and what robochart-certify says of them. Random scripts are decided by the naive checker.
+// Tests certificates: their files, and the answers of robochart-certify. The naive checker decides random scripts.
 // Certificates are made for claims that hold and, as a faulty checker would, for claims that fail: the certifier must
 // accept the former and refuse the latter.
 #include <fmt/format.h>

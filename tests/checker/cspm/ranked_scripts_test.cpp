@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides the assertions of whole scripts by ranks, by programs with two ranks each, and on disk. Answers, lengths of
 // counterexamples and (if the assertion holds) figures must be those of the ordinary search. The counterexample must be
-// the same for every number and distribution of ranks and for every place of their rows. ROBOCHART_RANKED_SCRIPTS names
-// a folder whose scripts, including those in subfolders, are compared too.
+// the same for every number and distribution of ranks, in memory and on disk. ROBOCHART_RANKED_SCRIPTS names a folder
+// whose scripts, including those in subfolders, are compared too.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exploration and export.
+// Tests the exploration of systems and the export of their graphs.
 #include "checker/lts/graph.hpp"
 
 #include <gtest/gtest.h>

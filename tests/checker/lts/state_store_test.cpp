@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the set of visited states with std::map, for widths and sizes that make it grow. Also tests claims by
-// several threads.
+// Compares the set of visited states with std::map, for widths and sizes that make it grow. Also tests states that
+// several threads claim at the same time.
 #include "checker/lts/state_store.hpp"
 
 #include <gtest/gtest.h>

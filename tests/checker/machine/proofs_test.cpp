@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proofs of confluence do not depend on earlier queries, and are correct for every plan.
+// Tests proofs of confluence: they do not depend on earlier queries, and are correct for every plan (a plan says which
+// proofs a search skips).
 #include <gtest/gtest.h>
 
 #include <algorithm>

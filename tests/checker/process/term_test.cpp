@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hash-consing of terms, events, sets, renamings and orders.
+// Tests hash-consing: equal terms, events, sets, renamings and orders are stored once.
 #include "checker/process/term.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Subset construction on explicit graphs, directly from the definitions of the models.
+// Decides refinement by a subset construction on explicit graphs, directly from the definitions of the models.
 #include "naive.hpp"
 
 #include <deque>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs with several threads each. If one thread fails, all threads of all programs end.
+// Tests searches by programs with several threads each: if one thread fails, all threads of all programs end.
 #include <gtest/gtest.h>
 
 #include <array>

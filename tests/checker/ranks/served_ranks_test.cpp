@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches whose other programs know only what they receive. They must give the same answers, figures and
-// counterexamples as one rank.
+// Tests searches by several programs, all but the first of which know only what they receive. Such searches must give
+// the same answers, figures and counterexamples as one rank.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Algebraic laws of CSP (Roscoe, TPC 1998 and UCS 2010) on random processes: both directions in F and FD, unless the
-// law is an inequality. The numbers that generate the processes shrink.
+// Tests algebraic laws of CSP (Roscoe, TPC 1998 and UCS 2010) on random processes, in T, F and FD, and in both
+// directions unless the law is an inequality. If a law fails, RapidCheck shrinks the numbers that generate the
+// processes.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Priorities as guards: for each kind of guard a process whose answers would be wrong without it, and random rules in
-// which single guards are left out.
+// Tests priorities as guards: each kind of guard has a process whose answers would be wrong without it. Random rules
+// are compared with the same rules from which one guard is removed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

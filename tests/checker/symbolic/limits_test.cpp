@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits inside the stage: time, memory and interruption of the run end the check; the bounds of the stage itself end
-// only the stage, and the search goes on.
+// Tests limits while decision diagrams are computed (the stage): the time limit and an interruption of the run end the
+// check. The bounds of the stage itself, and a run with little memory, end only the stage, and the search continues.
 #include <gtest/gtest.h>
 
 #include "checker/lts/graph.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decision diagrams against the search of all states, on random rules: with small tables, with a collection before
-// every node, and in random orders. A rule, a guard or an assignment that is left out must make a difference.
+// Compares decision diagrams with the search of all states, on random rules: with small tables, with a collection
+// before every node, and in random orders. A rule, a guard or an assignment that is left out must make a difference.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processes of claims against processes of the same meaning that are written by hand in CSP.
+// Compares the processes of claims with processes of the same meaning that were written by hand in CSP.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Monitors of claims about states and variables against the words' definitions, on all traces up to a length.
+// Compares monitors of claims about states and variables with the definitions of the claims' words, on all traces up to
+// a length.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The monitors against the words' definitions, on all traces up to a length.
+// Compares the monitors of claims with the definitions of the claims' words, on all traces up to a length.
 #include "claims/monitor/monitor.hpp"
 
 #include <gtest/gtest.h>

@@ -126,7 +126,8 @@ void expect_answers(const std::string& machine, const std::vector<Row>& rows, co
 
 TEST(CycleClaims, OfANestedStop) {
     expect_answers(nested, {
-                               // obstacle and estop: halt, brake; or a timeout that is due
+                               // Counterexamples: obstacle and estop in one cycle (halt, then brake), or estop in a
+                               // cycle in which the timeout is due (reverse, then brake).
                                {"in a cycle with estop, any call but brake only after brake", "fails", "fails"},
                                // estop and reset: brake, and Operating again
                                {"in a cycle with estop, always in Emergency", "fails", "fails"},

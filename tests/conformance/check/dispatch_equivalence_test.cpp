@@ -98,8 +98,9 @@ stm Twice {
 }
 
 /// If the code asks its platform at choices, both APIs must ask the same questions and give the same results for every
-/// answer. An API that takes the first alternative, even by its table, differs from code that asks. In Reacts, `a`
-/// triggers a transition of A and one of an enclosing state.
+/// answer. If `dispatch` takes the first alternative without asking the platform, it differs from a `step` that asks.
+/// This also holds if `dispatch` finds the transition in its table. In Reacts, `a` triggers a transition of A and one
+/// of an enclosing state.
 TEST(EventApi, AsksWhatTheCycleAsks) {
     for (const auto& [folder, machine, event] :
          {std::tuple("tests/conformance/models/either", "M", "go"), std::tuple(reacts, "Reacts", "a")}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the number of names with which a check is a check of all values (docs/conformance.md, "Few values for all").
-// The mutants are generated from changed models. The expected numbers are counted by hand: the values that a model can
-// hold after a trace and may still send, with those that it reads next, and one more.
+// Tests how many names a check needs so that its answer is valid for all values (docs/conformance.md, "Few values for
+// all"). The mutants are generated from changed models. The expected numbers are counted by hand: the values that a
+// model can hold after a trace and may still send, with those that it reads next, and one more.
 #include "conformance/check/enough_names.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the checkers with pairs of a model and a controller. A faulty controller must be reported after any earlier
-// checks, and a correct one must stay correct. All controllers are loaded at once: if they shared symbols (g++'s
-// default for inline variables), every comparison would report equality.
+// Tests the checkers with pairs of a model and a controller. A faulty controller must be reported, and a correct one
+// must conform, whatever was checked before. All controllers are loaded at once: if they shared symbols (g++'s default
+// for inline variables), every comparison would report equality.
 #include <gtest/gtest.h>
 
 #include <map>

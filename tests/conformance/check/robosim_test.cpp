@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code of RoboSim machines against the machines themselves (docs/conformance.md, "RoboSim"), for cycles of one and of
-// two time units. The rules are those of docs/robosim.md. Each kind of fault of a frame of cycles is killed by a model
-// that is written for it.
+// Compares the code of RoboSim machines with the machines themselves (docs/conformance.md, "RoboSim"), for cycles of
+// one and of two time units. The rules are those of docs/robosim.md. Each kind of fault of a frame of cycles is killed
+// by a model that is written for it.
 #include <gtest/gtest.h>
 
 #include "conformance/check/conform.hpp"

@@ -730,7 +730,7 @@ int main() {
     EXPECT(network.quality["/diagnostics"] == "reliable, volatile, 10");  // which no parameter changes
     EXPECT(network.policies.size() + 1 == network.quality.size());
     for (const auto& [topic, policies] : network.policies) EXPECT(policies == 4);
-    // Parameters override it, also when the node is configured a second time.
+    // Parameters override the quality of service, also when the node is configured a second time.
     network.parameters["qos_overrides./cmd_vel.publisher.depth"] = std::int64_t{3};
     network.parameters["qos_overrides./scan.subscription.depth"] = std::int64_t{1};
     p::MNode other;

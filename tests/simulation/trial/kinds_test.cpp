@@ -244,7 +244,7 @@ TEST(WorldMachine, MovesLightsShowsObstaclesAndRaisesEvents) {
     EXPECT_EQ(frame_near(result, 1).lights.at(0).at, (Vector{0, 0}));
     EXPECT_FALSE(frame_near(result, 1).obstacles.at(0));
     EXPECT_TRUE(frame_near(result, 1.1).obstacles.at(0));
-    // It takes 22.36 cm to (10, 20) at 10 cm/s: after one second it has moved 10 cm.
+    // The lamp is 22.36 cm from its target (10, 20) and moves at 10 cm/s. After one second it has moved 10 cm.
     EXPECT_NEAR(length(frame_near(result, 2).lights.at(0).at), 10, 1e-6);
     EXPECT_NEAR(frame_near(result, 2).lights.at(0).at.y, 2 * frame_near(result, 2).lights.at(0).at.x, 1e-6);
     // The robots read the event in the cycle at 1.1 s, and drive for 1.9 s.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lazy evaluation as in FDR, early evaluation that is abandoned, and sets that cannot be listed. The expected values
-// follow from the definition of each operator. `error("never")` marks expressions that must not be evaluated.
+// Tests lazy evaluation as in FDR, evaluation in advance that is abandoned, and sets whose elements cannot be listed.
+// The expected values follow from the definition of each operator. `error("never")` marks expressions that must not be
+// evaluated.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {

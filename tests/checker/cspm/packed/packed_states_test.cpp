@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares packed states with the terms whose bytes they are. Both must give the same graph, the same answers and the
-// same errors, even if the script is loaded again in between.
+// Compares packed states with the terms that they encode. Both must give the same graph, the same answers and the same
+// errors, even if the script is loaded again in between.
 #include <gtest/gtest.h>
 
 #include "checker/cspm/packed/not_packed.hpp"

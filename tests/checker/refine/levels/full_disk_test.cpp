@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// If the disk is full, the search so far is saved as far as it fits. This holds for each failing write: rows, the other
-// data of a checkpoint, or the text of the checkpoint.
+// If the disk is full, as much of the search as fits is saved. This holds for each failing write: rows, the other data
+// of a checkpoint, or the text of the checkpoint.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Specifications whose external choices are over internal ones. The expected acceptances are computed by hand from the
-// denotational semantics of [] (UCS 10 and 11). tests/checker/refine/agreement_test.cpp compares verdicts about random
-// processes with a checker that multiplies the operands out.
+// Tests specifications with external choices whose operands are internal choices. The expected acceptances are computed
+// by hand from the denotational semantics of [] (UCS 10 and 11). tests/checker/refine/agreement_test.cpp compares
+// verdicts about random processes with a checker that builds the product of the operands.
 #include "checker/refine/verdict/choice_graph.hpp"
 
 #include <gmock/gmock.h>

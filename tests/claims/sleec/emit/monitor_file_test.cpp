@@ -31,8 +31,8 @@ using ::testing::Not;
 using testing::Read;
 using testing::with_definitions;
 
-/// A violation as both sides report it: the rule, the second, and the event that violated it (or the number after all
-/// events).
+/// A violation, as the generated monitor and `RuleMonitor` both report it: the rule, the time in seconds, and the event
+/// that violated the rule (`no_event` if the second ended without the demanded event).
 using Found = std::set<std::tuple<std::size_t, std::int64_t, std::uint32_t>>;
 
 /// The functions in the shared object for one file: see `driver`.

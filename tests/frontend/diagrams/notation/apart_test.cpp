@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes of one level have a gap, and no square of an event covers the text of a title: in the automatic layout, and
-// in layouts that a person drew, with boxes that touch and squares at any place.
+// Boxes of one level have a gap, and no square of an event covers the text of a title: in the automatic layout, and in
+// drawn layouts with boxes that touch and squares at any place.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of machines move little if the previous layout is used: the share of pairs of nodes of real machines whose
-// order changes.
+// After an edit of a machine, its diagram changes little if the previous layout is used. The test edits real machines
+// and measures the share of pairs of nodes whose order changes.
 #include "frontend/diagrams/notation/memory.hpp"
 
 #include <gmock/gmock.h>
