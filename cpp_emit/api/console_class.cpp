@@ -30,6 +30,7 @@ public:
         out_.line(fmt::format("namespace {} {{", core_.name_space));
         Spelling spelling;
         spelling.types = "robochart::Deployment";
+        spelling.core = "::" + core_.name_space + "::";  // a type may have the name of a parameter
         for (const ir::TypeId id : declared) {
             const ir::Type& type = generation_.system.type(id);
             const std::string name = cpp_type(generation_.system, id, spelling);

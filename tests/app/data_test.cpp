@@ -189,7 +189,7 @@ TEST_F(SharedData, AStoreOfListsConforms) {
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << "../shared/suite/data is not there";
     const Json result = conformance_of(folder.string(), {"--component", "Recorder"});
     EXPECT_EQ(result.value("outcome", ""), "conforms") << result;
-    EXPECT_LE(result.value("states", 1'000U), 100U) << result;
+    EXPECT_LE(result.value("codeStates", 1'000U), 100U) << result;
 }
 
 TEST(Carriers, OfListsThatAreBuiltContainThem) {
