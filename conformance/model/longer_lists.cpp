@@ -16,6 +16,9 @@ namespace robochart::conformance {
 
 namespace {
 
+/// Longer lists have no carriers in any case, so their lengths are not computed.
+constexpr std::int64_t greatest_length = 1'000'000;
+
 /// Finds the lengths of lists by the statements that write them.
 class ListLengths {
 public:
@@ -27,11 +30,24 @@ public:
 
     [[nodiscard]] const ir::Places& places() const { return places_; }
 
-    /// The length of the longest list in the flow class; no value if there is no bound. Recursion depth: the number of
-    /// flow classes.
+    /// The length of the longest list in the flow class; no value if there is no bound, or a greater one than
+    /// greatest_length. Recursion depth: the number of flow classes.
     [[nodiscard]] std::optional<std::int64_t> longest_in(ir::PlaceId flow) {
+        const auto known = known_.find(flow);
+        if (known != known_.end()) return known->second;
+        // A flow class that is reached again while it is open is on a cycle, like all classes that are open since then:
+        // they have no bound, whichever of them comes first.
+        if (!open_.insert(flow).second) return std::nullopt;
+        const auto result = longest_written(flow);
+        open_.erase(flow);
+        known_.emplace(flow, result);
+        return result;
+    }
+
+private:
+    [[nodiscard]] std::optional<std::int64_t> longest_written(ir::PlaceId flow) {
         const ir::Place& place = places_[flow];
-        if (place.opaque || !open_.insert(flow).second) return std::nullopt;
+        if (place.opaque) return std::nullopt;
         std::optional<std::int64_t> result = place.input || place.shared ? received_ : 0;
         const auto uses = uses_.find(flow);
         if (uses != uses_.end()) {
@@ -41,11 +57,9 @@ public:
                 result = length ? std::optional(std::max(*result, *length)) : std::nullopt;
             }
         }
-        open_.erase(flow);
         return result;
     }
 
-private:
     /// Recursion depth: the depth of the expression, times the number of flow classes.
     [[nodiscard]] std::optional<std::int64_t> longest_of(ir::MachineId machine, const ir::Expr& expr) {
         if (expr.kind == ir::ExprKind::variable)
@@ -54,13 +68,14 @@ private:
         if (expr.kind != ir::ExprKind::concat) return std::nullopt;
         const auto left = longest_of(machine, *expr.args.at(0));
         const auto right = left ? longest_of(machine, *expr.args.at(1)) : std::nullopt;
-        return right ? std::optional(*left + *right) : std::nullopt;
+        return right && *left + *right <= greatest_length ? std::optional(*left + *right) : std::nullopt;
     }
 
     std::int64_t received_;
     ir::Sampling sampling_;
     ir::Places places_;
     std::map<ir::PlaceId, ir::Uses> uses_;
+    std::map<ir::PlaceId, std::optional<std::int64_t>> known_;
     std::set<ir::PlaceId> open_;  ///< flow classes whose length is being found
 };
 
