@@ -7,7 +7,7 @@
 #   scripts/test.sh PRESET...  all tests with these presets, for example asan
 set -euo pipefail
 cd "$(dirname "$0")/.."
-sanitized=(diagnostics frontend process lts machine refine symbolic cspm)
+sanitized=(diagnostics frontend process lts machine refine cspm)
 
 configure() { # preset, test programs that another build runs
   local elsewhere

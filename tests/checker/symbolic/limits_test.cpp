@@ -9,6 +9,7 @@
 #include "checker/symbolic/stage.hpp"
 #include "tests/checker/machine/rules_by_hand.hpp"
 #include "tests/checker/process/scripted.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::symbolic {
 namespace {
@@ -128,6 +129,7 @@ TEST_F(StageLimits, TheSearchGoesOnIfDiagramsNeedTooMuchMemory) {
 
 /// The stage ends before the memory limit of the run, which the search alone would not reach.
 TEST_F(StageLimits, TheSearchGoesOnIfTheRunHasLittleMemory) {
+    if (tests::sanitized) GTEST_SKIP() << "sanitizers need more memory than the limit leaves";
     machine::SupercombinatorSystem system = pairs_that_count(most_pairs);
     limits.max_states = 20'000;
     limits.first_of_two = true;
