@@ -115,6 +115,14 @@ inline void refuse_longer(std::size_t most) {
 }
 
 template <class Item, class List>
+py::tuple tuple_of(const List& list) {
+    py::tuple items(list.size());
+    std::size_t place = 0;
+    for (const auto& item : list) items[place++] = Item::to(item);
+    return items;
+}
+
+template <class Item, class List>
 struct Sequence {
     using Type = List;
     static List from(py::handle given) {
@@ -127,10 +135,7 @@ struct Sequence {
         return list;
     }
     static py::object to(const List& list) {
-        py::tuple items(list.size());
-        std::size_t place = 0;
-        for (const auto& item : list) items[place++] = Item::to(item);
-        return std::move(items);
+        return tuple_of<Item>(list);
     }
 };
 
@@ -148,10 +153,7 @@ struct Set {
         return list;
     }
     static py::object to(const List& list) {
-        py::tuple items(list.size());
-        std::size_t place = 0;
-        for (const auto& item : list) items[place++] = Item::to(item);
-        return py::reinterpret_steal<py::object>(PyFrozenSet_New(items.ptr()));
+        return py::reinterpret_steal<py::object>(PyFrozenSet_New(tuple_of<Item>(list).ptr()));
     }
 };
 
