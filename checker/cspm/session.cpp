@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <functional>
@@ -152,9 +153,9 @@ void negate(refine::Verdict& verdict) {
 }  // namespace
 
 struct Session::Impl {
-    Impl(Script given, diagnostics::Budget* budget, bool whole)
+    Impl(Script given, diagnostics::Budget* budget, bool keeps_states)
         : script(std::move(given)),
-          whole_states(whole),
+          whole_states(keeps_states),
           loaded(script, &compressor, budget, whole_states),
           compiler(loaded.semantics) {
         compressor.set_compiler(compiler);
@@ -553,20 +554,24 @@ struct Session::Impl {
         machine::Compiler parts(loaded.semantics, bounds_of_parts());
         parts.add_components_of(compiler);
         CompilationBudget compilation_budget(parts, budget);
-        const auto term_of_side = [&](const ExprPtr& expr) {
+        const ExprPtr& first = assertion.assertion.specification;
+        const ExprPtr& second = assertion.assertion.implementation;
+        const auto term_of = [&](const ExprPtr& expr) -> std::optional<process::TermId> {
+            if (!expr) return std::nullopt;
             return loaded.term_of(loaded.compile_side(expr, assertion));
         };
-        const auto side = [&](const ExprPtr& expr) -> std::unique_ptr<lts::TransitionSystem> {
-            if (!expr) return nullptr;
-            const process::TermId term = term_of_side(expr);
-            if (auto compiled = parts.compile(term, compilation_budget)) return compiled;
-            return system(term, expr->span, compilation_budget);
+        const auto side = [&](const ExprPtr& expr,
+                              std::optional<process::TermId> term) -> std::unique_ptr<lts::TransitionSystem> {
+            if (!term) return nullptr;
+            if (auto compiled = parts.compile(*term, compilation_budget)) return compiled;
+            return system(*term, expr->span, compilation_budget);
         };
         try {
-            for (const ExprPtr& expr : {assertion.assertion.specification, assertion.assertion.implementation})
-                if (expr) parts.compress_parts(term_of_side(expr), compilation_budget);
+            const std::array terms{term_of(first), term_of(second)};
+            for (const auto& term : terms)
+                if (term) parts.compress_parts(*term, compilation_budget);
             if (parts.shrinkage() < least_shrinkage) return std::nullopt;
-            const Sides both{side(assertion.assertion.specification), side(assertion.assertion.implementation)};
+            const Sides both{side(first, terms[0]), side(second, terms[1])};
             refine::Limits few = limits;
             few.max_states = first_states / 4;  // because the parts are much smaller
             refine::Verdict verdict = ask_of(both, assertion, in, few, nullptr);
