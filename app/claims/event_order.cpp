@@ -32,7 +32,7 @@ std::optional<std::uint32_t> input_named(const cpp_emit::Component& component, c
     return std::nullopt;
 }
 
-/// Two events at the boundary; no value if the platform raises one of them not.
+/// Two events at the boundary; no value unless the platform raises both.
 std::optional<Drop> drop_of(const cpp_emit::Component& component, const std::optional<std::string>& event,
                             const std::optional<std::string>& dropped) {
     if (!event || !dropped) return std::nullopt;
@@ -65,8 +65,9 @@ std::optional<std::string> outside_of_controller(const ir::Module& module, std::
 /// Translates the orders of a component, of its parts, and of the machines and controllers that run in it.
 class Translator {
 public:
-    Translator(const driver::Project& project, const claims::Component& component)
-        : project_(project), of_(component) {}
+    /// `component` describes what `ref` refers to.
+    Translator(const driver::Project& project, const ir::ComponentRef& ref, const claims::Component& component)
+        : project_(project), ref_(ref), of_(component) {}
 
     /// True if the order is about the component or about something in it.
     [[nodiscard]] bool is_about(const CheckedOrder& order) const {
@@ -105,7 +106,7 @@ public:
                                 outside_of_part(plan, part, drop.dropped)));
         } else {
             for (const std::uint32_t instance : instances_of(order)) {
-                const ir::Module& module = project_.system.modules[plan.ref.definition];
+                const ir::Module& module = project_.system.modules[ref_.definition];
                 add(drop_of(plan, outside_of_controller(module, instance, drop.event),
                             outside_of_controller(module, instance, drop.dropped)));
             }
@@ -123,23 +124,22 @@ private:
     /// The controllers of this module that the order is about.
     [[nodiscard]] std::vector<std::uint32_t> instances_of(const CheckedOrder& order) const {
         std::vector<std::uint32_t> result;
-        if (of_.kind != ir::ComponentKind::module) return result;
-        for (const ir::Module& module : project_.system.modules) {
-            if ((module.package.empty() ? "" : module.package + "::") + module.name != of_.path) continue;
-            for (std::uint32_t i = 0; i < module.controllers.size(); ++i) {
-                const ir::ControllerInstance& instance = module.controllers[i];
-                const ir::Controller& controller = project_.system.controller(instance.controller);
-                const std::string path =
-                    order.component.part
-                        ? of_.path + "::" + instance.name
-                        : (controller.package.empty() ? "" : controller.package + "::") + controller.path;
-                if (path == order.component.path) result.push_back(i);
-            }
-        }
+        if (ref_.kind != ir::ComponentKind::module) return result;
+        const ir::Module& module = project_.system.modules[ref_.definition];
+        for (std::uint32_t i = 0; i < module.controllers.size(); ++i)
+            if (controller_path(module.controllers[i], order) == order.component.path) result.push_back(i);
         return result;
     }
 
+    /// The name of a controller as the order writes it: of the part of this module, or of its definition.
+    [[nodiscard]] std::string controller_path(const ir::ControllerInstance& instance, const CheckedOrder& order) const {
+        if (order.component.part) return of_.path + "::" + instance.name;
+        const ir::Controller& controller = project_.system.controller(instance.controller);
+        return ir::qualified_name({ir::ComponentKind::controller, controller.path, controller.package});
+    }
+
     const driver::Project& project_;
+    const ir::ComponentRef& ref_;
     const claims::Component& of_;
 };
 
@@ -157,7 +157,7 @@ cpp_emit::EventOrder translate(const driver::Project& project, const ir::Compone
     const std::vector<claims::Component> components = claims::components_of(project.system);
     const auto of = std::ranges::find(components, ir::qualified_name(component), &claims::Component::path);
     if (of == components.end()) return result;
-    const Translator translator(project, *of);
+    const Translator translator(project, component, *of);
     diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
     std::optional<cpp_emit::Component> plan;
     for (const CheckedOrder& order : orders) {
