@@ -55,7 +55,7 @@ public:
     std::vector<Token> read_tokens();
 
 protected:
-    /// Reads a number, of which the first digit is here.
+    /// Reads a number. Its first digit is the next character.
     virtual void read_number() = 0;
     /// The equivalent of a character of other notations; "" if it is unknown.
     [[nodiscard]] virtual std::string_view meant_by(std::string_view character) const = 0;

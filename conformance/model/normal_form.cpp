@@ -201,7 +201,7 @@ private:
         for (const DroppedInput& drop : alphabet_.interface().drops) result.insert(drop.dropped);
         return result;
     }
-    /// The inputs of which it depends what is dropped, ascending.
+    /// The inputs that decide what is dropped, ascending.
     [[nodiscard]] std::set<std::uint32_t> deciding_inputs() const {
         std::set<std::uint32_t> result;
         for (const DroppedInput& drop : alphabet_.interface().drops) result.insert({drop.event, drop.dropped});
@@ -217,7 +217,7 @@ private:
         return raised.at(input);
     }
 
-    /// The reads on which the gate of an input depends, and its event.
+    /// The reads that decide whether an input happens, and its event.
     [[nodiscard]] ExprPtr gate_events(std::uint32_t dropped) const {
         std::vector<ExprPtr> events;
         for (const std::uint32_t i : deciding_inputs())
