@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <functional>
 
 namespace robochart::app::testing {
 namespace {
@@ -72,6 +71,11 @@ Ran run_between(const std::vector<std::string>& arguments, const std::string& in
     return run_child([&](const std::string& folder) { become(arguments, folder); }, input, before, meanwhile);
 }
 
+bool has_ended(pid_t child) {
+    siginfo_t ended{};
+    return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == child;
+}
+
 }  // namespace
 
 Ran run_shell(const std::string& commands) {
@@ -92,11 +96,15 @@ Ran run(const std::vector<std::string>& arguments, const std::string& input) {
         arguments, input, [] {}, [](pid_t) {});
 }
 
-Ran run_and_signal(const std::vector<std::string>& arguments, int signal) {
+Ran run_and_signal(const std::vector<std::string>& arguments, int signal, const Wait& wait) {
     return run_between(
         arguments, "", [] {},
-        [signal](pid_t child) {
-            usleep(1'500'000);
+        [&](pid_t child) {
+            if (wait) {
+                wait([child] { return has_ended(child); });
+            } else {
+                usleep(1'500'000);
+            }
             kill(child, signal);
         });
 }

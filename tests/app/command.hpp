@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,8 +21,10 @@ struct Ran {
 /// Runs robochart-verify with these arguments and this standard input in an empty temporary folder.
 [[nodiscard]] Ran run(const std::vector<std::string>& arguments, const std::string& input = "");
 
-/// Like `run`, but sends the signal after 1.5 seconds.
-[[nodiscard]] Ran run_and_signal(const std::vector<std::string>& arguments, int signal);
+/// Waits; `ended` says whether the command has ended.
+using Wait = std::function<void(const std::function<bool()>& ended)>;
+/// Like `run`, but sends the signal after `wait`, which by default takes 1.5 seconds.
+[[nodiscard]] Ran run_and_signal(const std::vector<std::string>& arguments, int signal, const Wait& wait = {});
 /// Like `run`, with this limit of the address space (RLIMIT_AS).
 [[nodiscard]] Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint64_t bytes);
 

@@ -5,11 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <thread>
 
 #include "tests/app/command.hpp"
 
@@ -47,18 +50,24 @@ class Resumed : public ::testing::Test {
 protected:
     explicit Resumed(const char* text = script) : folder_{{{"script.csp", text}}} {}
 
-    /// Decides the script. `before` and `after` are shell text around the command. The run resumes from a checkpoint in
-    /// the folder, if there is one.
-    Ran decide(const std::string& before, const std::string& options, const std::string& after = "") const {
+    /// The command that decides the script. It resumes from a checkpoint in the folder, if there is one.
+    std::vector<std::string> command(const std::vector<std::string>& options) const {
         const bool again = std::filesystem::exists(folder_ / "kept/questions");
-        return run_shell(fmt::format("{} \"$verify\" cspm {} --no-reduction --format json {} {} {} {}", before,
-                                     folder_ / "script.csp", again ? "--resume" : "--checkpoint", folder_ / "kept",
-                                     options, after));
+        std::vector<std::string> all{"cspm",           folder_ / "script.csp",
+                                     "--no-reduction", "--format",
+                                     "json",           again ? "--resume" : "--checkpoint",
+                                     folder_ / "kept"};
+        all.insert(all.end(), options.begin(), options.end());
+        return all;
     }
-    /// Does the same as `decide`, and sends a signal after this number of seconds. `timeout -s KILL` also kills itself,
-    /// so it ends before the command has released its locks; the shell waits until the command is gone.
-    Ran decide_until(double seconds, const char* signal, const std::string& options) const {
-        return decide("", options, fmt::format("& sleep {}; kill -s {} $!; wait $!", seconds, signal));
+    Ran decide(const std::vector<std::string>& options) const { return run(command(options)); }
+    /// Sends SIGKILL or another signal at a random moment, but not before the first checkpoint if `later`.
+    Ran decide_until(std::chrono::milliseconds moment, bool later, int signal,
+                     const std::vector<std::string>& options) const {
+        return run_and_signal(command(options), signal, [&](const std::function<bool()>& ended) {
+            while (later && !has_checkpoint() && !ended()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            std::this_thread::sleep_for(moment);
+        });
     }
     /// The part of the output that must not depend on interruptions.
     static std::string results(const Ran& ran) {
@@ -116,11 +125,11 @@ void Resumed::survive_kills() {
     int ended = 0, gone_on = 0;
     // A busy machine needs more and longer rounds.
     for (int round = 0; round < 8 || (gone_on == 0 && round < 40); ++round) {
-        const double seconds = 0.02 + 0.001 * static_cast<double>(random() % 80) * (1 + round / 8);
+        const std::chrono::milliseconds moment(20 + random() % 80 * (1 + static_cast<unsigned>(round) / 8));
         const bool has_saved = has_checkpoint();
-        const Ran ran = decide_until(seconds, round % 2 == 0 ? "KILL" : "TERM",
-                                     fmt::format("--every 0.0002 --threads {} {}", 1 + random() % 3,
-                                                 random() % 2 == 0 ? "" : "--disk " + folder_.path("kept")));
+        std::vector<std::string> options{"--every", "0.0002", "--threads", std::to_string(1 + random() % 3)};
+        if (random() % 2 == 0) options.insert(options.end(), {"--disk", folder_ / "kept"});
+        const Ran ran = decide_until(moment, round % 4 != 0, round % 2 == 0 ? SIGKILL : SIGTERM, options);
         ASSERT_NE(ran.exit, 2) << ran.err;
         if (ran.exit > 2) ++ended;
         if (!has_saved) continue;
@@ -129,20 +138,21 @@ void Resumed::survive_kills() {
     }
     EXPECT_GT(ended, 0);
     EXPECT_GT(gone_on, 0) << "no run has left a checkpoint";
-    EXPECT_EQ(results(decide("", "--threads 2")), expected);
+    EXPECT_EQ(results(decide({"--threads", "2"})), expected);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "kept")) << "all is decided";
 }
 
 void Resumed::survive_a_full_disk() {
     const std::string expected = uninterrupted();
-    const std::string disk = "--disk " + folder_.path("kept");
-    for (const std::string& options : {std::string(), disk}) {
-        const Ran full = decide("trap '' XFSZ; ulimit -f 8; exec", "--every 0.000001 " + options);
+    const std::vector<std::string> disk{"--disk", folder_ / "kept"};
+    for (const std::vector<std::string>& options : {std::vector<std::string>(), disk}) {
+        const Ran full = run_shell(fmt::format("trap '' XFSZ; ulimit -f 8; exec \"$verify\" {} --every 0.000001",
+                                               fmt::join(command(options), " ")));
         EXPECT_EQ(full.exit, 3) << full.err;
         EXPECT_THAT(full.out, HasSubstr("cannot write"));
         EXPECT_TRUE(std::filesystem::exists(folder_ / "kept/questions"));
         EXPECT_TRUE(has_checkpoint());
-        const Ran again = decide("", options);
+        const Ran again = decide(options);
         EXPECT_EQ(results(again), expected);
         EXPECT_THAT(again.err, Not(HasSubstr("begins anew")));
     }
