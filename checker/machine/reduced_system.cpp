@@ -22,8 +22,11 @@ std::size_t most_steps(lts::Followed followed, std::size_t components) {
 /// useful proofs are removed.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
 constexpr std::size_t pilot_found = 200'000;              // number of found states
-/// A round ends early if its proofs take more work than `round` plus `step` for each step that they follow. Proofs
-/// about locks and schedulers often examine thousands of states and fail.
+/// After so many states from which steps are followed, no further round begins: the estimate is good enough, and a
+/// round with long sequences of steps can cost more than the search, which often ends at a violation near the root.
+constexpr std::size_t pilot_followed = 20'000;
+/// A round ends early if its proofs take more work than `round` plus `step` for each state from which they follow a
+/// step. Proofs about locks and schedulers often examine thousands of states and fail.
 struct Allowance {
     double round, step;
 };
@@ -48,7 +51,7 @@ constexpr std::size_t enough_to_judge = 1000;
 /// system. The order of a state's successors varies but depends only on the system.
 class Pilot final : private lts::SuccessorSink {
 public:
-    explicit Pilot(std::size_t width) : found_(width) {}
+    explicit Pilot(std::size_t width) : found_(width), followed_(width) {}
 
     /// Expands up to this many more states. Returns false if it ended early because the proofs took too much work.
     bool expand_states(ReducedSystem& system, std::size_t states, const Allowance& allowance,
@@ -58,11 +61,12 @@ public:
             system.initial(initial);
             open_.push_back(found_.insert(initial).index);
         }
+        system.store_followed_states(followed_);
         const double proofs_before = system.work_of_proofs();
-        const std::uint64_t chased_before = system.chased_state_count();
-        for (std::size_t i = 0; i < states && !open_.empty() && found_.size() < pilot_found; ++i) {
+        const std::size_t followed_before = followed_.size();
+        for (std::size_t i = 0; i < states && !open_.empty() && found_.size() + followed_.size() < pilot_found; ++i) {
             budget.poll();
-            const auto followed = static_cast<double>(system.chased_state_count() - chased_before);
+            const auto followed = static_cast<double>(followed_.size() - followed_before);
             const double most = allowance.round + allowance.step * followed;
             if (system.work_of_proofs() - proofs_before > most) return false;
             const lts::StateIndex state = open_.back();
@@ -77,6 +81,9 @@ public:
         return true;
     }
     [[nodiscard]] std::size_t expanded_count() const { return expanded_; }
+    /// The number of states from which steps were followed. Sequences of steps often meet, so there are fewer such
+    /// states than steps.
+    [[nodiscard]] std::size_t followed_count() const { return followed_.size(); }
 
 private:
     void add(Event /*event*/, lts::StateView target, Event /*revealed*/) override {
@@ -84,6 +91,7 @@ private:
     }
 
     lts::StateStore found_;
+    lts::StateStore followed_;
     std::vector<lts::StateIndex> open_;
     std::size_t expanded_ = 0;
 };
@@ -105,7 +113,7 @@ public:
     /// Returns the plan for a search. No value if following steps costs more than it saves.
     std::optional<ProofPlan> run() {
         for (const std::size_t states : pilot_states)
-            if (!run_round(states)) break;
+            if (pilot_.followed_count() >= pilot_followed || !run_round(states)) break;
         return worth_it_ ? std::optional(plan_) : std::nullopt;
     }
 
@@ -116,15 +124,15 @@ private:
         begin_round();
         const std::size_t expanded_before = pilot_.expanded_count();
         const double proofs_before = reduced_->work_of_proofs();
-        const std::uint64_t chased_before = reduced_->chased_state_count();
+        const std::size_t followed_before = pilot_.followed_count();
         const bool whole_round = pilot_.expand_states(*reduced_, states, allowance_, budget_);
         const std::size_t expanded = pilot_.expanded_count() - expanded_before;
         if (expanded == 0) return false;
         const double work = work_before_ + static_cast<double>(whole_->examined_step_count());
         const double work_of_a_state = of_a_state + work / static_cast<double>(pilot_.expanded_count());
-        // Each followed step removes at most one state.
+        // The reduction removes at most the states from which steps are followed.
         const auto remaining = static_cast<double>(expanded);
-        const auto removed = static_cast<double>(reduced_->chased_state_count() - chased_before);
+        const auto removed = static_cast<double>(pilot_.followed_count() - followed_before);
         const double without = (remaining + removed) * work_of_a_state;
         const double proofs = reduced_->work_of_proofs() - proofs_before;
         worth_it_ =
@@ -285,7 +293,11 @@ void ReducedSystem::add(Event event, lts::StateView target, Event revealed) {
 }
 
 bool ReducedSystem::follow_step() {
-    return confluence_.follow_step(locals_);
+    if (followed_states_ == nullptr) return confluence_.follow_step(locals_);
+    pack_locals(target_);
+    if (!confluence_.follow_step(locals_)) return false;
+    (void)followed_states_->insert(target_);
+    return true;
 }
 
 /// Follows confluent steps to the end, or to the least state of the cycle that they reach; returns the number of steps.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "checker/lts/state_store.hpp"
 #include "checker/lts/transition_system.hpp"
 #include "checker/machine/confluence.hpp"
 #include "checker/machine/supercombinator_system.hpp"
@@ -38,6 +39,8 @@ public:
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// The work of the proofs so far (Confluence).
     [[nodiscard]] double work_of_proofs() const { return confluence_.total_work(); }
+    /// From now on, stores the states from which steps are followed. Used for estimates, because following costs more.
+    void store_followed_states(lts::StateStore& states) { followed_states_ = &states; }
     /// The compiled process that this system reduces.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
@@ -61,6 +64,7 @@ private:
     std::vector<lts::Word> target_;
     lts::SuccessorSink* sink_ = nullptr;
     std::uint64_t chased_ = 0;
+    lts::StateStore* followed_states_ = nullptr;
     diagnostics::Pollable* budget_ = &diagnostics::unlimited;
 };
 
