@@ -24,6 +24,11 @@ constexpr std::size_t size_of_input(std::size_t usual) {
     return sanitized ? (usual + 5) / 6 : usual;
 }
 
+/// The distance of places that are tried: `usual`, or six times as much under AddressSanitizer.
+constexpr std::size_t distance_of_places(std::size_t usual) {
+    return sanitized ? 6 * usual : usual;
+}
+
 /// A part of `all` rounds: a third, or a sixth under AddressSanitizer, where the tests look for memory errors, which a
 /// few rounds show. All of them if the environment has ROBOCHART_ALL_ROUNDS, which `tests/long.sh rounds` sets.
 inline std::size_t rounds(std::size_t all) {

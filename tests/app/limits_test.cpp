@@ -72,20 +72,20 @@ std::string in_time(const Hard& hard, const std::string& more) {
 }
 
 TEST_P(HardWork, OfTimeEndIt) {
-    const Ran ran = run_shell(in_time(GetParam(), "--timeout 2 m.rct"));
+    const Ran ran = run_shell(in_time(GetParam(), "--timeout 1 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("the time limit was reached"));
     EXPECT_THAT(ran.out, Not(HasSubstr("robochart-")));  // no temporary files are left
 }
 
 TEST_P(HardWork, OfMemoryOrTimeEndIt) {
-    const Ran ran = run_shell(in_time(GetParam(), "--memory 100M --timeout 6 m.rct"));
+    const Ran ran = run_shell(in_time(GetParam(), "--memory 100M --timeout 2 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out + ran.err, HasSubstr("limit"));
 }
 
 TEST_P(HardWork, OfTheSystemEndIt) {
-    const Ran ran = run_shell("ulimit -v 1500000; " + in_time(GetParam(), "--timeout 6 m.rct"));
+    const Ran ran = run_shell("ulimit -v 1500000; " + in_time(GetParam(), "--timeout 2 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
 }
 
@@ -101,7 +101,7 @@ TEST_P(HardWork, SignalsEndItWithAReport) {
 }
 
 TEST_P(HardWork, TheReportIsJsonWhereItIsWanted) {
-    const Ran ran = run_shell(in_time(GetParam(), "--format json --timeout 2 m.rct"));
+    const Ran ran = run_shell(in_time(GetParam(), "--format json --timeout 1 m.rct"));
     EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("\"schema\": \"robochart-verify/report/1\""), HasSubstr("limit was reached")));
 }

@@ -81,7 +81,7 @@ std::unique_ptr<SharedObject> compile_quietly(const cpp_emit::Emission& code, st
     std::vector<std::string> sources = code.sources;
     sources.push_back(code.shim);
     BuildOptions options;
-    options.flags = "-std=c++20 -O1 -w";
+    options.flags = "-std=c++20 -O0 -w";
     return SharedObject::build(code.files, sources, options, error);
 }
 

@@ -423,6 +423,7 @@ stm Robot {
 
 class AwkwardNames : public Project, public ::testing::WithParamInterface<Target> {};
 
+/// Other tests build packages of ROS 2 and modules of Python with g++.
 TEST_P(AwkwardNames, BuildWithBothCompilers) {
     if (GetParam() == Target::enki) ROBOCHART_NEEDS(enki_is_there(folder_), "Enki (Debian: libenki-dev)");
     if (GetParam() == Target::python)
@@ -431,9 +432,12 @@ TEST_P(AwkwardNames, BuildWithBothCompilers) {
     std::string found;
     if (GetParam() == Target::ros2) found = " -DCMAKE_PREFIX_PATH=" + stub + "/cmake";
     if (GetParam() == Target::python) found = " -DPYTHON_EXECUTABLE=/usr/bin/python3";
-    for (const char* compiler : {"g++", "clang++"}) {
+    const bool slow = GetParam() == Target::ros2 || GetParam() == Target::python;
+    const std::vector<std::string> compilers =
+        slow ? std::vector<std::string>{"clang++"} : std::vector<std::string>{"g++", "clang++"};
+    for (const std::string& compiler : compilers) {
         folder_.run("rm -rf build");
-        build("-DCMAKE_CXX_COMPILER=" + std::string(compiler) + " -DROBOCHART_TRACE=ON" + found);
+        build("-DCMAKE_CXX_COMPILER=" + compiler + " -DROBOCHART_TRACE=ON" + found);
     }
 }
 

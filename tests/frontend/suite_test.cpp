@@ -7,6 +7,7 @@
 #include <map>
 
 #include "fixture.hpp"
+#include "tests/rounds.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::frontend {
@@ -94,7 +95,7 @@ TEST(Suite, SurvivesTruncationAnywhere) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!is_assertions && entry.path().extension() != ".rct") continue;
         const std::string text = testing::read_contents(entry.path());
-        for (std::size_t length = 0; length < text.size(); length += 97, ++cuts) {
+        for (std::size_t length = 0; length < text.size(); length += tests::distance_of_places(97), ++cuts) {
             const auto reading = testing::resolved(text.substr(0, length), is_assertions);
             EXPECT_LE(reading->findings.error_count(), 200U) << entry.path() << " cut at " << length;
             EXPECT_EQ(reading->dumped(true), testing::resolved(text.substr(0, length), is_assertions)->dumped(true));
@@ -110,7 +111,7 @@ TEST(Suite, SurvivesHoles) {
         const bool is_assertions = entry.path().extension() == ".assertions";
         if (!is_assertions && entry.path().extension() != ".rct") continue;
         const std::string text = testing::read_contents(entry.path());
-        for (std::size_t hole = 0; hole < text.size(); hole += 131)
+        for (std::size_t hole = 0; hole < text.size(); hole += tests::distance_of_places(131))
             static_cast<void>(testing::resolved(std::string(text).erase(hole, 17), is_assertions));
     }
 }

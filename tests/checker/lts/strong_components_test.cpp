@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "tests/rounds.hpp"
+
 namespace robochart::lts {
 namespace {
 
@@ -91,7 +93,7 @@ TEST(StrongComponents, AreTheVerticesThatReachEachOther) {
 
 /// A recursive algorithm would need a stack as deep as the path.
 TEST(StrongComponents, OfLongPathsNeedNoDeepStack) {
-    constexpr StateIndex size = 2'000'000;
+    constexpr StateIndex size = tests::size_of_input(2'000'000);
     for (const bool closed : {false, true}) {
         const GraphView path{size, [&](StateIndex vertex, std::vector<StateIndex>& targets) {
                                  if (closed || vertex + 1 < size) targets.push_back((vertex + 1) % size);

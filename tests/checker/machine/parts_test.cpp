@@ -9,6 +9,7 @@
 #include "tests/checker/process/scripted.hpp"
 #include "tests/checker/processes/random_cases.hpp"
 #include "tests/checker/processes/translate.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::machine {
 namespace {
@@ -153,7 +154,7 @@ private:
 
 TEST(RandomParts, HaveTheAnswersOfTheDefinition) {
     refine::RandomCases cases(37);
-    const int most = refine::wanted_checks(20);
+    const int most = refine::wanted_checks(static_cast<int>(tests::rounds(40)));
     for (int compared = 0; compared < most;) {
         const refine::RandomCases::Explored explored = cases.next();
         CaseByParts by_parts(explored);

@@ -288,7 +288,7 @@ protected:
 };
 
 TEST_F(RandomReplicas, AnswerAsTheDefinitionsSay) {
-    const int comparisons = refine::wanted_checks(static_cast<int>(tests::rounds(60)));
+    const int comparisons = refine::wanted_checks(static_cast<int>(tests::rounds(30)));
     refine::RandomCases cases(2019);
     for (int way = 0; compared_ < comparisons; ++way) {
         refine::Case test_case = cases.next().test_case;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "scripted.hpp"
+#include "tests/rounds.hpp"
 
 namespace robochart::process {
 namespace {
@@ -264,7 +265,7 @@ TEST_F(Rules, RecursionWithoutAnEventIsReported) {
 
 TEST_F(Rules, DeepTermsCostNoMachineStack) {
     TermId deep = p;
-    for (int i = 0; i < 300000; ++i) deep = s.over(Op::hide, {deep}, {"h"});
+    for (std::size_t i = 0; i < tests::size_of_input(300'000); ++i) deep = s.over(Op::hide, {deep}, {"h"});
     EXPECT_EQ(moves(deep).size(), 1U);
     EXPECT_FALSE(describe(s.store, deep).empty());
 }

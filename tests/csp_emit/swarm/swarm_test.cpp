@@ -580,7 +580,7 @@ TEST(Swarm, PublishedCollectionIsDeadlockFreeFromTwoRobotsOn) {
     for (const auto& entry : fs::directory_iterator(model))
         if (entry.path().extension() == ".rct")
             folder.write(entry.path().filename().string(), tests::read_contents(entry.path()));
-    for (const std::uint32_t robots : {1U, 2U, 3U, 4U}) {
+    for (const std::uint32_t robots : {1U, 2U, 3U}) {
         const std::string swarm = "swarm Alpha for AggregationSoftware { range nat = 0 to 5 range given = 0 to " +
                                   std::to_string(robots - 1) +
                                   " const id = robot feed obstacle with any connect broadcast to broadcast connect "

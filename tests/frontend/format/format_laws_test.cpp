@@ -133,15 +133,16 @@ TEST(FormatLaws, LongFilesTakeLinearTime) {
 }
 
 TEST(FormatLaws, LongRunsOfBlanksAndLongLinesTakeLinearTime) {
-    const std::string blanks(1'000'000, ' ');
-    const std::string lines(1'000'000, '\n');
+    constexpr std::size_t many = tests::size_of_input(1'000'000);
+    const std::string blanks(many, ' ');
+    const std::string lines(many, '\n');
     EXPECT_EQ(formatted("// a" + blanks + "b" + blanks + "\ntype" + blanks + "A" + lines + "type B" + lines),
               "// a" + blanks + "b\ntype A\n\ntype B\n");
     EXPECT_EQ(formatted("/* a" + blanks + "b" + lines + "*/"), "/* a" + blanks + "b" + lines + "*/\n");
-    const std::string name(1'000'000, 'a');
+    const std::string name(many, 'a');
     EXPECT_EQ(formatted("type " + name), "type " + name + "\n");
     std::string list = "interface I { const c : Seq(nat) = <1";
-    for (int i = 0; i < 100'000; ++i) list += ",1";
+    for (std::size_t i = 0; i < many / 10; ++i) list += ",1";
     EXPECT_FALSE(formatted(list + "> }").empty());
 }
 

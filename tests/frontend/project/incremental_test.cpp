@@ -125,7 +125,7 @@ TEST(Incremental, TheCorpusIsResolvedAsAnew) {
                              "swarm_taxis/swarm_taxis.assertions", "swarm_taxis/swarm_taxis.rct"})
         project.push_back({path, testing::read_contents(corpus / path)});
     Random random(7);
-    EXPECT_GT(expect_the_same(project, 60, random), 20U);
+    EXPECT_GT(expect_the_same(project, tests::rounds(90), random), tests::rounds(30));
 }
 
 // ---------------------------------------------------------------- files that are resolved

@@ -11,6 +11,7 @@
 #include "base/diagnostics/fixes.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
 #include "tests/frontend/fixture.hpp"
+#include "tests/rounds.hpp"
 #include "tests/source_folder.hpp"
 
 namespace robochart::frontend {
@@ -133,16 +134,20 @@ std::vector<Example> examples_of(const std::string& page) {
 }
 
 TEST(Repair, MakesEveryExampleOfAPageBetter) {
+    std::set<fs::path> pages;
+    for (const fs::directory_entry& entry : fs::directory_iterator(tests::source_folder() / "docs/rules"))
+        if (entry.path().extension() == ".md") pages.insert(entry.path());
     std::size_t fixes = 0;
-    for (const fs::directory_entry& entry : fs::directory_iterator(tests::source_folder() / "docs/rules")) {
-        if (entry.path().extension() != ".md") continue;
-        for (const Example& example : examples_of(testing::read_contents(entry.path().string()))) {
+    std::size_t page_number = 0;
+    for (const fs::path& page : pages) {
+        if (page_number++ % tests::distance_of_places(1) != 0) continue;
+        for (const Example& example : examples_of(testing::read_contents(page.string()))) {
             if (example.texts.empty()) continue;
-            SCOPED_TRACE(entry.path().filename().string());
+            SCOPED_TRACE(page.filename().string());
             expect_repaired(example.texts, fixes);
         }
     }
-    EXPECT_GT(fixes, 20U);
+    EXPECT_GT(fixes, tests::sanitized ? 2U : 20U);
 }
 
 // ---------------------------------------------------------------- fixes that are not written

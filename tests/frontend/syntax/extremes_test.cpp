@@ -143,7 +143,7 @@ TEST(Extremes, ALineOfMegabytesIsReadToTheEnd) {
          {"type " + std::string(megabytes, 'x') + " )", std::string(megabytes, '9'), std::string(megabytes, '{'),
           std::string(megabytes, 'a') + ":", std::string(megabytes, '^'), "type A " + std::string(megabytes, ' ') + ")",
           "// " + std::string(megabytes, 'c') + "\n)", "'" + std::string(megabytes, 's'),
-          "type " + times(1'000'000, "A::") + "A", times(200'000, "type A ") + ")"}) {
+          "type " + times(megabytes / 4, "A::") + "A", times(megabytes / 20, "type A ") + ")"}) {
         const auto reading = judged(text);
         EXPECT_FALSE(reading->findings.ok()) << text.substr(0, 20);
         EXPECT_LT(diagnostics::render_json(reading->sources, reading->findings).size(), 1'000'000U);
@@ -161,7 +161,7 @@ TEST(Extremes, ALongLineOfAssertionsIsReadToTheEnd) {
     for (const std::string& text :
          {"assertion A: " + std::string(megabytes, 'x') + " is", "csp P csp-begin " + std::string(megabytes, '-'),
           "csp P csp-begin " + std::string(megabytes, 'x') + " csp-end )",
-          "assertion A: " + times(1'000'000, "A::") + "A terminates )"})
+          "assertion A: " + times(megabytes / 4, "A::") + "A terminates )"})
         EXPECT_FALSE(judged(text, true)->findings.ok()) << text.substr(0, 20);
 }
 
@@ -220,7 +220,7 @@ TEST(Extremes, ManyUnknownImportsStayCheap) {
 }
 
 TEST(Extremes, ManyLinesOfGarbageCostNoMoreThanOne) {
-    EXPECT_FALSE(judged("stm S {\n" + times(500'000, "entyx\n"))->findings.ok());
+    EXPECT_FALSE(judged("stm S {\n" + times(tests::size_of_input(500'000), "entyx\n"))->findings.ok());
 }
 
 }  // namespace
