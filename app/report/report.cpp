@@ -217,6 +217,7 @@ void write_cycle_claims(std::string& out, const conformance::Result& r) {
     for (const conformance::CycleAnswers& claim : r.claims) {
         write_cycle_answer(out, claim, model_in_cycles, claim.model);
         write_cycle_answer(out, claim, this_code, claim.code);
+        if (claim.in_carriers) out += "                            for the values of the carriers only\n";
         if (!claim.asked) out += "                            never asked: no cycle of the code is in its scope\n";
     }
 }
@@ -350,6 +351,21 @@ void write_sizes(std::string& out, const std::vector<driver::SizeReport>& sizes)
                            size_text(size.compressed));
 }
 
+/// The claims about cycles, and those that hold of the code.
+struct CycleCounts {
+    std::size_t good = 0, all = 0;
+};
+
+CycleCounts count_cycle_claims(const Report& report) {
+    CycleCounts result;
+    for (const ConformanceReport& c : report.conformance)
+        for (const conformance::CycleAnswers& claim : c.result.claims) {
+            ++result.all;
+            if (claim.holds()) ++result.good;
+        }
+    return result;
+}
+
 std::string closing_line(const Report& report) {
     const auto count = [&](driver::Answer answer) { return report.count_answers(answer); };
     std::vector<std::string> parts;
@@ -377,6 +393,8 @@ std::string closing_line(const Report& report) {
         const auto good = std::ranges::count_if(
             report.conformance, [](const auto& c) { return c.result.outcome == conformance::Outcome::conforms; });
         parts.push_back(fmt::format("{} of {} controllers conform", good, report.conformance.size()));
+        if (const CycleCounts claims = count_cycle_claims(report); claims.all > 0)
+            parts.push_back(fmt::format("{} of {} about cycles hold", claims.good, count_text(claims.all, "claim")));
     }
     if (!report.refused.empty()) {
         std::vector<std::string> names;
@@ -484,7 +502,7 @@ Exit Report::exit_code() const {
     const auto claim = [&](conformance::Outcome outcome) {
         return std::ranges::any_of(conformance, [&](const auto& c) {
             return std::ranges::any_of(c.result.claims, [&](const conformance::CycleAnswers& answers) {
-                return answers.model.outcome == outcome || answers.code.outcome == outcome;
+                return answers.code.outcome == outcome;
             });
         });
     };
@@ -670,7 +688,8 @@ std::string render_text(const Report& report, const Options& options) {
     out += shown_lines(found);
     if (!report.conformance.empty() && !options.output.quiet) out += "\nconformance of the generated C++\n";
     for (const ConformanceReport& c : report.conformance)
-        if (!options.output.quiet || c.result.outcome != conformance::Outcome::conforms)
+        if (!options.output.quiet || c.result.outcome != conformance::Outcome::conforms ||
+            !std::ranges::all_of(c.result.claims, &conformance::CycleAnswers::holds))
             out += conformance_block(c, options, color);
     if (!options.output.quiet) out += shown_lines(files_text(report));
     if (const std::string advice = report.limit_advice(); !advice.empty())

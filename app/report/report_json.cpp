@@ -146,6 +146,7 @@ Json cycle_claim_json(const conformance::CycleAnswers& claim) {
     return {{"name", claim.claim},
             {"claim", claim.wording},
             {"asked", claim.asked},
+            {"carriers", claim.in_carriers},
             {"modelInCycles", cycle_answer_json(claim.model)},
             {"thisCode", cycle_answer_json(claim.code)}};
 }

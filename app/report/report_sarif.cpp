@@ -124,15 +124,17 @@ void add(const ConformanceReport& c, const std::string& file, Json& results) {
                                    c.component, c.region, file));
 }
 
-/// A claim about control cycles that fails or is not decided, for the model in cycles or for the code.
+/// A claim about control cycles that fails or is not decided, for the model in cycles or for the code. If the claim
+/// holds of the code, the other answer is information.
 void add(const conformance::CycleAnswers& claim, const conformance::CycleAnswer& answer, std::string_view subject,
          const std::optional<runs::Place>& region, const std::string& file, Json& results) {
     using conformance::Outcome;
     if (answer.outcome == Outcome::conforms) return;
     const bool known = answer.outcome == Outcome::differs;
     const std::string name = fmt::format("{} [{}]", claim.claim, subject);
+    const std::string_view kind = known ? failure : left_open;
     results.push_back(sarif_result(
-        Rule::assertion, known ? failure : left_open,
+        Rule::assertion, claim.holds() ? informational : kind,
         fmt::format("{}: {}: {}: {}", name, claim.wording, known ? "FAILS" : "is not decided", answer.reason), name,
         region, file));
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "app/base/numbers.hpp"
@@ -30,73 +29,24 @@ using claims::CheckedClaim;
 using conformance::TraceToken;
 using driver::FollowedClaim;
 
-/// A claim that a run breaks, or about which the run says nothing certain.
-struct LoggedClaim {
-    std::string log, run, claim;
-    std::uint64_t line = 0;
-    bool broken = false;
-    std::vector<std::string> lines;
-};
-
-struct ClaimLogReport {
-    std::uint64_t logs = 0, runs = 0, units = 0, kept = 0, broken = 0,
-                  open = 0;             ///< kept, broken, open: claims of runs
-    std::vector<LoggedClaim> reported;  ///< the first that are not kept
-    std::vector<std::string> errors;
-};
-constexpr std::size_t most_reported = 100;
-
 /// One log and the claims of one project.
-class ClaimLog {
+class ClaimLog final : public RunReader {
 public:
-    ClaimLog(const driver::Project& project, std::string path, ClaimLogReport& report, const Options& options)
-        : project_(project), path_(std::move(path)), report_(report), options_(options) {}
-
-    void read(std::istream& in) {
-        conformance::LineReader lines(in);
-        std::vector<TraceToken> tokens;
-        bool version = false, running = false;
-        while (lines.read_line()) {
-            options_.run->budget().poll();
-            conformance::split_line(lines.line_text(), tokens);
-            if (tokens.empty()) continue;
-            if (!std::exchange(version, true)) {
-                expect_version(tokens);
-            } else if (tokens.front().text == "run") {
-                if (running) end();
-                running = true;
-                begin(tokens, lines.line_number());
-            } else if (running) {
-                follow(tokens, lines.line_number());
-            } else if (!conformance::read_header_line(tokens, header_, lines.line_number())) {
-                throw conformance::TraceFault{nullptr,
-                                              {"a line of the header, or `run`", fmt::format("`{}`", tokens[0].text)}};
-            }
-        }
-        if (running) end();
-    }
+    ClaimLog(const driver::Project& project, std::string path, LogReport& report, const Options& options)
+        : RunReader(std::move(path), report, options), project_(project), report_(report) {}
 
 private:
-    static void expect_version(const std::vector<TraceToken>& tokens) {
-        if (tokens.size() == 2 && tokens[0].text == "robochart-trace" && tokens[1].text == "1") return;
-        throw conformance::TraceFault{nullptr,
-                                      {"`robochart-trace 1` in the first line", fmt::format("`{}`", tokens[0].text)}};
-    }
-
     /// Only claims about the component of the log are followed.
-    void begin(const std::vector<TraceToken>& tokens, std::uint64_t line) {
-        conformance::compare_units(header_, project_.unit);
-        name_.clear();
-        for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
-        begun_ = line;
+    void begin_run(const conformance::TraceHeader& header) override {
+        conformance::compare_units(header, project_.unit);
         followed_.clear();
         const driver::ProjectClaims& of = *project_.claims;
         for (const CheckedClaim& claim : of.checked.claims) {
             const std::string& path = claim.component.path;
-            if (path != header_.component && !path.ends_with("::" + header_.component)) continue;
+            if (path != header.component && !path.ends_with("::" + header.component)) continue;
             followed_.emplace_back(claim, project_.system, project_.unit, drops_of(path));
             if (const std::string why = claims::why_not_followed(claim); !why.empty()) followed_.back().give_up(why);
-            for (const std::string& word : header_.unobserved) hide(followed_.back(), word);
+            for (const std::string& word : header.unobserved) hide(followed_.back(), word);
         }
     }
     const FollowedClaim::Drops& drops_of(const std::string& component) {
@@ -111,7 +61,7 @@ private:
             followed.give_up(fmt::format("the log does not show {}", word));
     }
 
-    void follow(const std::vector<TraceToken>& tokens, std::uint64_t line) {
+    void follow(const std::vector<TraceToken>& tokens, std::uint64_t line) override {
         if (tokens.size() == 1 && (tokens[0].text == "late" || tokens[0].text == "lost")) {
             for (FollowedClaim& followed : followed_)
                 followed.give_up(fmt::format("the log has gaps (`{}` in line {})", tokens[0].text, line));
@@ -147,8 +97,7 @@ private:
         return result;
     }
 
-    void end() {
-        ++report_.runs;
+    void end_run() override {
         for (FollowedClaim& followed : followed_) {
             followed.finish();
             const bool open = !followed.is_broken() && !followed.unknown().empty();
@@ -156,39 +105,29 @@ private:
                 ++report_.broken;
             else
                 ++(open ? report_.open : report_.kept);
-            if ((!followed.is_broken() && !open) || report_.reported.size() >= most_reported) continue;
-            LoggedClaim entry{path_, name_, followed.claim().name, open ? begun_ : followed.line(), !open, {}};
-            entry.lines = open ? std::vector<std::string>{followed.unknown()} : followed.reasons();
-            report_.reported.push_back(std::move(entry));
+            if (!followed.is_broken() && !open) continue;
+            LoggedRun logged = entry(!open, open ? first_line() : followed.line());
+            logged.claim = followed.claim().name;
+            logged.lines = open ? std::vector<std::string>{followed.unknown()} : followed.reasons();
+            report_.add(std::move(logged));
         }
     }
 
     const driver::Project& project_;
-    std::string path_;
-    ClaimLogReport& report_;
-    const Options& options_;
-    conformance::TraceHeader header_;
+    LogReport& report_;
     std::vector<FollowedClaim> followed_;
     std::map<std::string, FollowedClaim::Drops> drops_;  ///< by component
-    std::string name_;
-    std::uint64_t begun_ = 0;
 };
 
 /// A log without claims about its component is not an answer.
-Exit exit_of(const ClaimLogReport& report) {
+Exit exit_of(const LogReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
     if (report.broken > 0) return Exit::failed;
     return report.open > 0 || report.kept == 0 ? Exit::inconclusive : Exit::success;
 }
 
-void print_logs(const ClaimLogReport& report) {
-    for (const LoggedClaim& logged : report.reported) {
-        print("{} {}:{}: {} in run {}\n", logged.broken ? "broken      " : "inconclusive",
-              diagnostics::escape_for_display(logged.log), logged.line, logged.claim,
-              logged.run.empty() ? "without a name" : diagnostics::escape_for_display(logged.run));
-        for (const std::string& line : logged.lines) print("  {}\n", diagnostics::escape_for_display(line));
-    }
-    for (const std::string& error : report.errors) print_error("robochart-verify: {}\n", error);
+void print_logs(const LogReport& report) {
+    print_reported(report);
     print("an input counts as an event of a claim when it is raised, also if the controller misses it\n");
     if (report.kept + report.broken + report.open == 0) print("no claim is about the component of a log\n");
     print("{} in {}, {}: of the claims, {} are kept, {} are broken, {} inconclusive\n", count_text(report.runs, "run"),
@@ -196,28 +135,10 @@ void print_logs(const ClaimLogReport& report) {
           with_commas(report.broken), with_commas(report.open));
 }
 
-diagnostics::Json logged_json(const LoggedClaim& logged) {
-    return {{"log", logged.log},
-            {"line", logged.line},
-            {"run", logged.run},
-            {"claim", logged.claim},
-            {"verdict", logged.broken ? "broken" : "inconclusive"},
-            {"lines", logged.lines}};
-}
-
-std::string logs_json(const ClaimLogReport& report) {
-    const diagnostics::Json json{{"schema", "robochart-verify/claim-traces/1"},
-                                 {"logs", report.logs},
-                                 {"runs", report.runs},
-                                 {"timeUnits", report.units},
-                                 {"kept", report.kept},
-                                 {"broken", report.broken},
-                                 {"inconclusive", report.open},
-                                 {"inputsCount", "raised"},
-                                 {"errors", report.errors},
-                                 {"exit", static_cast<int>(exit_of(report))},
-                                 {"reported", diagnostics::json_array(report.reported, logged_json)}};
-    return diagnostics::json_text(json) + "\n";
+std::string logs_json(const LogReport& report) {
+    return diagnostics::json_text(
+               log_report_json(report, "robochart-verify/claim-traces/1", "timeUnits", "kept", exit_of(report))) +
+           "\n";
 }
 
 }  // namespace
@@ -232,7 +153,7 @@ Exit conform_claims(const Options& options) {
             (void)show_diagnostics(*part.project, options);
             return refusal_code(*part.project);
         }
-    ClaimLogReport report;
+    LogReport report;
     for (const std::string& log : log_files(options, report.errors))
         for (const driver::Part& part : parts)
             if (!part.project->claims->checked.claims.empty())

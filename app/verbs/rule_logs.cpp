@@ -28,77 +28,29 @@ namespace {
 
 using conformance::TraceToken;
 
-/// A run that breaks a rule, or a run for which the answer is unknown.
-struct LoggedRun {
-    std::string log, run;
-    std::uint64_t line = 0;
-    bool broken = false;
-    std::vector<std::string> lines;
-};
-
-struct RuleLogReport {
-    std::uint64_t logs = 0, runs = 0, seconds = 0, accepted = 0, broken = 0, open = 0;
-    std::vector<LoggedRun> reported;  ///< the first runs that are not accepted
-    std::vector<std::string> errors;
+struct RuleLogReport : LogReport {
     durations::Unit unit;         ///< the length of a `tock`, if it is declared
     bool counts_seconds = false;  ///< a limit is in seconds, and no unit is declared
 };
-constexpr std::size_t most_reported = 100;
 
 /// One log and one rule file.
-class RuleLog {
+class RuleLog final : public RunReader {
 public:
     RuleLog(const driver::LoadedRules& of, std::string path, RuleLogReport& report, const Options& options)
-        : of_{*of.rules, of.sources}, words_(*of.rules), path_(std::move(path)), report_(report), options_(options) {}
-
-    void read(std::istream& in) {
-        conformance::LineReader lines(in);
-        conformance::TraceHeader header;
-        std::vector<TraceToken> tokens;
-        bool version = false;
-        while (lines.read_line()) {
-            options_.run->budget().poll();
-            conformance::split_line(lines.line_text(), tokens);
-            if (tokens.empty()) continue;
-            if (!std::exchange(version, true)) {
-                expect_version(tokens);
-                continue;
-            }
-            if (tokens.front().text == "run")
-                begin(tokens, lines.line_number(), header);
-            else if (!run_ && !conformance::read_header_line(tokens, header, lines.line_number()))
-                throw conformance::TraceFault{nullptr,
-                                              {"a line of the header, or `run`", fmt::format("`{}`", tokens[0].text)}};
-            else if (!run_)
-                continue;
-            else
-                follow_tokens(tokens, lines.line_number());
-        }
-        end();
-    }
+        : RunReader(std::move(path), report, options), of_{*of.rules, of.sources}, words_(*of.rules), report_(report) {}
 
 private:
-    static void expect_version(const std::vector<TraceToken>& tokens) {
-        if (tokens.size() == 2 && tokens[0].text == "robochart-trace" && tokens[1].text == "1") return;
-        throw conformance::TraceFault{nullptr,
-                                      {"`robochart-trace 1` in the first line", fmt::format("`{}`", tokens[0].text)}};
-    }
-
-    void begin(const std::vector<TraceToken>& tokens, std::uint64_t line, const conformance::TraceHeader& header) {
-        end();
+    void begin_run(const conformance::TraceHeader& header) override {
         conformance::compare_units(header, of_.rules.unit);
         if (of_.rules.unit) report_.unit = of_.rules.unit;
         if (driver::counts_seconds(of_.rules)) report_.counts_seconds = true;
         hidden_.clear();
         for (const std::string& word : header.unobserved)
             if (!words_.declared_by_word(word).empty()) hidden_ = word;
-        name_.clear();
-        for (std::size_t i = 1; i < tokens.size(); ++i) name_ += fmt::format("{}{}", i > 1 ? " " : "", tokens[i].text);
-        begun_ = line;
-        run_.emplace(of_, options_.rules.without_limit);
+        run_.emplace(of_, options().rules.without_limit);
     }
 
-    void follow_tokens(const std::vector<TraceToken>& tokens, std::uint64_t line) {
+    void follow(const std::vector<TraceToken>& tokens, std::uint64_t line) override {
         if (tokens.size() == 1 && (tokens[0].text == "late" || tokens[0].text == "lost"))
             return run_->drop_obligations();
         for (const TraceToken& token : tokens) follow_word(token.text, line);
@@ -113,41 +65,31 @@ private:
         for (const std::size_t event : events) run_->add_event(event, line);
     }
 
-    void end() {
-        if (!run_) return;
+    void end_run() override {
         run_->end();
-        ++report_.runs;
-        report_.seconds += static_cast<std::uint64_t>(run_->elapsed_seconds());
+        report_.units += static_cast<std::uint64_t>(run_->elapsed_seconds());
         const bool broken = run_->is_broken() && hidden_.empty();
         const bool open = !broken && (!run_->open_triggers().empty() || !hidden_.empty());
         if (broken)
             ++report_.broken;
         else
-            ++(open ? report_.open : report_.accepted);
-        if ((broken || open) && report_.reported.size() < most_reported) {
-            LoggedRun entry{path_, name_, broken ? run_->violation_line() : begun_, broken, {}};
-            if (broken) entry.lines = run_->violation_text();
-            if (!hidden_.empty())
-                entry.lines.push_back(
-                    fmt::format("the log does not show {}", diagnostics::escape_for_display(hidden_)));
-            for (const std::size_t rule : run_->open_triggers())
-                if (open)
-                    entry.lines.push_back(fmt::format(
-                        "{} begins while a measure that decides what it asks for is not {}", of_.rules.name(rule),
-                        sleec::reads_states(of_.rules, rule) ? "known: events do not show states" : "read"));
-            report_.reported.push_back(std::move(entry));
-        }
-        run_.reset();
+            ++(open ? report_.open : report_.kept);
+        if (!broken && !open) return;
+        LoggedRun logged = entry(broken, broken ? run_->violation_line() : first_line());
+        if (broken) logged.lines = run_->violation_text();
+        if (!hidden_.empty()) logged.lines.push_back(fmt::format("the log does not show {}", hidden_));
+        for (const std::size_t rule : run_->open_triggers())
+            if (open)
+                logged.lines.push_back(fmt::format(
+                    "{} begins while a measure that decides what it asks for is not {}", of_.rules.name(rule),
+                    sleec::reads_states(of_.rules, rule) ? "known: events do not show states" : "read"));
+        report_.add(std::move(logged));
     }
 
     driver::RulesOf of_;
     driver::RuleWords words_;
-    std::string path_;
     RuleLogReport& report_;
-    const Options& options_;
     std::optional<driver::RuleRun> run_;
-    std::string name_;
-    std::uint64_t begun_ = 0;
     std::string hidden_;  ///< an event of the rules that is not in the log; "": there is none
 };
 
@@ -158,42 +100,19 @@ Exit exit_of(const RuleLogReport& report) {
 }
 
 void print_logs(const RuleLogReport& report) {
-    for (const LoggedRun& logged : report.reported) {
-        print("{} {}:{}: run {}\n", logged.broken ? "broken      " : "inconclusive",
-              diagnostics::escape_for_display(logged.log), logged.line,
-              logged.run.empty() ? "without a name" : diagnostics::escape_for_display(logged.run));
-        for (const std::string& line : logged.lines) print("  {}\n", line);
-    }
-    for (const std::string& error : report.errors) print_error("robochart-verify: {}\n", error);
+    print_reported(report);
     print("an input counts as an event of the rules when it is raised, also if the controller misses it\n");
     if (report.unit || report.counts_seconds) print("{}\n", durations::second_text(report.unit));
-    const std::string time = count_text(report.seconds, report.unit ? "time unit" : "second");
+    const std::string time = count_text(report.units, report.unit ? "time unit" : "second");
     print("{} in {}, {}: {} obey the rules, {} do not, {} inconclusive\n", count_text(report.runs, "run"),
-          count_text(report.logs, "log"), time, with_commas(report.accepted), with_commas(report.broken),
+          count_text(report.logs, "log"), time, with_commas(report.kept), with_commas(report.broken),
           with_commas(report.open));
 }
 
-diagnostics::Json logged_json(const LoggedRun& logged) {
-    return {{"log", logged.log},
-            {"line", logged.line},
-            {"run", logged.run},
-            {"verdict", logged.broken ? "broken" : "inconclusive"},
-            {"lines", logged.lines}};
-}
-
 std::string logs_json(const RuleLogReport& report) {
-    const diagnostics::Json json{{"schema", "robochart-verify/rule-traces/1"},
-                                 {"logs", report.logs},
-                                 {"runs", report.runs},
-                                 {report.unit ? "timeUnits" : "seconds", report.seconds},
-                                 {"unitNanoseconds", diagnostics::json_or_null(report.unit)},
-                                 {"accepted", report.accepted},
-                                 {"broken", report.broken},
-                                 {"inconclusive", report.open},
-                                 {"inputsCount", "raised"},
-                                 {"errors", report.errors},
-                                 {"exit", static_cast<int>(exit_of(report))},
-                                 {"reported", diagnostics::json_array(report.reported, logged_json)}};
+    diagnostics::Json json = log_report_json(report, "robochart-verify/rule-traces/1",
+                                             report.unit ? "timeUnits" : "seconds", "accepted", exit_of(report));
+    json["unitNanoseconds"] = diagnostics::json_or_null(report.unit);
     return diagnostics::json_text(json) + "\n";
 }
 

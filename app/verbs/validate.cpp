@@ -11,6 +11,7 @@
 #include "app/command/output.hpp"
 #include "app/command/recording.hpp"
 #include "app/command/run.hpp"
+#include "app/rules/record_rules.hpp"
 #include "app/verbs/verbs.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/fixes.hpp"
@@ -21,6 +22,7 @@
 #include "csp_emit/blocks/check_blocks.hpp"
 #include "driver/model/claim_files.hpp"
 #include "driver/model/project_claims.hpp"
+#include "driver/rules/rule_claims.hpp"
 #include "frontend/project/move_claims.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -144,6 +146,33 @@ void output_findings(const diagnostics::SourceManager& sources, const diagnostic
     if (!limit.empty()) print_error("robochart-verify: inconclusive: {}\n", limit);
 }
 
+/// Outputs the findings of a finished run.
+Exit output_result(const diagnostics::SourceManager& sources, const diagnostics::Diagnostics& findings,
+                   const Options& options) {
+    output_findings(sources, findings, "", options);
+    const bool good = is_valid(findings, options);
+    if (findings.ok() && !good) print_error("warnings are denied (--deny-warnings)\n");
+    return good ? Exit::success : Exit::bad_input;
+}
+
+bool is_rules(const std::string& path) {
+    return path.ends_with(".sleec");
+}
+
+/// Reports the findings in rule files. With a time unit in a `.claims` file beside them, it also checks their limits.
+Exit validate_rules(const Options& options) {
+    driver::LoadedRules loaded;
+    loaded.diagnostics.set_budget(&options.run->budget());
+    for (const std::string& code : options.load.allowed) loaded.diagnostics.allow_code(code);
+    for (const std::string& file : options.load.inputs) {
+        const auto unit = driver::unit_beside({file}, loaded.sources, loaded.diagnostics);
+        driver::load_rules(file, loaded, unit ? durations::Unit(unit->nanoseconds) : std::nullopt);
+        record_rules(loaded, options);
+    }
+    options.run->finish();
+    return output_result(loaded.sources, loaded.diagnostics, options);
+}
+
 /// Reads, applies fixes if requested, and reports.
 Exit validate(const Options& options) {
     std::vector<driver::Part> parts = read_with_blocks(options);
@@ -164,11 +193,7 @@ Exit validate(const Options& options) {
         if (!options.output.quiet && options.output.format == Format::text) report_repair(sum);
     }
     options.run->finish();
-    const diagnostics::Diagnostics findings = all_findings(parts);
-    output_findings(parts.front().project->sources, findings, "", options);
-    const bool good = is_valid(findings, options);
-    if (findings.ok() && !good) print_error("warnings are denied (--deny-warnings)\n");
-    return good ? Exit::success : Exit::bad_input;
+    return output_result(parts.front().project->sources, all_findings(parts), options);
 }
 
 }  // namespace
@@ -178,7 +203,8 @@ Exit run_validate(const Options& options) {
         output_findings(diagnostics::SourceManager(), diagnostics::Diagnostics(), why, options);
         return Exit::inconclusive;
     });
-    return validate(options);
+    const bool rules = !options.load.inputs.empty() && std::ranges::all_of(options.load.inputs, is_rules);
+    return rules ? validate_rules(options) : validate(options);
 }
 
 }  // namespace robochart::app

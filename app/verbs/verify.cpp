@@ -40,6 +40,7 @@
 #include "driver/model/places.hpp"
 #include "driver/model/preferences.hpp"
 #include "driver/model/project_claims.hpp"
+#include "driver/settings/instantiation_options.hpp"
 #include "driver/settings/rules.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -76,19 +77,12 @@ std::string summary_text(const std::vector<driver::Part>& parts) {
     return result;
 }
 
-std::string range_text(const std::vector<std::int64_t>& carrier) {
-    if (carrier.empty()) return "empty";
-    const auto size = static_cast<std::uint64_t>(carrier.back()) - static_cast<std::uint64_t>(carrier.front()) + 1;
-    const std::string range = fmt::format("{}..{}", carrier.front(), carrier.back());
-    return size == carrier.size() ? range : fmt::format("{} values in {}", carrier.size(), range);
-}
-
 std::vector<std::string> instantiation_notes(const ir::Instantiation& i) {
     std::vector<std::string> result;
     std::string reals = fmt::format("{} values", i.real.size());
     if (i.scale != 1) reals += fmt::format(", exact in steps of 1/{} (from the model's decimal literals)", i.scale);
-    result.push_back(fmt::format("finite instantiation: nat {}, int {}, real {}, clocks 0..{}", range_text(i.nat),
-                                 range_text(i.integer), reals, i.clock_bound));
+    result.push_back(fmt::format("finite instantiation: nat {}, int {}, real {}, clocks 0..{}",
+                                 driver::range_text(i.nat), driver::range_text(i.integer), reals, i.clock_bound));
     const ir::Instantiation usual;
     if (i.sequence_bound != usual.sequence_bound)
         result.back() += fmt::format(", sequences of at most {}", i.sequence_bound);
@@ -429,6 +423,19 @@ std::shared_ptr<const conformance::CycleClaims> cycle_claims(const driver::Proje
     return std::make_shared<const conformance::CycleClaims>(std::move(claims));
 }
 
+/// The comparison of the code answers the claims about cycles, so the assertions do not list them as undecided.
+void drop_answered(Report& report) {
+    const auto answered = [&](const driver::AssertionReport& assertion) {
+        return std::ranges::any_of(report.conformance, [&](const ConformanceReport& one) {
+            for (std::size_t i = 0; i < one.result.claims.size() && i < one.claim_regions.size(); ++i)
+                if (one.result.claims[i].claim == assertion.name && one.claim_regions[i] == assertion.region)
+                    return true;
+            return false;
+        });
+    };
+    std::erase_if(report.assertions, answered);
+}
+
 bool allows_rounding(const Options& options) {
     const auto& allowed = options.load.allowed;
     return std::ranges::find(allowed, conformance::rules::rounded.code) != allowed.end();
@@ -498,6 +505,8 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         const auto edit = options.run->edit();
         report.conformance[first + i] = std::move(one);
     }
+    const auto edit = options.run->edit();
+    drop_answered(report);
 }
 
 namespace {
@@ -509,6 +518,8 @@ void note_nothing_checked(const Options& options, Report& report) {
         return assertion.answer != driver::Answer::no_check;
     };
     if (std::ranges::any_of(report.assertions, decided)) return;
+    const auto claims = [](const ConformanceReport& one) { return !one.result.claims.empty(); };
+    if (std::ranges::any_of(report.conformance, claims)) return;
     report.unclaimed = report.assertions.empty() ? "nothing is claimed of the model: there are no assertions to check"
                                                  : "nothing was checked: no assertion has a check in this semantics";
     report.nothing_checked = options.verb == Verb::check && report.sizes.empty();

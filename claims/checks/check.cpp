@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "base/diagnostics/spelling.hpp"
 #include "claims/checks/duration.hpp"
@@ -195,9 +196,10 @@ private:
         result.component = claim.component ? named_component(*claim.component, file) : only_component(claim, file);
         result.assumption = claim.assumption;
         for (const Spontaneous& event : result.component.spontaneous)
-            diagnostics_.report(
-                rules::spontaneous_event, claim.name.span,
-                {event.event, event.machine, result.component.path, sources_.path_and_line(event.span)});
+            if (reported_.emplace(result.component.path, event.machine, event.event).second)
+                diagnostics_.report(
+                    rules::spontaneous_event, claim.name.span,
+                    {event.event, event.machine, result.component.path, sources_.path_and_line(event.span)});
         result.raised = claim.scope.kind == ScopeKind::cycle;
         inputs_.clear();
         for (const Channel& channel : result.component.channels)
@@ -389,6 +391,8 @@ private:
     std::vector<Component> components_;
     CheckedClaims result_;
     std::set<std::string> inputs_;  ///< of the component of the claim
+    /// Unconnected events that have been reported: component, machine, event.
+    std::set<std::tuple<std::string, std::string, std::string>> reported_;
 };
 
 }  // namespace

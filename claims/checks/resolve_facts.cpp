@@ -16,6 +16,13 @@ namespace {
 
 constexpr std::string_view separator = "::";
 
+/// The state that the condition `in STATE` names. Only the name is replaced by fixes.
+Name state_name(const Expr& in_state) {
+    Span span = in_state.span;
+    span.begin = std::max(span.begin, span.end - static_cast<std::uint32_t>(in_state.text.size()));
+    return {in_state.text, span};
+}
+
 /// "patrol::retries" without its last part; "" if there is only one part.
 std::string prefix_of(const std::string& name) {
     const std::size_t end = name.rfind(separator);
@@ -117,7 +124,7 @@ Condition FactResolver::fact_of_variables(const Expr& expr, const std::vector<st
 }
 
 Condition FactResolver::resolve(const Expr& expr) {
-    if (expr.op == Op::in_state) return operand_of(Operand::fact, fact_of_state({expr.text, expr.span}));
+    if (expr.op == Op::in_state) return operand_of(Operand::fact, fact_of_state(state_name(expr)));
     std::vector<std::size_t> machines;
     bool state = false;
     collect_machines(expr, machines, state);

@@ -58,6 +58,16 @@ std::set<std::size_t> channels_with_values(const CheckedClaim& claim) {
     return result;
 }
 
+/// A csp block may give numbers other values than the instantiation. It does not change enumerations and truth values.
+void refuse_numbers(const CheckedClaim& claim, const std::set<std::size_t>& channels, const ir::System& system) {
+    for (const std::size_t channel : channels)
+        for (const ir::TypeId type : claim.component.channels[channel].types) {
+            const ir::TypeKind kind = system.type(type).kind;
+            if (kind != ir::TypeKind::boolean && kind != ir::TypeKind::enumeration)
+                throw NotDecided("a csp block sets the values, which conditions of claims do not read");
+        }
+}
+
 bool reads_last(const Condition& condition) {
     return condition.operand == Operand::last || std::ranges::any_of(condition.parts, reads_last);
 }
@@ -176,8 +186,7 @@ std::vector<Letter> letters_of(const CheckedClaim& claim, const ir::System& syst
     for (const Events* events : sets_of(claim))
         for (const EventMatch& match : events->any) channels.insert(match.channels.begin(), match.channels.end());
     const std::set<std::size_t> with_values = channels_with_values(claim);
-    if (!with_values.empty() && std::ranges::any_of(system.csp_blocks, ir::is_instantiations))
-        throw NotDecided("a csp block sets the values, which conditions of claims do not read");
+    if (std::ranges::any_of(system.csp_blocks, ir::is_instantiations)) refuse_numbers(claim, with_values, system);
     LetterMaker maker(claim, system, instantiation);
     for (const std::size_t channel : channels) maker.add_channel(channel, with_values.contains(channel));
     std::vector<Letter> result = maker.take();

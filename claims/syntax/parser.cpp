@@ -19,6 +19,7 @@ using diagnostics::Advice;
 constexpr std::string_view claim_form = "a claim has the form `claim NAME : after estop until reset, never goTo`";
 constexpr std::string_view value_form = "a value has a name: `goTo(w) with w > 3`";
 constexpr std::string_view response_form = "a response is `obstacle leads to halt within 1 s`";
+constexpr std::string_view claims_are_timed = "claims are timed, and the form of a claim says how it is compared";
 constexpr std::string_view body = "'only', 'leads to' or 'at least'";
 
 constexpr std::array advice{
@@ -31,8 +32,10 @@ constexpr std::array advice{
     Advice{"", "NAME @ =", value_form},
     Advice{"", "= @ =", "`==` compares values"},
     Advice{"a claim", "@ assertion", "assertions are in `.assertions` files"},
+    Advice{"a claim", "@ untimed", claims_are_timed},
+    Advice{"a claim", "@ timed", claims_are_timed},
     Advice{"a claim", "@", claim_form},
-    Advice{"the end of the claim", "@ in", "claims are timed, and the form of a claim says how it is compared"},
+    Advice{"the end of the claim", "@ in", claims_are_timed},
     Advice{body, "NAME @ never", "`never` comes first: `after stop, never goTo`"},
     Advice{body, "NAME @ must", response_form},
     Advice{body, "NAME @ then", response_form},

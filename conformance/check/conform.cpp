@@ -649,13 +649,11 @@ Result conform_robosim(const TimedModel& timed, const ir::ComponentRef& componen
 
 }  // namespace
 
-Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
-               diagnostics::Diagnostics& diagnostics) {
-    const RenamedSystem& model = timed.model;
-    const ir::ComponentRef component = renamed_component(model, named);
-    if (!timed.sound || !component_process(timed.script.definitions, component))
-        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
-    if (ir::is_robosim(model.system, component)) return conform_robosim(timed, component, options, diagnostics);
+namespace {
+
+/// For all values if possible, and otherwise for the values of the carriers, or for a few that represent all.
+Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
+                         diagnostics::Diagnostics& diagnostics) {
     ForAllValues all = conform_for_all_values(timed, component, options, diagnostics);
     const bool differs = all.result && all.result->outcome == Outcome::differs;
     if (all.result && !differs) return std::move(*all.result);
@@ -671,6 +669,44 @@ Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Opt
             "no difference for the few values explored, but the code also tests or computes values that the model only "
             "passes on";
     }
+    return result;
+}
+
+/// Decides the claims about cycles that compare values in the carriers, if the conformance was decided for other
+/// values.
+void decide_claims_in_carriers(Result& result, const TimedModel& timed, const ir::ComponentRef& component,
+                               const Options& options) {
+    if (options.claims == nullptr || options.numbers == Numbers::carriers) return;
+    const auto open = [&](const claims::CheckedClaim& claim) {
+        const auto found = std::ranges::find(result.claims, claim.name, &CycleAnswers::claim);
+        return found != result.claims.end() && reads_values(claim) && found->code.outcome == Outcome::inconclusive;
+    };
+    CycleClaims claims = *options.claims;
+    std::erase_if(claims.claims, [&](const claims::CheckedClaim& claim) { return !open(claim); });
+    if (claims.claims.empty()) return;
+    Options carriers = options;
+    carriers.numbers = Numbers::carriers;
+    carriers.claims = std::make_shared<const CycleClaims>(std::move(claims));
+    diagnostics::Diagnostics apart;  // discarded, because the first check has reported the same findings
+    const Result again = judge_values(timed, component, timed.model.instantiation, timed.script, carriers, apart);
+    if (again.outcome != Outcome::conforms) return;
+    for (const CycleAnswers& answers : again.claims) {
+        *std::ranges::find(result.claims, answers.claim, &CycleAnswers::claim) = answers;
+        std::ranges::find(result.claims, answers.claim, &CycleAnswers::claim)->in_carriers = true;
+    }
+}
+
+}  // namespace
+
+Result conform(const TimedModel& timed, const ir::ComponentRef& named, const Options& options,
+               diagnostics::Diagnostics& diagnostics) {
+    const RenamedSystem& model = timed.model;
+    const ir::ComponentRef component = renamed_component(model, named);
+    if (!timed.sound || !component_process(timed.script.definitions, component))
+        return not_generated(fmt::format("{} has no timed CSP semantics here", named.path));
+    if (ir::is_robosim(model.system, component)) return conform_robosim(timed, component, options, diagnostics);
+    Result result = conform_robochart(timed, component, options, diagnostics);
+    decide_claims_in_carriers(result, timed, component, options);
     return result;
 }
 

@@ -102,16 +102,6 @@ private:
     std::vector<std::optional<std::size_t>> inputs_, outputs_;
 };
 
-/// True if a condition reads values of events. They are those of the carriers.
-bool reads_values(const CheckedClaim& claim) {
-    const auto conditional = [](const claims::Events& events) {
-        return std::ranges::any_of(events.any,
-                                   [](const claims::EventMatch& match) { return match.condition.has_value(); });
-    };
-    return !claim.remembered.empty() || conditional(claim.scope.first) || conditional(claim.scope.last) ||
-           conditional(claim.body.events) || conditional(claim.body.others) || conditional(claim.body.exceptions);
-}
-
 // ---------------------------------------------------------------- states
 
 /// Determines which facts of a claim hold in a state.
@@ -434,6 +424,15 @@ CycleAnswer answer(const Search& search) {
 
 }  // namespace
 
+bool reads_values(const CheckedClaim& claim) {
+    const auto conditional = [](const claims::Events& events) {
+        return std::ranges::any_of(events.any,
+                                   [](const claims::EventMatch& match) { return match.condition.has_value(); });
+    };
+    return !claim.remembered.empty() || conditional(claim.scope.first) || conditional(claim.scope.last) ||
+           conditional(claim.body.events) || conditional(claim.body.others) || conditional(claim.body.exceptions);
+}
+
 std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const ClaimedModel& claimed, ModelGraph& model,
                                               const Alphabet& alphabet, const rc_interface& code,
                                               std::uint32_t cycle_length, const refine::Limits& limits) {
@@ -443,8 +442,7 @@ std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const C
         answers.claim = claim.name;
         answers.wording = claim.wording;
         answers.span = claim.span;
-        const bool values = reads_values(claim) && !claims.carriers;
-        if (values) {
+        if (reads_values(claim) && !claims.carriers) {
             answers.model.reason = answers.code.reason = "it compares values: `--concrete` decides it for the carriers";
             continue;
         }

@@ -31,6 +31,9 @@ struct ClaimedModel {
     const csp_emit::Provenance& provenance;
 };
 
+/// True if a condition reads values of events. They are those of the carriers.
+[[nodiscard]] bool reads_values(const claims::CheckedClaim& claim);
+
 /// Decides the claims for the model in cycles and for the code. An inconclusive answer contains the reason.
 [[nodiscard]] std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const ClaimedModel& claimed,
                                                             ModelGraph& model, const Alphabet& alphabet,

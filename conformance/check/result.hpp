@@ -135,13 +135,16 @@ struct CycleAnswer {
     std::string reason;                       ///< what broke it, or why it is not decided
     std::vector<Cycle> cycles;                ///< a shortest run that breaks it
 };
-/// Both answers to a claim.
+/// Both answers to a claim. The answer for the code is the verdict. If the claim holds of the code, the other answer
+/// only says whether every conforming controller keeps it.
 struct CycleAnswers {
     std::string claim;  ///< its name
     std::string wording;
     diagnostics::Span span;
     CycleAnswer model, code;
-    bool asked = true;  ///< some cycle of the code is in its scope
+    [[nodiscard]] bool holds() const { return code.outcome == Outcome::conforms; }
+    bool asked = true;         ///< some cycle of the code is in its scope
+    bool in_carriers = false;  ///< it compares values, and was decided for those of the finite instantiation
 };
 
 /// The result for one component, with the size of the exploration and, if the code differs, a shortest run.

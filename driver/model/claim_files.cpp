@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "base/diagnostics/files.hpp"
@@ -14,6 +15,7 @@
 #include "claims/checks/rules.hpp"
 #include "claims/decide/letters.hpp"
 #include "claims/syntax/reader.hpp"
+#include "driver/settings/instantiation_options.hpp"
 #include "frontend/project/move_claims.hpp"
 #include "frontend/project/project.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
@@ -121,14 +123,16 @@ std::vector<std::string> model_inputs(const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs)
         if (!is_claims(input)) result.push_back(input);
     if (!result.empty()) return result;
-    std::set<std::string> found;
+    std::set<std::string> found, folders;
     for (const std::string& input : inputs) {
         std::vector<std::string> models = models_in(folder_of(input));
         if (models.empty()) models = models_in((fs::path(folder_of(input)) / "..").lexically_normal().string());
         found.insert(models.begin(), models.end());
+        folders.insert(folder_of(input));
     }
+    if (found.empty()) found = folders;  // reading them reports that they contain no models
     result.assign(found.begin(), found.end());
-    return result.empty() ? inputs : result;
+    return result;
 }
 
 namespace {
@@ -279,6 +283,25 @@ ir::Property readiness(const claims::CheckedClaim& claim, const Project& project
 
 }  // namespace
 
+namespace {
+
+/// "nat is 0..4 here; `--range` and `--const` choose values"
+std::string values_text(const claims::EventMatch& match, const claims::CheckedClaim& claim, const Project& project) {
+    std::map<std::string, std::string> ranges;  // by type
+    for (const std::size_t channel : match.channels)
+        for (const ir::TypeId id : claim.component.channels[channel].types) {
+            const ir::Type& type = project.system.type(id);
+            if (type.kind == ir::TypeKind::nat) ranges["nat"] = range_text(project.instantiation.nat);
+            if (type.kind == ir::TypeKind::integer) ranges["int"] = range_text(project.instantiation.integer);
+        }
+    std::string result;
+    for (const auto& [type, range] : ranges)
+        result += fmt::format("{}{} is {}", result.empty() ? "" : ", ", type, range);
+    return fmt::format("{}{}`--range` and `--const` choose values", result, result.empty() ? "" : " here; ");
+}
+
+}  // namespace
+
 void check_claim_files(Project& project) {
     check_claim_files(project, project.system);
     for (const claims::CheckedClaim& claim : project.claims->checked.claims)
@@ -291,7 +314,7 @@ void check_claim_files(Project& project) {
             const auto letters = claims::letters_of(claim, project.system, project.instantiation, {});
             for (const claims::EventMatch* match : claims::matches_without_value(claim, letters))
                 project.diagnostics.report(claims::rules::no_value, match->span,
-                                           {match->text, "`--range` and `--const` choose values"});
+                                           {match->text, values_text(*match, claim, project)});
         } catch (const claims::NotDecided&) {
             // The answer to the claim gives the reason.
         } catch (const claims::NotComputable& error) {

@@ -127,13 +127,14 @@ private:
     cspm::ExprPtr with_assumptions(const CheckedClaim& claim, cspm::ExprPtr process,
                                    std::vector<cspm::ExprPtr>& outputs, std::vector<claims::Letter>& letters,
                                    csp_emit::Obligation& obligation) {
-        std::vector<std::string> names;
+        std::vector<std::string> names, places;
         std::vector<claims::Assumed::Due> due;
         const std::vector<CheckedClaim>& all = project_.claims->checked.claims;
         for (std::size_t number = 0; number < all.size(); ++number) {
             const CheckedClaim& assumed = all[number];
             if (!assumed.assumption || assumed.component.path != claim.component.path) continue;
             names.push_back(assumed.name);
+            places.push_back(fmt::format("{} ({})", assumed.name, project_.sources.path_and_line(assumed.span)));
             const claims::Assumed made = make_assumption(number, std::move(process), due);
             process = made.process;
             due.insert(due.end(), made.due.begin(), made.due.end());
@@ -149,7 +150,7 @@ private:
         premise.assertions = {csp_emit::timelock_free(running)};
         emission_.script.decls.push_back(premise.assertions.front());
         premise.text = fmt::format("time can pass under {}", fmt::join(names, " and "));
-        premise.otherwise = fmt::format("{} would stop time", fmt::join(names, " and "));
+        premise.otherwise = fmt::format("{} would stop time", fmt::join(places, " and "));
         premise.reason = "an input that the assumption demands cannot be taken here";
         obligation.premise = std::make_shared<const csp_emit::Premise>(std::move(premise));
         return process;

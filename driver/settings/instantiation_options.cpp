@@ -54,4 +54,11 @@ ir::InstantiationOptions instantiation_options(const InstantiationSettings& sett
     return result;
 }
 
+std::string range_text(const std::vector<std::int64_t>& carrier) {
+    if (carrier.empty()) return "empty";
+    const auto size = static_cast<std::uint64_t>(carrier.back()) - static_cast<std::uint64_t>(carrier.front()) + 1;
+    const std::string range = fmt::format("{}..{}", carrier.front(), carrier.back());
+    return size == carrier.size() ? range : fmt::format("{} values in {}", carrier.size(), range);
+}
+
 }  // namespace robochart::driver

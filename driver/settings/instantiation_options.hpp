@@ -2,6 +2,7 @@
 // Reads the constants and ranges of the settings.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,8 @@ namespace robochart::driver {
 
 /// The options for the instantiation. Malformed pairs are reported in `error`.
 [[nodiscard]] ir::InstantiationOptions instantiation_options(const InstantiationSettings&, std::string& error);
+
+/// The values of a type: "0..4".
+[[nodiscard]] std::string range_text(const std::vector<std::int64_t>& carrier);
 
 }  // namespace robochart::driver

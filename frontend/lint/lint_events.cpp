@@ -4,6 +4,7 @@
 // can never happen.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -85,6 +86,66 @@ private:
     std::unordered_map<const Declaration*, std::map<std::string, const Connection::End*>> ends_;
 };
 
+/// The first trigger of the machine with this event.
+std::optional<Span> trigger_of(const Machine& machine, const std::string& event) {
+    std::optional<Span> result;
+    walk_tree(machine, [&](const NodeContainer& container) {
+        for (const auto& transition : container.transitions) {
+            const Declaration* const target = transition->trigger ? transition->trigger->event_target : nullptr;
+            if (!result && target != nullptr && target->name == event) result = transition->trigger->span;
+        }
+    });
+    return result;
+}
+
+/// A machine of a controller that awaits an event.
+struct Awaiting {
+    const Declaration* part = nullptr;
+    Span trigger;
+};
+
+/// The first machine that awaits an event with this name, which the controller does not connect.
+std::optional<Awaiting> awaiting_alone(const Component& controller, const std::string& event, const Connected& inside) {
+    for (const Declaration* part : controller.order) {
+        const auto* machine = follow_to<Machine>(part);
+        if (machine == nullptr || machine->kind != DeclKind::state_machine || inside.end(*part, event) != nullptr)
+            continue;
+        if (const auto trigger = trigger_of(*machine, event)) return Awaiting{part, *trigger};
+    }
+    return std::nullopt;
+}
+
+/// The machine that awaits an event that comes from this event of the controller.
+std::optional<Awaiting> awaiting_inside(const Component& controller, const std::string& event) {
+    for (const auto& connection : controller.connections) {
+        if (connection->from.node_target != &controller || connection->from.event.parts.back() != event) continue;
+        const auto* machine = follow_to<Machine>(connection->to.node_target);
+        if (machine == nullptr) continue;
+        if (const auto trigger = trigger_of(*machine, connection->to.event.parts.back()))
+            return Awaiting{connection->to.node_target, *trigger};
+    }
+    return std::nullopt;
+}
+
+/// True if a connection of the container ends at this event.
+bool is_target(const Component& container, const Declaration& part, const std::string& event) {
+    return std::ranges::any_of(container.connections, [&](const auto& connection) {
+        return connection->to.node_target == &part && connection->to.event.parts.back() == event;
+    });
+}
+
+/// The platform of the module if it declares the event and no connection has it.
+const Declaration* idle_platform(const Component& module, const Connected& outside, const std::string& event) {
+    for (const Declaration* part : module.order) {
+        const auto* platform = follow_to<Context>(part);
+        if (platform == nullptr || platform->kind != DeclKind::platform) continue;
+        const std::vector<const Event*> events = visible_events(*platform);
+        const bool declares = std::ranges::any_of(events, [&](const Event* known) { return known->name == event; });
+        if (declares && outside.end(*part, event) == nullptr) return part;
+    }
+    return nullptr;
+}
+
 std::string describe_part(const Declaration& part, const Declaration& behind, std::string_view kind) {
     if (&part == &behind || part.name == behind.name) return fmt::format("{} `{}`", kind, behind.name);
     return fmt::format("`{}` ({} `{}`)", part.name, kind, behind.name);
@@ -141,6 +202,36 @@ void check_controller_events(const Component& controller, Diagnostics& out) {
     }
 }
 
+/// Reports an event that somebody raises in the module, and that a machine awaits, if a connection between them is
+/// missing. Returns false if there is no such event.
+bool report_missing_link(const Component& module, const Declaration& part, const Component& controller,
+                         const Event& event, const Connected& outside, const Connected& inside, Diagnostics& out) {
+    const std::string& name = event.name;
+    if (module.dialect == Dialect::robosim) return false;
+    if (inside.end(controller, name) == nullptr && is_target(module, part, name)) {
+        const auto awaiting = awaiting_alone(controller, name, inside);
+        if (!awaiting) return false;
+        auto& finding = out.report(rules::w_link_inside, awaiting->part->name_span,
+                                   {name, controller.name, module.name, awaiting->part->name});
+        finding.notes.push_back({awaiting->trigger, fmt::format("the trigger with `{}`", name)});
+        finding.notes.push_back({{},
+                                 fmt::format("write `connection {} on {} to {} on {}` in the controller",
+                                             controller.name, name, awaiting->part->name, name)});
+        return true;
+    }
+    if (inside.end(controller, name) == nullptr || outside.end(part, name) != nullptr) return false;
+    const Declaration* const platform = idle_platform(module, outside, name);
+    const auto awaiting = awaiting_inside(controller, name);
+    if (platform == nullptr || !awaiting) return false;
+    auto& finding = out.report(rules::w_link_outside, part.name_span,
+                               {name, platform->name, part.name, module.name, awaiting->part->name});
+    finding.notes.push_back({awaiting->trigger, fmt::format("the trigger with `{}`", name)});
+    finding.notes.push_back({{},
+                             fmt::format("write `connection {} on {} to {} on {} ( _async )` in the module",
+                                         platform->name, name, part.name, name)});
+    return true;
+}
+
 void check_part(const Component& module, const Declaration& part, const Context& behind, const Connected& outside,
                 Diagnostics& out) {
     const auto* controller = dynamic_cast<const Component*>(&behind);
@@ -149,6 +240,8 @@ void check_part(const Component& module, const Declaration& part, const Context&
     for (const Event* event : visible_events(behind)) {
         const Connection::End* out_end = outside.end(part, event->name);
         const Connection::End* in_end = controller != nullptr ? inside.end(*controller, event->name) : nullptr;
+        if (controller != nullptr && report_missing_link(module, part, *controller, *event, outside, inside, out))
+            continue;
         if (controller != nullptr && in_end != nullptr && out_end == nullptr)
             loose.push_back({event, in_end->event.span, fmt::format("`{}` is connected here inside", event->name)});
         if (controller == nullptr && out_end == nullptr)

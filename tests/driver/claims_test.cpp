@@ -255,7 +255,7 @@ TEST(Claims, HoldUnderAssumptions) {
     const Answers stops({{"patrol.rct", robots}},
                         "import patrol::*\nassume Soon of Patrol : obstacle leads to clear within 2 units\n" + claims);
     EXPECT_EQ(stops.verdict("A"), "inconclusive");
-    EXPECT_THAT(stops.of("A").reason, HasSubstr("Soon would stop time"));
+    EXPECT_THAT(stops.of("A").reason, HasSubstr("Soon (claims.claims:2) would stop time"));
 }
 
 TEST(Claims, TellWhatBrokeThem) {
@@ -324,6 +324,35 @@ TEST(Claims, AreReadInAssertionFilesWithAWarning) {
     const LoadResult untimed =
         load_texts({{"patrol.rct", robots}, {"a.assertions", "untimed claim Back of Patrol : never halt\n"}});
     EXPECT_THAT(untimed.text, HasSubstr("timed semantics"));
+}
+
+/// The message names the values that there are.
+TEST(Claims, NameTheValuesOfTheInstantiation) {
+    const LoadResult five =
+        load_texts({{"patrol.rct", robots},
+                    {"a.claims", "import patrol::*\nclaim A of Patrol : goTo(50) leads to halt within 1 units\n"}});
+    EXPECT_THAT(five.text, HasSubstr("no value of the finite instantiation satisfies `goTo(50)`: nat is 0..2 here"));
+}
+
+/// A csp block changes numbers, not enumerations and truth values.
+TEST(Claims, ReadTruthValuesBesideABlockOfValues) {
+    const std::string model =
+        "package p interface E { event lamp : boolean event level : nat event lit } stm S { uses E var v : boolean var "
+        "n "
+        ": "
+        "nat initial i state A { } transition t { from i to A } transition a { from A to A trigger lamp?v action lit } "
+        "transition b { from A to A trigger level?n } }";
+    const Answers answers({{"m.rct", model},
+                           {"b.assertions",
+                            "package q import p::* timed csp Instantiations csp-begin nametype core_nat = {0..1} "
+                            "nametype core_int = {0..1} nametype core_real = {0..1} nametype core_boolean = Bool "
+                            "nametype core_string = {0} csp-end"}},
+                          "import p::*\nclaim A of S : lit only after lamp(true) or lamp(false)\n"
+                          "claim B of S : lit only after lamp(x) with x\nclaim C of S : never level(1)\n");
+    EXPECT_EQ(answers.verdict("A"), "holds") << answers.of("A").reason << answers.text();
+    EXPECT_EQ(answers.verdict("B"), "fails") << answers.of("B").reason;
+    EXPECT_EQ(answers.verdict("C"), "inconclusive");
+    EXPECT_THAT(answers.of("C").reason, HasSubstr("a csp block sets the values"));
 }
 
 TEST(Claims, AreErrorsWithAPlace) {
@@ -427,6 +456,51 @@ TEST(ClaimsSuite, Beacon) {
                         {"crowded leads to goNorth or goSouth within 0 units", "fails"},  // the second time
                         {"at most 1 enter Away", "fails"},  // it stays by a transition that enters it again
                     });
+}
+
+/// It counts its neighbours every ten units, and turns round if it hears fewer.
+TEST(ClaimsSuite, Alpha) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    expect_verdicts(suite_models("alpha"), "import alpha::*\n",
+                    {
+                        {"neighbours only after countNeighbours", "holds"},
+                        {"countNeighbours at least 10 units after countNeighbours", "holds"},
+                        {"countNeighbours at least 11 units after countNeighbours", "fails"},
+                        {"countNeighbours at least every 10 units", "fails"},  // the answer may not come
+                        {"startTurning only after neighbours", "holds"},
+                        {"turned leads to moveForward within 0 units", "holds"},
+                        {"enter Coherence only after startTurning", "holds"},
+                        {"in TurningBack for at least 1 units", "holds"},
+                        {"in TurningBack for at least 2 units", "fails"},
+                        {"neighbours leads to startTurning", "fails"},
+                    });
+}
+
+/// A robot that avoids others. It turns for a unit or longer, drives on, and turns to the swarm after 25 further units.
+TEST(ClaimsSuite, Taxis) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    expect_verdicts(suite_models("taxis"), "import swarm_taxis::*\nunit 0.1 s\n",
+                    {
+                        {"MoveForward leads to CheckIlluminationStatus within 0 s", "holds"},
+                        {"robotDetected leads to CalcAvoidanceHeading within 0 s", "holds"},
+                        {"StartTurning only after heading", "holds"},
+                        {"turned leads to MoveForward within 0 s", "holds"},
+                        {"MoveForward at least 100 ms after MoveForward", "holds"},
+                        {"MoveForward at least 200 ms after MoveForward", "fails"},
+                        {"CalcCoherenceHeading at least 2.6 s after robotDetected", "holds"},
+                        {"CalcCoherenceHeading at least 2.7 s after robotDetected", "fails"},
+                        {"for 2.5 s after robotDetected, never CalcCoherenceHeading", "holds"},
+                        {"for 2.6 s after robotDetected, never CalcCoherenceHeading", "fails"},
+                    });
+}
+
+/// It turns, and turns again three units later; one unit later it drives. Each turn counts.
+TEST(ClaimsSuite, NotBefore) {
+    ROBOCHART_NEEDS(has_suite(), "shared/suite/claims");
+    expect_verdicts(suite_models("not_before"), "import twice::*\n",
+                    {{"forward at least 1 units after turn", "holds"},
+                     {"forward at least 2 units after turn", "fails"},
+                     {"forward at least 4 units after turn", "fails"}});
 }
 
 TEST(ClaimsSuite, Ends) {

@@ -19,25 +19,33 @@ struct Keyword {
     std::string_view word, meaning;
 };
 /// The words of claims with their meaning (docs/claims.md).
-constexpr std::array<Keyword, 40> keywords{{
+constexpr std::array<Keyword, 51> keywords{{
     {"after", "the scope begins behind this event"},
+    {"always", "`always P`: P holds at the end of each instant, when time passes"},
+    {"and", "both conditions"},
     {"any", "`any call`, `any input`: all calls or all inputs, but those behind `but`"},
+    {"assume", "`assume NAME : obstacle leads to clear within 60 s`: runs that break it are not considered"},
     {"at", "`at least D after`, `at most N`, `at least every D`"},
     {"before", "the scope ends before this event; `leads to B before C`: no C comes before the B"},
     {"but", "the exceptions of `any call` and `any input`"},
     {"call", "the calls of an operation"},
+    {"can", "`can take E within D`: if E is raised, the machine offers to take it at most D later"},
     {"claim", "`claim NAME [of COMPONENT] : [scope ,] body`"},
+    {"cycle", "`in a cycle with E`: each control cycle in which E is raised"},
+    {"drops", "`order COMPONENT : E drops F`: in a cycle with E, F counts as not raised"},
     {"each", "`after each E`: the scope begins anew after each E"},
+    {"enter", "`enter STATE`: the beginning of `in STATE`"},
     {"every", "`E at least every D`: the next E comes at most D later"},
-    {"first", "`after first E`: the scope begins once"},
+    {"first", "`after first E`: the scope begins once; `order MACHINE : E first`: before other events"},
     {"for", "`for D after E`: from an E until D after the last E, the instant at D included"},
     {"h", "hours"},
     {"import", "`import PACKAGE::*`: the claims are about components of this package"},
-    {"in", "`in E`: the input; `in any D`: in each window of this length"},
+    {"in", "`in STATE`: the state is active; `in E`: the input; `in any D`: in each window of this length"},
     {"input", "`any input`: all inputs"},
     {"last", "`last E`: the value that E carried last; a condition with it is false before the first E"},
     {"leads", "`A leads to B within D`: after each A, a B comes at most D later; one B answers all A before it"},
     {"least", "`at least D after`: not sooner; exactly D is allowed"},
+    {"leave", "`leave STATE`: the end of `in STATE`"},
     {"min", "minutes"},
     {"most", "`at most N E`: a count in the scope"},
     {"ms", "milliseconds"},
@@ -46,18 +54,21 @@ constexpr std::array<Keyword, 40> keywords{{
     {"of", "`claim NAME of COMPONENT`: a module, a controller or a machine"},
     {"only", "`A only after B`: no A before the first B"},
     {"or", "events or conditions, one of them"},
+    {"order", "`order MACHINE : E first`: the code tries the transitions with trigger E first"},
     {"out", "the output of this name"},
     {"package", "the package of the file"},
     {"possible", "some run has this event in the scope"},
     {"raised", "an input is present in a cycle, also if the controller does not take it"},
     {"s", "seconds"},
     {"start", "the beginning of the run"},
+    {"take", "`can take E`"},
     {"terminate", "the end of the component"},
     {"to", "`A leads to B`"},
     {"unit", "`unit 0.1 s`: the length of a time unit, once for a project"},
     {"units", "time units of the model"},
     {"unless", "this event also ends what is owed"},
     {"until", "the scope ends before this event, which need not come"},
+    {"while", "`while P`: the scope lasts as long as P holds"},
     {"with", "a condition on the values of the event"},
     {"within", "at most so much later; exactly so much is allowed"},
 }};
@@ -163,7 +174,7 @@ Json ClaimTexts::completion(const Request& request) {
         lsp_range(document.sources, {document.source, word.span.begin, request.offset}, session_.client.encoding);
     const std::string_view before =
         std::string_view(document.sources.source_text(document.source)).substr(0, word.span.begin);
-    constexpr int keyword = 14, event = 23, method = 2, module = 9;
+    constexpr int keyword = 14, event = 23, method = 2, module = 9, state = 20, variable = 6;
     Json items = Json::array();
     std::set<std::string> seen;
     const auto add = [&](const std::string& text, int kind, const std::string& detail) {
@@ -173,7 +184,16 @@ Json ClaimTexts::completion(const Request& request) {
                                       {"detail", detail},
                                       {"textEdit", Json::object({{"range", edited}, {"newText", text}})}}));
     };
-    const bool component = before.ends_with(" of ");
+    const NamePlace place = name_place(before);
+    const bool component = place.word == "of";
+    const bool names_state = place.word == "in" || place.word == "enter" || place.word == "leave";
+    if (reading.models != nullptr && names_state)
+        for (const std::string& path : states_after(place.qualifier, *reading.models)) add(path, state, "state");
+    if (!place.qualifier.empty()) return Json::object({{"isIncomplete", false}, {"items", std::move(items)}});
+    if (reading.models != nullptr && !component)
+        for (const ir::Machine& machine : reading.models->system.machines)
+            for (const ir::Variable& known : machine.variables)
+                add(known.name, variable, fmt::format("variable of {}", machine.name));
     if (reading.models != nullptr)
         for (const claims::Component& of : reading.models->components) {
             if (component) add(of.path, module, "");

@@ -1,57 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads claims files and the models beside them. See claim_texts.hpp.
+// Reads claims files, together with the models beside them. See claim_texts.hpp.
 #include "editors/server/claims/claim_texts.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <utility>
 
-#include "base/diagnostics/files.hpp"
 #include "claims/checks/check.hpp"
 #include "claims/syntax/lexer.hpp"
 #include "claims/syntax/reader.hpp"
-#include "frontend/project/project.hpp"
-#include "semantics/lower/lower.hpp"
 
 namespace robochart::lsp {
-namespace {
-
 namespace fs = std::filesystem;
-
-std::vector<std::string> files_in(const std::string& folder, std::string_view ending) {
-    std::vector<std::string> result;
-    for (const std::string& path : diagnostics::files_below(folder, false).files)
-        if (path.ends_with(ending)) result.push_back(path);
-    return result;
-}
-
-std::string signature_of(const std::vector<std::string>& paths) {
-    std::string result;
-    for (const std::string& path : paths) {
-        std::error_code error;
-        const auto time = fs::last_write_time(path, error).time_since_epoch().count();
-        result += path + ' ' + std::to_string(fs::file_size(path, error)) + ' ' + std::to_string(time) + '\n';
-    }
-    return result;
-}
-
-void load_models(const std::vector<std::string>& paths, diagnostics::Budget* budget, ClaimedModels& result) {
-    diagnostics::Diagnostics findings;  // the editor shows them in the models
-    findings.set_budget(budget);
-    const auto model = frontend::load_project(result.sources, paths, findings);
-    if (!findings.ok()) return;
-    std::set<std::string> packages;
-    for (const auto& file : model->files)
-        if (!file->is_library) packages.insert(file->package.text());
-    result.packages.assign(packages.begin(), packages.end());
-    result.system = ir::lower(*model, result.sources, findings);
-    if (!findings.ok()) return;
-    result.components = claims::components_of(result.system);
-    result.good = true;
-}
-
-}  // namespace
 
 bool ClaimTexts::accepts(std::string_view uri, std::string_view language_id) const {
     return language_id == "robochart-claims" || uri.ends_with(".claims");
@@ -66,23 +26,6 @@ void ClaimTexts::refresh_file(const std::string& /*uri*/) {
     note_news();
 }
 
-const ClaimedModels* ClaimTexts::models_beside(const std::string& path) {
-    if (!path.starts_with('/')) return nullptr;
-    const fs::path folder = fs::path(path).parent_path();
-    std::vector<std::string> models = files_in(folder.string(), ".rct");
-    if (models.empty()) models = files_in(folder.parent_path().string(), ".rct");
-    if (models.empty()) return nullptr;
-    const std::string signature = signature_of(models);
-    std::unique_ptr<ClaimedModels>& known = models_[folder.string()];
-    if (known == nullptr || known->signature != signature) {
-        auto loaded = std::make_unique<ClaimedModels>();
-        loaded->signature = signature;
-        load_models(models, session_.budget, *loaded);
-        known = std::move(loaded);
-    }
-    return known->good ? known.get() : nullptr;
-}
-
 const ClaimReading& ClaimTexts::reading_of(TextDocument& document) {
     std::unique_ptr<ClaimReading>& known = text_of(document).reading;
     if (known) return *known;
@@ -90,7 +33,7 @@ const ClaimReading& ClaimTexts::reading_of(TextDocument& document) {
     reading->findings.set_budget(session_.budget);
     reading->file =
         std::make_shared<const claims::ClaimFile>(claims::read(document.sources, document.source, reading->findings));
-    reading->models = models_beside(document.path);
+    reading->models = models_.find(document.path, session_.budget);
     if (reading->models != nullptr && reading->findings.ok()) resolve(document, *reading);
     known = std::move(reading);
     return *known;

@@ -3,29 +3,17 @@
 // the folder above.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/diagnostics/diagnostic.hpp"
-#include "claims/checks/components.hpp"
 #include "claims/syntax/syntax.hpp"
+#include "editors/server/claims/models_beside.hpp"
 #include "editors/server/documents/open_texts.hpp"
-#include "semantics/ir/ir.hpp"
 
 namespace robochart::lsp {
-
-/// The models of a folder, as far as claims need them.
-struct ClaimedModels {
-    std::string signature;  ///< the paths, sizes and times of the files
-    SourceManager sources;
-    ir::System system;
-    std::vector<std::string> packages;
-    std::vector<claims::Component> components;
-    bool good = false;  ///< the models have no errors
-};
 
 /// A text after parsing and, if there is a model, resolution.
 struct ClaimReading {
@@ -63,10 +51,9 @@ protected:
 
 private:
     [[nodiscard]] const ClaimReading& reading_of(TextDocument& document);
-    [[nodiscard]] const ClaimedModels* models_beside(const std::string& path);
     void resolve(const TextDocument& document, ClaimReading& reading);
 
-    std::map<std::string, std::unique_ptr<ClaimedModels>> models_;  ///< by folder
+    ModelsBeside models_;
 };
 
 /// The word at or directly before an offset; the span is empty if there is none.

@@ -31,7 +31,8 @@ Json RuleTexts::document_symbols(const Request& request) {
 }
 
 Json RuleTexts::completion(const Request& request) {
-    return rule_completion(request.document, reading_of(request.document).file, request.offset,
+    return rule_completion(request.document, reading_of(request.document).file,
+                           models_.find(request.document.path, session_.budget), request.offset,
                            session_.client.encoding);
 }
 

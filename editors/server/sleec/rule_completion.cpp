@@ -27,8 +27,9 @@ constexpr int event = 23;
 /// Uses the tokens before the place, because the text usually has errors while it is written.
 class RuleCompleter {
 public:
-    RuleCompleter(const TextDocument& document, const RuleFile& file, std::uint32_t offset, Encoding encoding)
-        : file_(file) {
+    RuleCompleter(const TextDocument& document, const RuleFile& file, const ClaimedModels* models, std::uint32_t offset,
+                  Encoding encoding)
+        : file_(file), models_(models) {
         diagnostics::Diagnostics ignored;
         Span prefix{document.source, offset, offset};
         for (const Token& token :
@@ -42,6 +43,7 @@ public:
             inside_ = token.kind == Tok::comment || token.kind == Tok::number;
             prefix.begin = token.span.begin;
         }
+        place_ = name_place(document.sources.source_text(document.source).substr(0, prefix.begin));
         range_ = lsp_range(document.sources, prefix, encoding);
     }
 
@@ -100,7 +102,13 @@ private:
         add_constants();
     }
 
+    void add_states() {
+        if (models_ == nullptr) return;
+        for (const std::string& path : states_after(place_.qualifier, *models_)) add(path, completion_kinds::literal);
+    }
+
     void add_candidates() {
+        if (place_.word == "in") return add_states();
         if (before_.empty()) return add_words({"def_start"});
         if (is_one_of(1, {"def_start", "rule_start", "concern_start", "purpose_start"})) return add_block_words();
         if (is_one_of(1, {"event", "measure", "constant"})) return;
@@ -143,6 +151,8 @@ private:
     }
 
     const RuleFile& file_;
+    const ClaimedModels* models_;
+    NamePlace place_;
     std::vector<Token> before_;  ///< the tokens before the place
     bool inside_ = false;        ///< inside a comment or a number
     Json range_;
@@ -152,8 +162,9 @@ private:
 
 }  // namespace
 
-Json rule_completion(const TextDocument& document, const RuleFile& file, std::uint32_t offset, Encoding encoding) {
-    return RuleCompleter(document, file, offset, encoding).run();
+Json rule_completion(const TextDocument& document, const RuleFile& file, const ClaimedModels* models,
+                     std::uint32_t offset, Encoding encoding) {
+    return RuleCompleter(document, file, models, offset, encoding).run();
 }
 
 }  // namespace robochart::lsp

@@ -6,7 +6,9 @@
 
 namespace robochart::lsp {
 
-/// The names and words that may follow the tokens before the offset.
-[[nodiscard]] Json rule_completion(const TextDocument&, const sleec::RuleFile&, std::uint32_t offset, Encoding);
+/// The names and words that may follow the tokens before the offset. `models`: those beside the rules, whose states
+/// rules name; null: there are none.
+[[nodiscard]] Json rule_completion(const TextDocument&, const sleec::RuleFile&, const ClaimedModels* models,
+                                   std::uint32_t offset, Encoding);
 
 }  // namespace robochart::lsp

@@ -10,6 +10,7 @@
 
 #include "base/diagnostics/diagnostic.hpp"
 #include "claims/sleec/syntax/syntax.hpp"
+#include "editors/server/claims/models_beside.hpp"
 #include "editors/server/documents/open_texts.hpp"
 
 namespace robochart::lsp {
@@ -47,6 +48,8 @@ protected:
 
 private:
     [[nodiscard]] const RuleReading& reading_of(TextDocument& document);
+
+    ModelsBeside models_;
 };
 
 }  // namespace robochart::lsp

@@ -78,6 +78,68 @@ TEST_F(ClaimReports, InSarif) {
     }
 }
 
+/// An order makes the claim hold of the code. The model in cycles still allows other orders: this is information, as
+/// the code is what `conform` judges.
+TEST(CycleClaimReports, FollowTheCode) {
+    const Folder folder({{"m/robot.rct", robot},
+                         {"m/robot.claims",
+                          "import p::*\norder Robot : estop first\n"
+                          "claim First : in a cycle with estop, any call but brake only after brake\n"}});
+    const Ran text = run({"conform", folder / "m"});
+    EXPECT_EQ(text.exit, 0) << text.out << text.err;
+    EXPECT_THAT(text.out, HasSubstr("FAILS        First [the model in cycles]"));
+    EXPECT_THAT(text.out, HasSubstr("holds        First [this code]"));
+    const Ran junit = run({"conform", folder / "m", "--format", "junit"});
+    EXPECT_EQ(junit.exit, 0);
+    EXPECT_THAT(junit.out, HasSubstr("failures=\"0\" errors=\"0\" skipped=\"1\""));
+    const json sarif = json::parse(run({"conform", folder / "m", "--format", "sarif"}).out);
+    for (const json& result : sarif.at("runs").at(0).at("results")) EXPECT_NE(result.at("kind"), "fail");
+}
+
+/// A run that compares the code answers these claims, so it does not list them as undecided as well.
+TEST(CycleClaimReports, AreAnsweredOnce) {
+    const std::string claim =
+        "claim First : in a cycle with estop, any call but brake only after brake\nclaim Back : reverse at least 0.3 s "
+        "after halt\n";
+    const Folder good(
+        {{"m/robot.rct", robot}, {"m/robot.claims", "import p::*\nunit 0.1 s\norder Robot : estop first\n" + claim}});
+    const Ran all = run({"verify", good / "m", "-o", good / "out"});
+    EXPECT_EQ(all.exit, 0) << all.out << all.err;
+    EXPECT_THAT(all.out, HasSubstr("1 of 1 claim about cycles hold"));
+    EXPECT_THAT(all.out, Not(HasSubstr("inconclusive")));
+    const Ran check = run({"check", good / "m"});
+    EXPECT_EQ(check.exit, 3);
+    EXPECT_THAT(check.out, HasSubstr("which `conform` decides"));
+    const Folder bad({{"m/robot.rct", robot}, {"m/robot.claims", "import p::*\nunit 0.1 s\n" + claim}});
+    const Ran quiet = run({"conform", bad / "m", "--quiet"});
+    EXPECT_EQ(quiet.exit, 1);
+    EXPECT_THAT(quiet.out, HasSubstr("FAILS        First [this code]"));
+    EXPECT_THAT(quiet.out, HasSubstr("1 of 1 controllers conform, 0 of 1 claim about cycles hold"));
+}
+
+/// The comparison with few values does not decide a claim about values. The values of the carriers do.
+TEST(CycleClaimReports, CompareValuesOfTheCarriers) {
+    const Folder folder(
+        {{"m/robot.rct",
+          "package p\ninterface Motion { blade(spinning : boolean) go(speed : nat) }\n"
+          "stm Robot { requires Motion event launch : nat event estop var v : nat initial i state Idle { }\n"
+          "state Mowing { entry blade(true); go(v) } state Stopped { entry blade(false) }\n"
+          "transition t0 { from i to Idle } transition t1 { from Idle to Mowing trigger launch?v }\n"
+          "transition t2 { from Mowing to Stopped trigger estop } transition t3 { from Idle to Stopped trigger estop } "
+          "}\n"},
+         {"m/robot.claims",
+          "import p::*\norder Robot : estop first\n"
+          "claim Off : in a cycle with estop, never blade(true)\n"
+          "claim On : in a cycle with launch, never blade(false)\n"}});
+    const Ran ran = run({"conform", folder / "m"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("conforms     p::Robot"));
+    EXPECT_THAT(ran.out, HasSubstr("holds        Off [this code]"));
+    EXPECT_THAT(ran.out, HasSubstr("FAILS        Off [the model in cycles]"));
+    EXPECT_THAT(ran.out, HasSubstr("FAILS        On [this code]"));
+    EXPECT_THAT(ran.out, HasSubstr("for the values of the carriers only"));
+}
+
 /// The scope begins with the obstacle; between halt and the reverse that breaks the claim, time is owed.
 TEST_F(ClaimReports, OnThePage) {
     const std::string page = folder_ / "page.html";

@@ -108,6 +108,20 @@ TEST(ClaimChecks, RejectBadInput) {
     }
 }
 
+/// The fix replaces the name of the state, not the word before it.
+TEST(ClaimChecks, FixTheNameOfAState) {
+    for (const char* const text : {"claim A : while in Inner, never goTo", "claim A : enter Inner only after clear",
+                                   "claim A : always not in  Inner or in Held"}) {
+        const Read read(text);
+        const auto findings = read.diagnostics.sorted_findings();
+        ASSERT_EQ(findings.size(), 1U) << read.report();
+        ASSERT_EQ(findings.front().fixes.size(), 1U);
+        const diagnostics::FixIt& fix = findings.front().fixes.front();
+        EXPECT_EQ(std::string_view(text).substr(fix.span.begin, fix.span.end - fix.span.begin), "Inner") << text;
+        EXPECT_EQ(fix.replacement, "Outer::Inner");
+    }
+}
+
 TEST(ClaimChecks, ResolvesEvents) {
     const Read read(
         "unit 0.1 s claim A : obstacle leads to any call but goTo within 1.5 s unless goTo(w) with w > last goTo");

@@ -92,6 +92,18 @@ TEST_F(Claims, AreCompleted) {
     client.change(uri_, "import p::*\nclaim A of ");
     EXPECT_THAT(labels(1, 11), HasSubstr("p::Robot "));
     EXPECT_THAT(labels(1, 11), Not(HasSubstr("estop ")));
+    client.change(uri_, "import p::*\nclaim A : while in ");
+    EXPECT_THAT(labels(1, 19), HasSubstr("Held Moving "));
+    client.change(uri_, "import p::*\nclaim A : always ");
+    EXPECT_THAT(labels(1, 17), Not(HasSubstr("Held ")));
+    folder_.write(
+        "robot.rct",
+        "package p stm Robot { initial i var speed : nat state Outer { initial k state Inner { } transition b "
+        "{ from k to Inner } } transition t { from i to Outer action speed = 1 } }");
+    client.change(uri_, "import p::*\nclaim A : enter Outer::In");
+    EXPECT_EQ(labels(1, 25), "Inner ");
+    client.change(uri_, "import p::*\nclaim A : always sp");
+    EXPECT_THAT(labels(1, 19), HasSubstr("speed "));
 }
 
 TEST_F(Claims, AreFormattedListedAndRenamed) {

@@ -158,6 +158,18 @@ TEST(RuleTexts, RulesAreOfferedBehindConformsTo) {
     EXPECT_EQ(labels, "OnDisk New ");
 }
 
+TEST(RuleTexts, StatesOfTheModelAreOfferedBehindIn) {
+    const tests::TemporaryFolder folder;
+    folder.write("m.rct",
+                 "stm Robot { initial i state Outer { initial k state Inner { } transition b { from k to Inner } } "
+                 "transition t { from i to Outer } }");
+    const std::string at = uri_of_path(folder.in("r.sleec"));
+    const std::string begin = "def_start event Go def_end rule_start R when Go and in ";
+    EXPECT_EQ(offered(begin, at), "Outer Outer::Inner");
+    EXPECT_EQ(offered(begin + "Outer::I", at), "Inner");
+    EXPECT_EQ(offered(begin), "");
+}
+
 TEST(RuleTexts, HostileTextsAreHarmless) {
     std::string deep = "def_start event Go def_end rule_start R when Go then ";
     for (int i = 0; i < 5000; ++i) deep += "Go within 1 seconds otherwise {";
