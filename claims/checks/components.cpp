@@ -20,6 +20,16 @@ void add_events(const std::vector<ir::Event>& events, Component& component) {
     }
 }
 
+/// RoboSim: the events of the input context, which are registers of the machine.
+void add_registers(const ir::Machine& machine, Component& component) {
+    for (const ir::Input& input : machine.inputs) {
+        if (!input.full.is_valid()) continue;
+        std::vector<ir::TypeId> types;
+        if (input.content.is_valid()) types.push_back(machine.variables[input.content.index].type);
+        component.channels.push_back({input.name, ChannelKind::input, types});
+    }
+}
+
 void add_call(const ir::OperationSignature& operation, Component& component) {
     component.channels.push_back({operation.name, ChannelKind::call, operation.parameters});
 }
@@ -127,6 +137,7 @@ private:
         Component component{ir::ComponentKind::machine, path, package, part, machine.robosim, {}};
         component.machines.push_back({path, id});
         add_events(machine.events, component);
+        add_registers(machine, component);
         for (std::size_t i = 0; i < machine.operations.size(); ++i) {
             const bool defined = i < definitions.size() && definitions[i].is_valid();
             if (defined)

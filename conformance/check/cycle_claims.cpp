@@ -16,6 +16,7 @@
 #include "checker/process/operational_semantics.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "claims/monitor/account.hpp"
+#include "conformance/model/component_in_cycles.hpp"
 #include "conformance/model/provenance_text.hpp"
 
 namespace robochart::conformance {
@@ -449,7 +450,7 @@ std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const C
             continue;
         }
         answers.model = answer([&] {
-            const std::unique_ptr<CycleSystem> system = cycle_system(model, alphabet, cycle_length);
+            const std::unique_ptr<CycleSystem> system = component_in_cycles(model, alphabet, cycle_length);
             return Product(*system, claim, alphabet, cycle_length, facts_of_model(claim, claimed, *system))
                 .search(limits, claims.unit);
         });

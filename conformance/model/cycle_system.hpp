@@ -4,11 +4,9 @@
 // without knowing which of the two it is.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "checker/lts/transition_system.hpp"
-#include "conformance/model/model_graph.hpp"
 
 namespace robochart::conformance {
 
@@ -19,8 +17,5 @@ public:
     /// The text that M prints for its state; "" after termination.
     [[nodiscard]] virtual std::string describe_model(lts::StateView state) const = 0;
 };
-
-/// The system for the component of the alphabet. The model and the alphabet must outlive it.
-[[nodiscard]] std::unique_ptr<CycleSystem> cycle_system(ModelGraph&, const Alphabet&, std::uint32_t cycle_length);
 
 }  // namespace robochart::conformance

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "conformance/model/component.hpp"
+#include "conformance/model/component_in_cycles.hpp"
 #include "conformance/model/renamed_model.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -47,7 +48,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->model_ = loaded->session_->system(process, limits);
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
     loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);
-    loaded->normal_form_ = cycle_system(*loaded->graph_, *loaded->alphabet_, cycle_length);
+    loaded->normal_form_ = component_in_cycles(*loaded->graph_, *loaded->alphabet_, cycle_length);
     return loaded;
 }
 

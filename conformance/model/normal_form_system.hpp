@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "conformance/model/cycle_system.hpp"
+#include "conformance/model/model_graph.hpp"
 
 namespace robochart::conformance {
 

@@ -12,6 +12,7 @@
 
 #include "conformance/code/interface.hpp"
 #include "conformance/model/cycle_system.hpp"
+#include "conformance/model/model_graph.hpp"
 
 namespace robochart::conformance {
 

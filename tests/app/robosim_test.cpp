@@ -178,7 +178,7 @@ TEST(RoboSimVerbs, CounterexamplesShowCycles) {
     EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
     EXPECT_THAT(ran.out, AllOf(HasSubstr("cycle 1   in {pressed}  out <lit(false)>"), HasSubstr("cycle 2   in {}")));
     const auto json = nlohmann::json::parse(read_contents(folder / "a.json"));
-    const auto& cycles = json["assertions"][0]["run"]["cycles"];
+    const auto& cycles = json["assertions"][0]["counterexample"]["cycles"];
     ASSERT_GE(cycles.size(), 2U) << json.dump(1);
     EXPECT_EQ(cycles[0]["inputs"], nlohmann::json::array({"pressed"}));
     EXPECT_EQ(cycles[0]["outputs"], nlohmann::json::array({"lit(false)"}));
