@@ -86,11 +86,11 @@ bool write_robosim(driver::Project& project, const Options& options, Report& rep
         const std::vector<TextFile> files{{file + ".rst", written->model}, {file + ".rsa", written->claims}};
         if (!write_all("rst/" + project.folder, files, report.rst_files, options, project)) return false;
         const auto edit = options.run->edit();
-        report.remarks.push_back(fmt::format("{}{}: the claims say that {}", project.label, name,
-                                             written->equal
-                                                 ? "it and the RoboSim model refine each other"
-                                                 : "the RoboSim model refines it, but not the reverse: the environment "
-                                                   "may write a variable that it reads in the middle of a cycle"));
+        report.remarks.push_back(
+            project.label + name +
+            (written->one_way.empty() ? ": the claims say that it and the RoboSim model refine each other"
+                                      : ": the claims say that the RoboSim model refines it, but not the reverse: " +
+                                            written->one_way));
     }
     return project.diagnostics.ok();
 }

@@ -53,8 +53,12 @@ ExprPtr copy_tree(const Expr& expr, const Renaming& renaming) {
     result->lower_closed = expr.lower_closed;
     result->upper_closed = expr.upper_closed;
     result->columns = expr.columns;
-    if (expr.kind != ExprKind::name || !renaming) return result;
-    if (const std::string other = renaming(expr); !other.empty()) result->name.parts = {other};
+    const bool named = expr.kind == ExprKind::name || expr.kind == ExprKind::since_entry;
+    if (!named || !renaming) return result;
+    const std::string other = renaming(expr);
+    if (other.empty()) return result;
+    result->name.parts = {other};
+    if (expr.kind == ExprKind::since_entry) result->kind = ExprKind::since;
     return result;
 }
 

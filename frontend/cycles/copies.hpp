@@ -16,7 +16,8 @@ namespace robochart::frontend {
 /// A type as it must be written in RoboSim.
 [[nodiscard]] std::string robosim_text(const TypeExpr& type);
 
-/// Returns the text that takes the place of an expression that is a name; "" if the name stays.
+/// Returns the text that takes the place of an expression that is a name, or the clock that takes the place of
+/// `sinceEntry(S)`; "" if the expression stays.
 using Renaming = std::function<std::string(const Expr& name)>;
 /// An expression as it must be written in RoboSim, after the renaming of its names.
 [[nodiscard]] std::string robosim_text(const Expr& expr, const Renaming& renaming);

@@ -65,6 +65,7 @@ std::string MachineWriter::expression(const Expr& expr, const Variable* replaced
         if (!own) needed_.emplace(part.name.parts.back(), "clock " + robosim_name(part.name.parts.back()));
     });
     return robosim_text(expr, [&](const Expr& name) -> std::string {
+        if (name.kind == ExprKind::since_entry) return entry_clocks_.at(name.target);
         const auto* variable = dynamic_cast<const Variable*>(name.target);
         if (variable == nullptr || variable->kind == DeclKind::bound_variable) return "";
         if (variable == replaced) return by;
@@ -340,7 +341,7 @@ void MachineWriter::add_wait(Way& way, const Expr& least, const Expr& most) {
         new_lines_.emplace(clock_, "clock " + clock_);
     }
     way.actions.push_back("#" + clock_);
-    const std::string junction = next_junction(way, "wait");
+    const std::string junction = next_junction(way, "waiting");
     line(fmt::format("transition {} {{ from {} to {} condition since({}) < {} action {} }}", new_name("idle"), junction,
                      junction, clock_, expression(most), cycle_end_text()));
     way.condition = fmt::format("since({}) >= {}", clock_, expression(least));

@@ -54,6 +54,7 @@ std::string MachineWriter::write(const std::string& name) {
     }
     for (const std::string& event : reusable_) variable_names_.insert(flag_name(callers_, event));
     for (const VariablePtr& parameter : machine_.parameters) variable_names_.insert(parameter->name);
+    add_entry_clocks();
     write_container(machine_, {});
     const std::string body = std::move(out_);
     return head(name) + declarations() + body + "}\n";
@@ -69,7 +70,7 @@ std::string MachineWriter::head(const std::string& name) const {
 }
 
 std::string MachineWriter::declarations() {
-    const Usage usage = usage_of(machine_, callers_);
+    const Usage& usage = usage_;
     std::string text;
     const auto add = [&](const std::string& more) { text += more + "\n"; };
     if (machine_.terminates) add("terminates");
@@ -98,7 +99,7 @@ std::string MachineWriter::declarations() {
 }
 
 std::string MachineWriter::contexts() const {
-    const Usage usage = usage_of(machine_, callers_);
+    const Usage& usage = usage_;
     std::set<std::string> input, output;
     for (const auto& [name, variable] : usage.read) input.insert(interface_of_register(component_, name));
     for (const auto& [name, variable] : usage.written) output.insert(interface_of_register(component_, name));
@@ -112,6 +113,20 @@ std::string MachineWriter::contexts() const {
         return fmt::format("{} context {{\n{}}}\n", word, members);
     };
     return text("input", usage.inputs, input) + text("output", usage.outputs, output);
+}
+
+/// A clock for each state whose time since entry a transition tests: conditions inside the state test it too, and there
+/// `sinceEntry` is not allowed.
+void MachineWriter::add_entry_clocks() {
+    for_transitions(machine_, [&](const Transition& transition) {
+        if (!transition.condition) return;
+        walk_tree(*transition.condition, [&](const Expr& part) {
+            if (part.kind != ExprKind::since_entry || entry_clocks_.contains(part.target)) return;
+            const std::string clock = new_variable(part.target->name + "_since");
+            new_lines_.emplace(clock, "clock " + robosim_name(clock));
+            entry_clocks_.emplace(part.target, robosim_name(clock));
+        });
+    });
 }
 
 // ---------------------------------------------------------------- conditions
@@ -146,57 +161,78 @@ std::string conjunction(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-/// The trigger of a transition with its condition. `fires`: the value is stored; otherwise the text has no effect.
-std::string MachineWriter::trigger_text(const Transition& transition, bool fires) {
-    const Communication& trigger = *transition.trigger;
-    if (trigger.predicate || !trigger.from_variable.empty() || trigger.kind == CommKind::output)
+/// True if the condition of a transition tests the value that its trigger receives.
+bool MachineWriter::tests_value(const Transition& transition) const {
+    return transition.trigger && transition.condition &&
+           mentions(*transition.condition, transition.trigger->variable_target);
+}
+
+/// The condition of a transition, with the value that it receives in the variable `by`.
+std::string MachineWriter::tested_value(const Transition& transition, const std::string& by) {
+    const auto* variable = dynamic_cast<const Variable*>(transition.trigger->variable_target);
+    return expression(*transition.condition, variable, by);
+}
+
+void MachineWriter::check_trigger(const Communication& trigger) const {
+    const bool receives = trigger.kind == CommKind::input || trigger.kind == CommKind::simple;
+    if (trigger.predicate || !trigger.from_variable.empty() || !receives)
         throw NoCyclicForm(trigger.span, fmt::format("trigger `{}`", to_text(trigger)),
                            "in RoboSim, an input has no condition on its sender and no given value");
-    const auto& event = dynamic_cast<const Event&>(*trigger.event_target);
-    const std::string read = "$" + robosim_name(event.name);
-    const auto condition = [&](const Variable* replaced, const std::string& by) {
-        return transition.condition ? "(" + expression(*transition.condition, replaced, by) + ")" : "";
-    };
-    if (trigger.kind == CommKind::sync) {
-        const std::string value = received(event);
-        const std::string equal = fmt::format("({} == {})", value, "(" + expression(*trigger.value) + ")");
-        return conjunction(fmt::format("{}?{} : {}", read, value, equal), condition(nullptr, ""));
-    }
-    if (trigger.kind == CommKind::simple) return conjunction(read, condition(nullptr, ""));
-    const auto& variable = dynamic_cast<const Variable&>(*trigger.variable_target);
-    const bool tested = transition.condition && mentions(*transition.condition, &variable);
-    if (!tested) return conjunction(fires ? store_text(trigger) : read, condition(nullptr, ""));
-    const bool shared = callers_.role(machine_, variable) == VariableRole::shared;
-    if (fires && !shared)
-        return fmt::format("{} : {}", store_text(trigger), condition(&variable, robosim_name(variable.name)));
-    if (fires && has_exit_action(machine_))
-        throw NoCyclicForm(trigger.span, fmt::format("trigger `{}`", to_text(trigger)),
-                           fmt::format("its condition tests the value of `{}`, which is shared, and states have exit "
-                                       "actions, which come after its change",
-                                       variable.name));
-    const std::string value = received(event);
-    return fmt::format("{}?{} : {}", read, value, condition(&variable, value));
 }
 
-std::string MachineWriter::enabled(const Transition& transition, bool fires) {
+/// The condition under which a transition is taken, with the stores of its values; "": always.
+std::string MachineWriter::taken_condition(const Transition& transition) {
     if (!transition.trigger) return transition.condition ? expression(*transition.condition) : "";
-    const std::string free = flag(transition.trigger->event_target->name);
-    return conjunction(trigger_text(transition, fires), free);
+    const Communication& trigger = *transition.trigger;
+    check_trigger(trigger);
+    const auto& event = dynamic_cast<const Event&>(*trigger.event_target);
+    const std::string free = flag(event.name);
+    std::string text = "$" + robosim_name(event.name);
+    if (tests_value(transition)) {
+        const auto& variable = dynamic_cast<const Variable&>(*trigger.variable_target);
+        const bool shared = callers_.role(machine_, variable) == VariableRole::shared;
+        if (shared && has_exit_action(machine_))
+            throw NoCyclicForm(trigger.span, fmt::format("trigger `{}`", to_text(trigger)),
+                               fmt::format("its condition tests the value of `{}`, which is shared, and states have "
+                                           "exit actions, which come after its change",
+                                           variable.name));
+        const std::string name = shared ? received(event) : robosim_name(variable.name);
+        text = fmt::format("{} : ({})", shared ? text + "?" + name : store_text(trigger),
+                           tested_value(transition, name));
+    } else {
+        if (trigger.kind == CommKind::input) text = store_text(trigger);
+        if (transition.condition) text = conjunction(text, "(" + expression(*transition.condition) + ")");
+    }
+    return conjunction(text, free);
 }
 
-/// The condition under which no transition is enabled, and no during action runs. An entry for each transition: if
-/// one is always enabled, the machine never rests here.
+/// The condition under which a transition is not enabled: the negation of `taken_condition`, without stores in
+/// variables of the model.
+std::string MachineWriter::rest_condition(const Transition& transition) {
+    if (!transition.trigger) return fmt::format("not ({})", expression(*transition.condition));
+    const auto& event = dynamic_cast<const Event&>(*transition.trigger->event_target);
+    const std::string free = flag(event.name);
+    const std::string read = "$" + robosim_name(event.name);
+    std::vector<std::string> parts{"not " + read};
+    if (tests_value(transition)) {
+        const std::string value = received(event);
+        parts.push_back(fmt::format("{}?{} : (not ({}))", read, value, tested_value(transition, value)));
+    } else if (transition.condition) {
+        parts.push_back(fmt::format("not ({})", expression(*transition.condition)));
+    }
+    if (!free.empty()) parts.push_back("not " + free);
+    const std::string text = fmt::format("{}", fmt::join(parts, " \\/ "));
+    return parts.size() == 1 ? text : "(" + text + ")";
+}
+
+/// The condition under which no transition is enabled, and no during action runs.
 std::string MachineWriter::idle_condition(const Surroundings& inside) {
     std::vector<std::string> parts;
     const auto add = [&](const std::string& part) {
         if (std::ranges::find(parts, part) == parts.end()) parts.push_back(part);
     };
     for (const std::string& busy : inside.busy) add("not " + busy);
-    for (const Transition* transition : inside.outgoing) {
-        const std::string text = enabled(*transition, false);
-        const bool word = text.starts_with("$") && text.find(' ') == std::string::npos;
-        add(word ? "not " + text : fmt::format("not ({})", text));
-    }
+    for (const Transition* transition : inside.outgoing) add(rest_condition(*transition));
     return fmt::format("{}", fmt::join(parts, " /\\ "));
 }
 
@@ -240,6 +276,8 @@ void MachineWriter::write_node(const NodeContainer& container, const State& node
 
 namespace {
 
+bool may_wait(const Stmt& action, const Callers& callers);
+
 /// The statements of an action in order, without the brackets and deadlines around them.
 void flatten_action(const Stmt& statement, std::vector<const Stmt*>& parts) {
     if (statement.kind != StmtKind::sequence && statement.kind != StmtKind::parenthesised) {
@@ -253,7 +291,7 @@ void flatten_action(const Stmt& statement, std::vector<const Stmt*>& parts) {
 
 /// A state. A final state in a composite state becomes a state too, in which cycles pass.
 void MachineWriter::write_state(const NodeContainer& container, const State& state, const Surroundings& around) {
-    Surroundings inside{&state, transitions_from(container, state), around.busy, around.during_communicates, {}};
+    Surroundings inside{&state, transitions_from(container, state), around.busy, around.during_communicates, {}, {}};
     inside.outgoing.insert(inside.outgoing.end(), around.outgoing.begin(), around.outgoing.end());
     std::vector<const Stmt*> entry;
     std::vector<std::string> first, exit;
@@ -275,6 +313,15 @@ void MachineWriter::write_state(const NodeContainer& container, const State& sta
     auto statement = entry.begin();
     for (; statement != entry.end() && is_simple(**statement, 3); ++statement) first.push_back(simple_text(**statement));
     inside.first.assign(statement, entry.end());
+    if (const auto clock = entry_clocks_.find(&state); clock != entry_clocks_.end()) {
+        bool waits = !inside.first.empty();
+        for_actions(state, [&](const Stmt& inner) { waits = waits || may_wait(inner, callers_); });
+        if (waits && !state.nodes.empty())
+            throw NoCyclicForm(state.name_span, fmt::format("`sinceEntry({})`", state.name),
+                               "actions inside the state wait, and the state counts as entered only after the first");
+        first.push_back("#" + clock->second);
+        inside.entry_clock = clock->second;
+    }
     line(fmt::format("state {} {{", robosim_name(state.name)));
     if (!first.empty()) line(fmt::format("entry {}", fmt::join(first, "; ")));
     if (!during.empty()) line("during " + during);
@@ -298,6 +345,7 @@ void MachineWriter::write_rest(const Surroundings& inside) {
     line(fmt::format("state {} {{}}", rest));
     Way way{start, new_name("begin"), "", "", {}};
     for (const Stmt* statement : inside.first) add_statement(way, *statement);
+    if (!inside.first.empty() && !inside.entry_clock.empty()) way.actions.push_back("#" + inside.entry_clock);
     finish(way, rest);
     const bool never = std::ranges::any_of(inside.outgoing, [](const Transition* transition) {
         return !transition->trigger && !transition->condition;
@@ -366,21 +414,57 @@ std::string MachineWriter::during_text(const State& state, const Surroundings&, 
 
 // ---------------------------------------------------------------- transitions
 
+namespace {
+
+/// The time at which a comparison of a clock with a number changes its value: once, at `n` or after it.
+std::optional<std::int64_t> time_of_change(const Expr& comparison) {
+    if (comparison.kind != ExprKind::binary || comparison.args[1]->kind != ExprKind::integer) return std::nullopt;
+    const ExprKind left = comparison.args[0]->kind;
+    if (left != ExprKind::since && left != ExprKind::since_entry) return std::nullopt;
+    const std::int64_t number = std::stoll(comparison.args[1]->text.substr(0, 9));
+    switch (*comparison.binary) {
+        case BinaryOp::greater_equal:
+        case BinaryOp::less:
+            return number;
+        case BinaryOp::greater:
+        case BinaryOp::less_equal:
+            return number + 1;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+/// A transition without trigger is taken as soon as its condition holds, which must be at the beginning of a cycle.
+void MachineWriter::check_times(const Transition& transition) const {
+    if (component_.cycle == 1 || transition.trigger || !transition.condition) return;
+    std::size_t clocks = 0, checked = 0;
+    walk_tree(*transition.condition, [&](const Expr& part) {
+        if (part.kind == ExprKind::since || part.kind == ExprKind::since_entry) ++clocks;
+        const std::optional<std::int64_t> time = time_of_change(part);
+        if (time && *time % component_.cycle == 0) ++checked;
+    });
+    if (clocks == checked) return;
+    throw NoCyclicForm(transition.condition->span, fmt::format("the condition of transition `{}`", transition.name),
+                       fmt::format("it may change between two cycles, which take {} time units each", component_.cycle));
+}
+
 void MachineWriter::write_transition(const Transition& transition, const Surroundings&) {
     if (transition.deadline)
         throw NoCyclicForm(transition.deadline->span, fmt::format("the deadline of transition `{}`", transition.name),
                            "RoboSim has no deadlines");
+    check_times(transition);
     Way way{robosim_name(transition.from), robosim_name(transition.name), "", "", {}};
     if (transition.probability) way.begin += "probability " + expression(*transition.probability) + " ";
     for (const Transition::Reset& reset : transition.resets) way.begin += "#" + robosim_name(reset.name) + " ";
-    way.condition = transition.otherwise ? "else" : enabled(transition, true);
+    way.condition = transition.otherwise ? "else" : taken_condition(transition);
     if (transition.trigger) {
         const Communication& trigger = *transition.trigger;
         const std::string free = flag(trigger.event_target->name);
         if (!free.empty()) way.actions.push_back(free + " = false");
         const auto* variable = dynamic_cast<const Variable*>(trigger.variable_target);
-        const bool tested = variable != nullptr && transition.condition && mentions(*transition.condition, variable);
-        if (tested && callers_.role(machine_, *variable) == VariableRole::shared)
+        if (tests_value(transition) && callers_.role(machine_, *variable) == VariableRole::shared)
             way.actions.push_back(fmt::format("${} = {}", robosim_name(variable->name),
                                               received(dynamic_cast<const Event&>(*trigger.event_target))));
     }

@@ -30,7 +30,8 @@ struct SharedInterfaces {
 struct CyclicComponent {
     std::uint32_t cycle = 1;
     SharedInterfaces interfaces;
-    Usage usage;  ///< of all machines
+    Usage usage;         ///< of all machines
+    bool alone = false;  ///< the component is a machine, whose contexts then have all these registers
 };
 
 /// Whether a register of this name belongs to an interface: `read`, `written` or `both`.
@@ -39,9 +40,14 @@ struct CyclicComponent {
 class MachineWriter {
 public:
     MachineWriter(const CyclicComponent& component, const Callers& callers, const Machine& machine,
-                  const std::set<std::string>& reusable)
-        : component_(component), callers_(callers), machine_(machine), reusable_(reusable) {}
+                  const std::set<std::string>& reusable, Usage usage)
+        : component_(component),
+          callers_(callers),
+          machine_(machine),
+          reusable_(reusable),
+          usage_(std::move(usage)) {}
 
+    // `usage`: the registers of the contexts.
     /// The machine under this name. Throws NoCyclicForm.
     [[nodiscard]] std::string write(const std::string& name);
     /// Members of the interface `callers` that the operation needs: lines by name. Filled by `write`.
@@ -62,6 +68,7 @@ private:
         std::vector<std::string> busy;            ///< variables that are true while a during action runs
         bool during_communicates = false;
         std::vector<const Stmt*> first;  ///< actions before the inner initial node is left
+        std::string entry_clock;         ///< for sinceEntry of the state; "": none
     };
 
     // machine_writer.cpp: declarations, nodes, transitions
@@ -73,10 +80,15 @@ private:
     void write_state(const NodeContainer&, const State&, const Surroundings&);
     void write_rest(const Surroundings& inside);
     void write_transition(const Transition&, const Surroundings&);
-    std::string enabled(const Transition&, bool fires);
-    std::string trigger_text(const Transition&, bool fires);
+    void check_times(const Transition&) const;
+    [[nodiscard]] bool tests_value(const Transition&) const;
+    std::string tested_value(const Transition&, const std::string& by);
+    void check_trigger(const Communication&) const;
+    std::string taken_condition(const Transition&);
+    std::string rest_condition(const Transition&);
     std::string idle_condition(const Surroundings& inside);
     std::string during_text(const State&, const Surroundings& inside, const std::string& busy);
+    void add_entry_clocks();
     void begin_names(const NodeContainer&);
     std::string new_name(const std::string& stem);
     std::string new_variable(const std::string& stem);
@@ -111,12 +123,14 @@ private:
     const Callers& callers_;
     const Machine& machine_;
     const std::set<std::string>& reusable_;
+    Usage usage_;
     std::string out_;
     std::set<std::string> node_names_;              ///< of the current container
     std::set<std::string> variable_names_;          ///< of the machine, with the new ones
     std::map<std::string, std::string> new_lines_;  ///< declarations of new variables and clocks, by name
     std::map<std::string, std::string> received_;   ///< by event: the variable for values that conditions test
     std::map<std::string, std::string> needed_;
+    std::map<const Declaration*, std::string> entry_clocks_;  ///< for sinceEntry, by state
     std::string clock_;                             ///< for waits; "": none yet
 };
 

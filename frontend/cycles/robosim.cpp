@@ -14,7 +14,7 @@
 #include "frontend/format/format.hpp"
 #include "frontend/names/scopes.hpp"
 #include "frontend/rules/rules.hpp"
-#include "frontend/syntax/print.hpp"
+#include "frontend/syntax/expression_visitor.hpp"
 
 namespace robochart::frontend {
 
@@ -50,6 +50,7 @@ struct CyclicMachine {
     Callers callers;
     std::vector<Part<Machine>> operations;  ///< the operations that it calls
     std::set<std::string> reusable;
+    Usage usage;
 };
 
 void merge(Usage& all, const Usage& more) {
@@ -70,9 +71,9 @@ public:
     }
 
     RoboSimFiles write() {
-        const std::string name = robosim_name(subject_.context->name);
+        const std::string name = new_name();
         body_ = write_subject(name);
-        return {header() + interfaces() + body_, claims(), equal()};
+        return {header() + interfaces() + body_, claims(), one_way()};
     }
 
 private:
@@ -80,12 +81,14 @@ private:
 
     CyclicMachine machine_of(const std::string& name, const Machine& definition,
                              const std::vector<const Machine*>& operations) {
-        CyclicMachine result{name, Callers(definition, operations), {}, {}};
-        const Usage usage = usage_of(definition, result.callers);
+        CyclicMachine result{name, Callers(definition, operations), {}, {}, {}};
+        result.usage = usage_of(definition, result.callers);
+        const Usage& usage = result.usage;
         check_events(definition, usage);
         for (const auto& [operation, signature] : usage.software)
             result.operations.push_back({operation, result.callers.definition(operation)});
         result.reusable = reusable_inputs(result.callers);
+        during_outputs_ = during_outputs_ || has_during_outputs(result);
         merge(component_.usage, usage);
         return result;
     }
@@ -98,6 +101,17 @@ private:
                                                machine.name));
             if (event->broadcast)
                 throw NoCyclicForm(event->name_span, fmt::format("event `{}`", name), "RoboSim has no broadcast");
+        }
+    }
+
+    /// The environment may write every variable that the component requires, also one that it does not use: in the
+    /// simulation, each is a register in both directions.
+    void add_required(const Context& subject) {
+        reads_ = !component_.usage.read.empty();
+        for (const Variable* variable : required_variables(subject)) {
+            if (variable->kind != DeclKind::variable) continue;
+            component_.usage.read.emplace(variable->name, variable);
+            component_.usage.written.emplace(variable->name, variable);
         }
     }
 
@@ -130,7 +144,8 @@ private:
                 text += write_empty_operation(*operation.definition);
                 continue;
             }
-            MachineWriter writer(component_, machine.callers, *operation.definition, machine.reusable);
+            MachineWriter writer(component_, machine.callers, *operation.definition, machine.reusable,
+                                 usage_of(*operation.definition, machine.callers));
             text += writer.write(operation.name);
             callers_.insert(writer.needed_of_caller().begin(), writer.needed_of_caller().end());
         }
@@ -158,7 +173,8 @@ private:
             all_callers_.insert(callers_.begin(), callers_.end());
         }
         const std::string operations = write_operations(machine);
-        MachineWriter writer(component_, machine.callers, machine.callers.root(), machine.reusable);
+        MachineWriter writer(component_, machine.callers, machine.callers.root(), machine.reusable,
+                             component_.alone ? component_.usage : machine.usage);
         return operations + writer.write(machine.name);
     }
 
@@ -168,14 +184,17 @@ private:
         switch (subject_.context->kind) {
             case DeclKind::state_machine: {
                 const auto& machine = dynamic_cast<const Machine&>(*subject_.context);
-                const CyclicMachine cyclic = machine_of(machine.name, machine, {});
+                const CyclicMachine cyclic = machine_of(name, machine, {});
+                component_.alone = true;
+                check_calls(machine, cyclic.usage);
+                add_required(machine);
                 name_interfaces();
-                contexts_ = true;
                 return write_machine(cyclic);
             }
             case DeclKind::controller: {
                 const auto& controller = dynamic_cast<const Component&>(*subject_.context);
                 const std::vector<CyclicMachine> machines = machines_of(controller);
+                add_required(controller);
                 name_interfaces();
                 return write_controller(controller, name, machines);
             }
@@ -184,15 +203,41 @@ private:
         }
     }
 
+    /// A machine inside a controller has the operations of the controller, which a machine of RoboSim has not.
+    void check_calls(const Machine& machine, const Usage& usage) const {
+        const auto* controller = dynamic_cast<const Component*>(machine.parent);
+        if (controller == nullptr) return;
+        for (const Machine* definition : defined_operations(*controller))
+            if (usage.platform.contains(definition->name))
+                throw NoCyclicForm(machine.name_span, fmt::format("state machine `{}`", machine.name),
+                                   fmt::format("it calls operation `{}` of its controller; write controller `{}`",
+                                               definition->name, controller->name));
+    }
+
     std::vector<CyclicMachine> machines_of(const Component& controller) {
         std::vector<CyclicMachine> result;
         const std::vector<const Machine*> operations = defined_operations(controller);
         for (const Part<Machine>& part : parts_of<Machine>(controller, DeclKind::state_machine)) {
             result.push_back(machine_of(part.name, *part.definition, operations));
-            check_connected(controller, part.name, usage_of(*part.definition, result.back().callers));
+            add_connected(controller, result.back());
+            check_connected(controller, part.name, result.back().usage);
         }
         check_independent(controller, result);
         return result;
+    }
+
+    /// An event that the machine does not use is a register too, if the controller connects it.
+    static void add_connected(const Component& controller, CyclicMachine& machine) {
+        const Scope scope = scope_of(machine.callers.root());
+        for (const auto& connection : controller.connections)
+            for (const bool inwards : {true, false}) {
+                const Connection::End& end = inwards ? connection->to : connection->from;
+                const auto event = scope.events.find(end.event.text());
+                if (end.node.text() != machine.name || event == scope.events.end()) continue;
+                const std::string& name = event->second->name;
+                if (machine.usage.inputs.contains(name) || machine.usage.outputs.contains(name)) continue;
+                (inwards ? machine.usage.inputs : machine.usage.outputs).emplace(name, event->second);
+            }
     }
 
     /// An input without connection occurs at any time in RoboChart, and in RoboSim its register has any content.
@@ -285,10 +330,10 @@ private:
             const Scope scope = scope_of(controller);
             const auto own = scope.variables.find(variable);
             if (own == scope.variables.end()) return;
-            variables += variable_line(*own->second);
+            variables += variable_line(*own->second) + "\n";
         };
-        Usage registers = usage;
-        registers.read.insert(usage.written.begin(), usage.written.end());
+        Usage registers = subject_.context == &controller ? component_.usage : usage;
+        registers.read.insert(registers.written.begin(), registers.written.end());
         for (const auto& [variable, declared] : registers.read) add_variable(variable, interface_of_register(component_, variable));
         for (const auto& [constant, declared] : usage.constants) add_variable(constant, component_.interfaces.constants);
         if (!usage.platform.empty()) required.insert(component_.interfaces.platform);
@@ -300,7 +345,7 @@ private:
     }
 
     static std::string variable_line(const Variable& variable) {
-        return fmt::format("{} {} : {}{}\n", variable.kind == DeclKind::constant ? "const" : "var",
+        return fmt::format("{} {} : {}{}", variable.kind == DeclKind::constant ? "const" : "var",
                            robosim_name(variable.name), robosim_text(*variable.type_expr),
                            variable.initial ? " = " + robosim_text(*variable.initial, {}) : "");
     }
@@ -378,13 +423,19 @@ private:
 
     // ------------------------------------------------------------ files
 
+    /// The name of the component. In the unnamed package, the name of the model could not be told apart from it.
+    std::string new_name() const {
+        const std::string& name = subject_.context->name;
+        return robosim_name(subject_.file->package.empty() ? name + "_sim" : name);
+    }
+
     std::string package() const {
         const std::string name = subject_.file->package.text();
         return name.empty() ? "sim" : name + "_sim";
     }
 
     /// The names of the model are visible: its packages and the imports of its files.
-    std::string header() const {
+    std::string imports() const {
         std::set<std::string> imports;
         for (const auto& file : model_.files) {
             if (file->is_library || file->is_assertions || file->dialect != Dialect::robochart) continue;
@@ -392,11 +443,14 @@ private:
             for (const Import& import : file->imports)
                 imports.insert(robosim_name(import.name) + (import.wildcard ? "::*" : ""));
         }
-        std::string text = fmt::format("// {}, run in cycles of {} time unit{}: written by `robochart-verify emit rst`.\n",
-                                       full_name_, component_.cycle, component_.cycle == 1 ? "" : "s");
-        text += fmt::format("package {}\n", package());
+        std::string text;
         for (const std::string& import : imports) text += "import " + import + "\n";
         return text;
+    }
+
+    std::string header() const {
+        return fmt::format("// {}, run in cycles of {} time unit{}: written by `robochart-verify emit rst`.\npackage {}\n{}\n",
+                           full_name_, component_.cycle, component_.cycle == 1 ? "" : "s", package(), imports());
     }
 
     std::string interface_text(const std::string& name, const std::vector<std::string>& members) const {
@@ -435,22 +489,47 @@ private:
                            signature.terminates ? " [terminates]" : "");
     }
 
-    /// Both refine each other, except where the environment writes a variable that is read: in RoboChart, it may do so
-    /// in the middle of a cycle.
-    bool equal() const {
-        return subject_.context->kind == DeclKind::module || component_.usage.read.empty();
+    /// The reason why only the RoboSim model refines the component; "": both refine each other.
+    std::string one_way() const {
+        if (reads_) return "the environment may write a variable that it reads in the middle of a cycle";
+        if (during_outputs_)
+            return "a transition may interrupt a during action with outputs, and in cycles, an output is decided before "
+                   "its register accepts it";
+        return "";
+    }
+
+    /// True if a during action of the machine, or of its operations, makes outputs.
+    static bool has_during_outputs(const CyclicMachine& machine) {
+        bool found = false;
+        const auto look = [&](const Machine& definition) {
+            for_states(definition, [&](const State& state) {
+                for (const Action& action : state.actions) {
+                    if (action.kind != ActionKind::during || !action.statement) continue;
+                    walk_tree(*action.statement, [&](const Stmt& part) {
+                        const Variable* assigned =
+                            part.kind == StmtKind::assignment ? assigned_variable(part) : nullptr;
+                        found = found || part.kind == StmtKind::communication || part.kind == StmtKind::call ||
+                                (assigned != nullptr &&
+                                 machine.callers.role(definition, *assigned) == VariableRole::shared);
+                    });
+                }
+            });
+        };
+        look(machine.callers.root());
+        for (const auto& operation : machine.operations) look(*operation.definition);
+        return found;
     }
 
     std::string claims() const {
         const std::string name = subject_.context->name;
         const std::string simulation = robosim_name(name + "Simulation");
-        const std::string own = package() + "::" + robosim_name(name);
-        std::string text = fmt::format("import {}::*\n\nsimulation {} of {} {{\ncycleDef cycle == {}\n", package(), simulation,
-                                       full_name_, component_.cycle);
-        if (contexts_) text += contexts();
+        const std::string own = package() + "::" + new_name();
+        std::string text = fmt::format("import {}::*\n{}\nsimulation {} of {} {{\ncycleDef cycle == {}\n", package(), imports(),
+                                       simulation, full_name_, component_.cycle);
+        if (component_.alone) text += contexts();
         text += fmt::format("}}\n\nassertion {}_schedulable : {} is schedulable\n", name, simulation);
         text += fmt::format("assertion {}_refines : {} refines {}\n", name, own, simulation);
-        if (equal()) text += fmt::format("assertion {}_is_refined : {} refines {}\n", name, simulation, own);
+        if (one_way().empty()) text += fmt::format("assertion {}_is_refined : {} refines {}\n", name, simulation, own);
         return text;
     }
 
@@ -467,7 +546,8 @@ private:
     CyclicComponent component_;
     std::map<std::string, std::string> callers_, all_callers_;
     std::string body_;
-    bool contexts_ = false;
+    bool reads_ = false;           ///< a variable that the environment may write
+    bool during_outputs_ = false;  ///< some during action makes outputs
 };
 
 // ---------------------------------------------------------------- the component

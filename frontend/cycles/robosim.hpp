@@ -16,7 +16,7 @@ namespace robochart::frontend {
 struct RoboSimFiles {
     std::string model;   ///< text of the `.rst` file
     std::string claims;  ///< text of the `.rsa` file
-    bool equal = false;  ///< the claims say that the component and the model refine each other
+    std::string one_way;  ///< the reason why the claims do not say that the component refines the model; "": they do
 };
 
 /// Writes the component with this full name. Returns no value and reports the cause (RC-Y17) if it has no equal in

@@ -27,8 +27,11 @@ bool contains_variable(const std::vector<const Variable*>& list, const Variable&
 
 const Variable* Callers::variable_of_root(std::string_view name) const {
     const Scope scope = scope_of(*root_);
-    const auto found = scope.variables.find(name);
-    return found == scope.variables.end() ? nullptr : found->second;
+    if (const auto found = scope.variables.find(name); found != scope.variables.end()) return found->second;
+    for (const Machine* definition : definitions_)
+        for (const VariablePtr& variable : definition->variables)
+            if (variable->name == name) return variable.get();
+    return nullptr;
 }
 
 VariableRole Callers::role(const Machine& where, const Variable& variable) const {
