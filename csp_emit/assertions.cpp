@@ -9,10 +9,10 @@
 #include "checker/cspm/syntax/build.hpp"
 #include "csp_emit/assertion_forms.hpp"
 #include "csp_emit/base/names.hpp"
-#include "csp_emit/base/variants.hpp"
 #include "csp_emit/base/registers.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/base/variants.hpp"
 #include "csp_emit/expressions/expressions.hpp"
 #include "semantics/ir/own_constants.hpp"
 

@@ -49,9 +49,9 @@ std::string refusal(driver::Project& project, const Options& options, const ir::
     const refine::Limits bounds = limits(options, "cycles of " + component.path);
     try {
         std::string error;
-        const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component,
-                                                          options.code.cycle, bounds, project.sources,
-                                                          project.diagnostics, error);
+        const auto model =
+            conformance::CyclicModel::load(project.system, project.instantiation, component, options.code.cycle, bounds,
+                                           project.sources, project.diagnostics, error);
         if (model == nullptr) return error;
         return cause_text(conformance::run_in_cycles(*model, project.sources, bounds));
     } catch (const std::length_error& large) {
@@ -74,10 +74,9 @@ bool write_robosim(driver::Project& project, const Options& options, Report& rep
         const std::string name = ir::qualified_name(component);
         const diagnostics::Budget::Phase phase(options.run->budget(), "writing " + name + " in RoboSim");
         if (const std::string cause = refusal(project, options, component); !cause.empty()) {
-            project.diagnostics.report(frontend::rules::not_schedulable, driver::declared_at(project.system, component),
-                                       {name, fmt::format("{} time unit{}", options.code.cycle,
-                                                          options.code.cycle == 1 ? "" : "s"),
-                                        cause});
+            project.diagnostics.report(
+                frontend::rules::not_schedulable, driver::declared_at(project.system, component),
+                {name, fmt::format("{} time unit{}", options.code.cycle, options.code.cycle == 1 ? "" : "s"), cause});
             continue;
         }
         const auto written = frontend::write_robosim(*project.model, name, options.code.cycle, project.diagnostics);
@@ -88,9 +87,9 @@ bool write_robosim(driver::Project& project, const Options& options, Report& rep
         const auto edit = options.run->edit();
         report.remarks.push_back(
             project.label + name +
-            (written->one_way.empty() ? ": the claims say that it and the RoboSim model refine each other"
-                                      : ": the claims say that the RoboSim model refines it, but not the reverse: " +
-                                            written->one_way));
+            (written->one_way.empty()
+                 ? ": the claims say that it and the RoboSim model refine each other"
+                 : ": the claims say that the RoboSim model refines it, but not the reverse: " + written->one_way));
     }
     return project.diagnostics.ok();
 }

@@ -12,11 +12,13 @@ namespace robochart::frontend {
 namespace {
 
 bool is_positive_literal(const Expr& expr) {
-    return expr.kind == ExprKind::integer && std::ranges::any_of(expr.text, [](char c) { return c >= '1' && c <= '9'; });
+    return expr.kind == ExprKind::integer &&
+           std::ranges::any_of(expr.text, [](char c) { return c >= '1' && c <= '9'; });
 }
 
 const State* initial_of(const NodeContainer& container) {
-    const auto found = std::ranges::find(container.nodes, DeclKind::initial, [](const auto& node) { return node->kind; });
+    const auto found =
+        std::ranges::find(container.nodes, DeclKind::initial, [](const auto& node) { return node->kind; });
     return found == container.nodes.end() ? nullptr : found->get();
 }
 
@@ -56,12 +58,10 @@ bool surely_waits(const Stmt& action, const Callers& callers) {
         case StmtKind::sequence:
         case StmtKind::parenthesised:
         case StmtKind::deadline:
-            return std::ranges::any_of(action.body,
-                                       [&](const StmtPtr& part) { return surely_waits(*part, callers); });
+            return std::ranges::any_of(action.body, [&](const StmtPtr& part) { return surely_waits(*part, callers); });
         case StmtKind::if_then_else:
-            return action.body.size() > 1 && std::ranges::all_of(action.body, [&](const StmtPtr& part) {
-                       return surely_waits(*part, callers);
-                   });
+            return action.body.size() > 1 &&
+                   std::ranges::all_of(action.body, [&](const StmtPtr& part) { return surely_waits(*part, callers); });
         case StmtKind::call: {
             const Machine* const definition = callers.definition(action.name.parts.back());
             return definition != nullptr && operation_waits(*definition, callers);

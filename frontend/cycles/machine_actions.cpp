@@ -56,13 +56,16 @@ void MachineWriter::need(const Variable& variable) {
                     fmt::format("{} {} : {}", word, robosim_name(outer.name), robosim_text(*outer.type_expr)));
 }
 
+/// Notes that an operation uses a clock of its caller.
+void MachineWriter::need_clock(const Declaration& clock) {
+    const bool own = clock.parent == &machine_ || &machine_ == &callers_.root();
+    if (!own) needed_.emplace(clock.name, "clock " + robosim_name(clock.name));
+}
+
 /// The expression; `replaced` is written as `by`.
 std::string MachineWriter::expression(const Expr& expr, const Variable* replaced, const std::string& by) {
     walk_tree(expr, [&](const Expr& part) {
-        if (part.kind != ExprKind::since || callers_.root().kind == machine_.kind) return;
-        const bool own = std::ranges::any_of(
-            machine_.clocks, [&](const auto& clock) { return static_cast<const Declaration*>(clock.get()) == part.target; });
-        if (!own) needed_.emplace(part.name.parts.back(), "clock " + robosim_name(part.name.parts.back()));
+        if (part.kind == ExprKind::since && part.target != nullptr) need_clock(*part.target);
     });
     return robosim_text(expr, [&](const Expr& name) -> std::string {
         if (name.kind == ExprKind::since_entry) return entry_clocks_.at(name.target);
@@ -141,25 +144,25 @@ bool MachineWriter::is_simple(const Stmt& statement, std::int64_t most_cycles) c
 
 void MachineWriter::require_simple(const Stmt& statement, const char* where) const {
     if (is_simple(statement, cycles_anywhere)) return;
-    throw NoCyclicForm(statement.span, where,
-                       "it receives an event or waits for a time that is not a number, and actions of RoboSim have no loops");
+    throw NoCyclicForm(
+        statement.span, where,
+        "it receives an event or waits for a time that is not a number, and actions of RoboSim have no loops");
 }
 
-std::string MachineWriter::wait_text(const Stmt& statement) const {
+std::string MachineWriter::wait_text(const Stmt& statement) {
     const std::int64_t cycles = *cycles_of(*statement.value);
     if (cycles == 0) return "skip";
-    std::vector<std::string> ends(static_cast<std::size_t>(cycles), const_cast<MachineWriter*>(this)->cycle_end_text());
+    const std::vector<std::string> ends(static_cast<std::size_t>(cycles), cycle_end_text());
     return fmt::format("{}", fmt::join(ends, "; "));
 }
 
 std::string MachineWriter::communication_text(const Communication& communication) {
     if (communication.predicate || !communication.from_variable.empty())
         throw NoCyclicForm(communication.span, "a condition on a communication", "RoboSim has no broadcast");
-    const std::string name = robosim_name(communication.event_target->name);
-    return communication.value ? fmt::format("${}!{}", name, [&] {
-        const std::string value = expression(*communication.value);
-        return is_closed(*communication.value) ? value : "(" + value + ")";
-    }()) : "$" + name;
+    const std::string name = "$" + robosim_name(communication.event_target->name);
+    if (!communication.value) return name;
+    const std::string value = expression(*communication.value);
+    return name + "!" + (is_closed(*communication.value) ? value : "(" + value + ")");
 }
 
 std::string MachineWriter::call_text(const Stmt& statement) {
@@ -227,9 +230,7 @@ std::string MachineWriter::simple_text(const Stmt& statement) {
         case StmtKind::wait:
             return wait_text(statement);
         case StmtKind::clock_reset:
-            if (&machine_ != &callers_.root() &&
-                std::ranges::none_of(machine_.clocks, [&](const auto& clock) { return clock.get() == statement.declaration; }))
-                needed_.emplace(statement.name.parts.back(), "clock " + robosim_name(statement.name.parts.back()));
+            if (statement.declaration != nullptr) need_clock(*statement.declaration);
             return "#" + robosim_name(statement.name);
         case StmtKind::deadline:
             check_deadline(statement);
@@ -318,24 +319,34 @@ void MachineWriter::add_communication(Way& way, const Stmt& statement) {
     if (!free.empty()) way.actions.push_back(free + " = false");
 }
 
+namespace {
+
+bool has_during_action(const Machine& machine) {
+    bool found = false;
+    for_states(machine, [&](const State& state) {
+        found = found || std::ranges::find(state.actions, ActionKind::during, &Action::kind) != state.actions.end();
+    });
+    return found;
+}
+
+}  // namespace
+
+/// The time of a wait is a multiple of the cycle, and stays the same during the wait.
+void MachineWriter::check_time(const Expr& time) const {
+    (void)cycles_of(time);
+    walk_tree(time, [&](const Expr& part) {
+        const auto* variable = dynamic_cast<const Variable*>(part.target);
+        if (part.kind != ExprKind::name || variable == nullptr || variable->kind != DeclKind::variable) return;
+        if (!has_during_action(callers_.root()) && callers_.role(machine_, *variable) != VariableRole::shared) return;
+        throw NoCyclicForm(time.span, fmt::format("a wait of `{}`", to_text(time)),
+                           fmt::format("`{}` may change during the wait", variable->name));
+    });
+}
+
 /// A wait: cycles pass until a clock has this time. A wait in an interval may end at any time of the interval.
 void MachineWriter::add_wait(Way& way, const Expr& least, const Expr& most) {
-    for (const Expr* time : {&least, &most}) {
-        (void)cycles_of(*time);
-        walk_tree(*time, [&](const Expr& part) {
-            const auto* variable = dynamic_cast<const Variable*>(part.target);
-            if (part.kind != ExprKind::name || variable == nullptr) return;
-            bool during = false;
-            for_states(callers_.root(), [&](const State& state) {
-                during = during || std::ranges::find(state.actions, ActionKind::during, &Action::kind) != state.actions.end();
-            });
-            const bool changes = variable->kind == DeclKind::variable &&
-                                 (during || callers_.role(machine_, *variable) == VariableRole::shared);
-            if (changes)
-                throw NoCyclicForm(time->span, fmt::format("a wait of `{}`", to_text(*time)),
-                                   fmt::format("`{}` may change during the wait", variable->name));
-        });
-    }
+    check_time(least);
+    check_time(most);
     if (clock_.empty()) {
         clock_ = new_variable("waited");
         new_lines_.emplace(clock_, "clock " + clock_);

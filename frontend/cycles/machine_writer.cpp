@@ -65,7 +65,8 @@ std::string MachineWriter::head(const std::string& name) const {
         return fmt::format("stm {} {{\ncycleDef cycle == {}\n", robosim_name(name), component_.cycle);
     std::vector<std::string> parameters;
     for (const VariablePtr& parameter : machine_.parameters)
-        parameters.push_back(fmt::format("{} : {}", robosim_name(parameter->name), robosim_text(*parameter->type_expr)));
+        parameters.push_back(
+            fmt::format("{} : {}", robosim_name(parameter->name), robosim_text(*parameter->type_expr)));
     return fmt::format("operation {}({}) {{\n", robosim_name(name), fmt::join(parameters, ", "));
 }
 
@@ -197,8 +198,8 @@ std::string MachineWriter::taken_condition(const Transition& transition) {
                                            "exit actions, which come after its change",
                                            variable.name));
         const std::string name = shared ? received(event) : robosim_name(variable.name);
-        text = fmt::format("{} : ({})", shared ? text + "?" + name : store_text(trigger),
-                           tested_value(transition, name));
+        text =
+            fmt::format("{} : ({})", shared ? text + "?" + name : store_text(trigger), tested_value(transition, name));
     } else {
         if (trigger.kind == CommKind::input) text = store_text(trigger);
         if (transition.condition) text = conjunction(text, "(" + expression(*transition.condition) + ")");
@@ -291,7 +292,7 @@ void flatten_action(const Stmt& statement, std::vector<const Stmt*>& parts) {
 
 /// A state. A final state in a composite state becomes a state too, in which cycles pass.
 void MachineWriter::write_state(const NodeContainer& container, const State& state, const Surroundings& around) {
-    Surroundings inside{&state, transitions_from(container, state), around.busy, around.during_communicates, {}, {}};
+    Surroundings inside{&state, transitions_from(container, state), around.busy, {}, {}};
     inside.outgoing.insert(inside.outgoing.end(), around.outgoing.begin(), around.outgoing.end());
     std::vector<const Stmt*> entry;
     std::vector<std::string> first, exit;
@@ -307,11 +308,12 @@ void MachineWriter::write_state(const NodeContainer& container, const State& sta
         const std::string busy = new_variable(state.name + "_busy");
         new_lines_.emplace(busy, fmt::format("var {} : boolean = false", busy));
         inside.busy.push_back(busy);
-        during = during_text(state, inside, busy);
+        during = during_text(state, busy);
         first.push_back(busy + " = true");
     }
     auto statement = entry.begin();
-    for (; statement != entry.end() && is_simple(**statement, 3); ++statement) first.push_back(simple_text(**statement));
+    for (; statement != entry.end() && is_simple(**statement, 3); ++statement)
+        first.push_back(simple_text(**statement));
     inside.first.assign(statement, entry.end());
     if (const auto clock = entry_clocks_.find(&state); clock != entry_clocks_.end()) {
         bool waits = !inside.first.empty();
@@ -336,8 +338,8 @@ void MachineWriter::write_state(const NodeContainer& container, const State& sta
 /// The inside of a state without inner nodes: cycles pass while no transition is enabled.
 void MachineWriter::write_rest(const Surroundings& inside) {
     const bool moves_on = inside.busy.empty() && std::ranges::any_of(inside.outgoing, [](const Transition* transition) {
-        return !transition->trigger && !transition->condition;
-    });
+                              return !transition->trigger && !transition->condition;
+                          });
     if (moves_on && inside.first.empty()) return;
     node_names_.clear();
     const std::string start = new_name("start"), rest = new_name("Resting");
@@ -347,9 +349,8 @@ void MachineWriter::write_rest(const Surroundings& inside) {
     for (const Stmt* statement : inside.first) add_statement(way, *statement);
     if (!inside.first.empty() && !inside.entry_clock.empty()) way.actions.push_back("#" + inside.entry_clock);
     finish(way, rest);
-    const bool never = std::ranges::any_of(inside.outgoing, [](const Transition* transition) {
-        return !transition->trigger && !transition->condition;
-    });
+    const bool never = std::ranges::any_of(
+        inside.outgoing, [](const Transition* transition) { return !transition->trigger && !transition->condition; });
     if (never) return;
     const std::string condition = idle_condition(inside);
     const std::string resets = reset_text();
@@ -395,7 +396,7 @@ bool is_instant(const Machine& operation, const Callers& callers) {
 }  // namespace
 
 /// The during action, at whose end the variable `busy` becomes false. The cycle ends only then.
-std::string MachineWriter::during_text(const State& state, const Surroundings&, const std::string& busy) {
+std::string MachineWriter::during_text(const State& state, const std::string& busy) {
     std::string text;
     for (const Action& action : state.actions) {
         if (action.kind != ActionKind::during || !action.statement) continue;
@@ -446,8 +447,9 @@ void MachineWriter::check_times(const Transition& transition) const {
         if (time && *time % component_.cycle == 0) ++checked;
     });
     if (clocks == checked) return;
-    throw NoCyclicForm(transition.condition->span, fmt::format("the condition of transition `{}`", transition.name),
-                       fmt::format("it may change between two cycles, which take {} time units each", component_.cycle));
+    throw NoCyclicForm(
+        transition.condition->span, fmt::format("the condition of transition `{}`", transition.name),
+        fmt::format("it may change between two cycles, which take {} time units each", component_.cycle));
 }
 
 void MachineWriter::write_transition(const Transition& transition, const Surroundings&) {

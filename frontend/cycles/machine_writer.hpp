@@ -41,11 +41,7 @@ class MachineWriter {
 public:
     MachineWriter(const CyclicComponent& component, const Callers& callers, const Machine& machine,
                   const std::set<std::string>& reusable, Usage usage)
-        : component_(component),
-          callers_(callers),
-          machine_(machine),
-          reusable_(reusable),
-          usage_(std::move(usage)) {}
+        : component_(component), callers_(callers), machine_(machine), reusable_(reusable), usage_(std::move(usage)) {}
 
     // `usage`: the registers of the contexts.
     /// The machine under this name. Throws NoCyclicForm.
@@ -66,9 +62,8 @@ private:
         const State* state = nullptr;             ///< null: the machine itself
         std::vector<const Transition*> outgoing;  ///< of all states around
         std::vector<std::string> busy;            ///< variables that are true while a during action runs
-        bool during_communicates = false;
-        std::vector<const Stmt*> first;  ///< actions before the inner initial node is left
-        std::string entry_clock;         ///< for sinceEntry of the state; "": none
+        std::vector<const Stmt*> first;           ///< actions before the inner initial node is left
+        std::string entry_clock;                  ///< for sinceEntry of the state; "": none
     };
 
     // machine_writer.cpp: declarations, nodes, transitions
@@ -87,7 +82,7 @@ private:
     std::string taken_condition(const Transition&);
     std::string rest_condition(const Transition&);
     std::string idle_condition(const Surroundings& inside);
-    std::string during_text(const State&, const Surroundings& inside, const std::string& busy);
+    std::string during_text(const State&, const std::string& busy);
     void add_entry_clocks();
     void begin_names(const NodeContainer&);
     std::string new_name(const std::string& stem);
@@ -103,7 +98,7 @@ private:
     void finish(const Way&, const std::string& to);
     std::string simple_text(const Stmt&);
     std::string communication_text(const Communication&);
-    std::string wait_text(const Stmt&) const;
+    std::string wait_text(const Stmt&);
     std::string call_text(const Stmt&);
     std::string assignment_text(const Stmt&);
     void check_deadline(const Stmt&) const;
@@ -118,6 +113,8 @@ private:
     std::string flag(const std::string& event);
     std::string received(const Event&);
     void need(const Variable&);
+    void need_clock(const Declaration& clock);
+    void check_time(const Expr& time) const;
 
     const CyclicComponent& component_;
     const Callers& callers_;
@@ -131,7 +128,7 @@ private:
     std::map<std::string, std::string> received_;   ///< by event: the variable for values that conditions test
     std::map<std::string, std::string> needed_;
     std::map<const Declaration*, std::string> entry_clocks_;  ///< for sinceEntry, by state
-    std::string clock_;                             ///< for waits; "": none yet
+    std::string clock_;                                       ///< for waits; "": none yet
 };
 
 /// The name of the variable that is true while an input can still be taken in the cycle.

@@ -96,9 +96,9 @@ private:
     static void check_events(const Machine& machine, const Usage& usage) {
         for (const auto& [name, event] : usage.inputs) {
             if (usage.outputs.contains(name))
-                throw NoCyclicForm(event->name_span, fmt::format("event `{}`", name),
-                                   fmt::format("`{}` receives it and sends it, and a register has one direction",
-                                               machine.name));
+                throw NoCyclicForm(
+                    event->name_span, fmt::format("event `{}`", name),
+                    fmt::format("`{}` receives it and sends it, and a register has one direction", machine.name));
             if (event->broadcast)
                 throw NoCyclicForm(event->name_span, fmt::format("event `{}`", name), "RoboSim has no broadcast");
         }
@@ -274,27 +274,30 @@ private:
                                                        "cycle later",
                                                        writer.name, other.name, other.name));
                 for (const auto& operation : writer.operations)
-                    if (std::ranges::any_of(other.operations, [&](const auto& same) { return same.name == operation.name; }))
-                        throw NoCyclicForm(operation.definition->name_span, fmt::format("operation `{}`", operation.name),
+                    if (std::ranges::any_of(other.operations,
+                                            [&](const auto& same) { return same.name == operation.name; }))
+                        throw NoCyclicForm(operation.definition->name_span,
+                                           fmt::format("operation `{}`", operation.name),
                                            "several machines call it, and its registers are those of its caller");
             }
     }
 
-    std::string event_lines(const std::vector<const Event*>& events, const Component& outer, const std::string& node,
-                            const Component* inner) const {
+    /// The events of a node of `outer` that its connections name.
+    static std::string event_lines(const std::vector<const Event*>& events, const Component& outer,
+                                   const std::string& node) {
         std::string text;
-        for (const Event* event : events) {
-            const bool used = names_event(outer, node, event->name) || (inner != nullptr && names_event(*inner, inner->name, event->name));
-            if (!used) continue;
-            text += fmt::format("event {}{}\n", robosim_name(event->name),
-                                event->type_expr ? " : " + robosim_text(*event->type_expr) : "");
-        }
+        for (const Event* event : events)
+            if (names_event(outer, node, event->name))
+                text += fmt::format("event {}{}\n", robosim_name(event->name),
+                                    event->type_expr ? " : " + robosim_text(*event->type_expr) : "");
         return text;
     }
 
     static bool names_event(const Component& component, const std::string& node, const std::string& event) {
         return std::ranges::any_of(component.connections, [&](const auto& connection) {
-            const auto is = [&](const Connection::End& end) { return end.node.text() == node && end.event.text() == event; };
+            const auto is = [&](const Connection::End& end) {
+                return end.node.text() == node && end.event.text() == event;
+            };
             return is(connection->from) || is(connection->to);
         });
     }
@@ -334,12 +337,14 @@ private:
         };
         Usage registers = subject_.context == &controller ? component_.usage : usage;
         registers.read.insert(registers.written.begin(), registers.written.end());
-        for (const auto& [variable, declared] : registers.read) add_variable(variable, interface_of_register(component_, variable));
-        for (const auto& [constant, declared] : usage.constants) add_variable(constant, component_.interfaces.constants);
+        for (const auto& [variable, declared] : registers.read)
+            add_variable(variable, interface_of_register(component_, variable));
+        for (const auto& [constant, declared] : usage.constants)
+            add_variable(constant, component_.interfaces.constants);
         if (!usage.platform.empty()) required.insert(component_.interfaces.platform);
         for (const std::string& interface : required) text += "requires " + interface + "\n";
         text += variables;
-        text += event_lines(visible_events(controller), controller, controller.name, nullptr);
+        text += event_lines(visible_events(controller), controller, controller.name);
         for (const CyclicMachine& machine : machines) text += write_machine(machine);
         return text + connection_lines(controller, name) + "}\n";
     }
@@ -388,8 +393,9 @@ private:
             for (std::size_t j = 0; j < usage.size(); ++j)
                 for (const auto& [name, variable] : usage[i].written)
                     if (i != j && (usage[j].read.contains(name) || usage[j].written.contains(name)))
-                        throw NoCyclicForm(variable->name_span, fmt::format("variable `{}`", name),
-                                           fmt::format("`{}` and `{}` share it", controllers[i].name, controllers[j].name));
+                        throw NoCyclicForm(
+                            variable->name_span, fmt::format("variable `{}`", name),
+                            fmt::format("`{}` and `{}` share it", controllers[i].name, controllers[j].name));
     }
 
     static void check_reached(const Component& module, const Part<Component>& controller,
@@ -400,7 +406,8 @@ private:
                     const auto outer = [&](const Connection::End& inner, const Connection::End& end) {
                         return inner.node.text() == machine.name && inner.event.text() == name ? end.event.text() : "";
                     };
-                    const std::string event_outside = outer(connection->to, connection->from) + outer(connection->from, connection->to);
+                    const std::string event_outside =
+                        outer(connection->to, connection->from) + outer(connection->from, connection->to);
                     if (!event_outside.empty() && !names_event(module, controller.name, event_outside))
                         throw NoCyclicForm(event->name_span,
                                            fmt::format("event `{}` of `{}`", event_outside, controller.name),
@@ -411,14 +418,17 @@ private:
     std::string write_platform(const Component& module, const Part<Context>& platform) {
         const Usage& usage = component_.usage;
         for (const VariablePtr& own : platform.definition->variables)
-            if (own->kind == DeclKind::variable && (usage.written.contains(own->name) || usage.read.contains(own->name)))
-                throw NoCyclicForm(own->name_span, fmt::format("variable `{}` of the platform", own->name),
-                                   "the platform does not provide it: RoboChart hides its changes, and RoboSim shows them");
+            if (own->kind == DeclKind::variable &&
+                (usage.written.contains(own->name) || usage.read.contains(own->name)))
+                throw NoCyclicForm(
+                    own->name_span, fmt::format("variable `{}` of the platform", own->name),
+                    "the platform does not provide it: RoboChart hides its changes, and RoboSim shows them");
         std::string text = fmt::format("robotic platform {} {{\n", robosim_name(platform.name));
         const SharedInterfaces& shared = component_.interfaces;
-        for (const std::string& interface : {shared.read, shared.written, shared.both, shared.constants, shared.platform})
+        for (const std::string& interface :
+             {shared.read, shared.written, shared.both, shared.constants, shared.platform})
             if (!interface.empty()) text += "provides " + interface + "\n";
-        return text + event_lines(visible_events(*platform.definition), module, platform.name, nullptr) + "}\n";
+        return text + event_lines(visible_events(*platform.definition), module, platform.name) + "}\n";
     }
 
     // ------------------------------------------------------------ files
@@ -449,8 +459,9 @@ private:
     }
 
     std::string header() const {
-        return fmt::format("// {}, run in cycles of {} time unit{}: written by `robochart-verify emit rst`.\npackage {}\n{}\n",
-                           full_name_, component_.cycle, component_.cycle == 1 ? "" : "s", package(), imports());
+        return fmt::format(
+            "// {}, run in cycles of {} time unit{}: written by `robochart-verify emit rst`.\npackage {}\n{}\n",
+            full_name_, component_.cycle, component_.cycle == 1 ? "" : "s", package(), imports());
     }
 
     std::string interface_text(const std::string& name, const std::vector<std::string>& members) const {
@@ -473,7 +484,8 @@ private:
             members[shared.platform].push_back(signature_line(*signature));
         for (const auto& [name, signature] : component_.usage.software)
             members[shared.software].push_back(signature_line(*signature));
-        for (const std::string& name : {shared.read, shared.written, shared.both, shared.constants, shared.platform, shared.software})
+        for (const std::string& name :
+             {shared.read, shared.written, shared.both, shared.constants, shared.platform, shared.software})
             text += interface_text(name, members[name]);
         if (!all_callers_.empty())
             text += interface_text(robosim_name(subject_.context->name + "_Callers"), members["callers"]);
@@ -493,7 +505,8 @@ private:
     std::string one_way() const {
         if (reads_) return "the environment may write a variable that it reads in the middle of a cycle";
         if (during_outputs_)
-            return "a transition may interrupt a during action with outputs, and in cycles, an output is decided before "
+            return "a transition may interrupt a during action with outputs, and in cycles, an output is decided "
+                   "before "
                    "its register accepts it";
         return "";
     }
@@ -524,8 +537,8 @@ private:
         const std::string name = subject_.context->name;
         const std::string simulation = robosim_name(name + "Simulation");
         const std::string own = package() + "::" + new_name();
-        std::string text = fmt::format("import {}::*\n{}\nsimulation {} of {} {{\ncycleDef cycle == {}\n", package(), imports(),
-                                       simulation, full_name_, component_.cycle);
+        std::string text = fmt::format("import {}::*\n{}\nsimulation {} of {} {{\ncycleDef cycle == {}\n", package(),
+                                       imports(), simulation, full_name_, component_.cycle);
         if (component_.alone) text += contexts();
         text += fmt::format("}}\n\nassertion {}_schedulable : {} is schedulable\n", name, simulation);
         text += fmt::format("assertion {}_refines : {} refines {}\n", name, own, simulation);

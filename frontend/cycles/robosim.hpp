@@ -14,8 +14,8 @@ namespace robochart::frontend {
 
 /// A component in RoboSim.
 struct RoboSimFiles {
-    std::string model;   ///< text of the `.rst` file
-    std::string claims;  ///< text of the `.rsa` file
+    std::string model;    ///< text of the `.rst` file
+    std::string claims;   ///< text of the `.rsa` file
     std::string one_way;  ///< the reason why the claims do not say that the component refines the model; "": they do
 };
 

@@ -12,8 +12,8 @@
 namespace robochart::frontend {
 
 const Machine* Callers::definition(std::string_view operation) const {
-    const auto found = std::ranges::find_if(
-        definitions_, [&](const Machine* definition) { return definition->name == operation; });
+    const auto found =
+        std::ranges::find_if(definitions_, [&](const Machine* definition) { return definition->name == operation; });
     return found == definitions_.end() ? nullptr : *found;
 }
 
@@ -40,7 +40,8 @@ VariableRole Callers::role(const Machine& where, const Variable& variable) const
     if (&where == root_) return variable.kind == DeclKind::constant ? VariableRole::constant : VariableRole::shared;
     const Variable* const outer = variable_of_root(variable.name);
     if (outer == nullptr)
-        throw NoCyclicForm(variable.name_span, fmt::format("variable `{}` of operation `{}`", variable.name, where.name),
+        throw NoCyclicForm(variable.name_span,
+                           fmt::format("variable `{}` of operation `{}`", variable.name, where.name),
                            fmt::format("`{}`, which calls the operation, has no such variable", root_->name));
     const VariableRole role_of_root = role(*root_, *outer);
     return role_of_root == VariableRole::own ? VariableRole::callers : role_of_root;
@@ -134,8 +135,7 @@ private:
     }
 
     void note_write(const Variable& variable) {
-        if (callers_.role(machine_, variable) == VariableRole::shared)
-            usage_.written.emplace(variable.name, &variable);
+        if (callers_.role(machine_, variable) == VariableRole::shared) usage_.written.emplace(variable.name, &variable);
     }
 
     const Machine& machine_;

@@ -188,7 +188,6 @@ const Fault faults[] = {
     {"ValuesAndGuards", "condition $e?x : (x > 0)", "condition $e"},
     {"ValuesAndGuards", "$o!x;", ""},
     {"SameInputTwice", "e_free = false", "e_free = true"},
-    {"SameInputTwice", "condition $e /\\ e_free", "condition $e"},
     {"LongWaits", "< d", "<= d"},
     {"LongWaits", ">= d", "> d"},
     {"LongWaits", "< 2", "< 1"},
@@ -197,8 +196,8 @@ const Fault faults[] = {
     {"InputInAnAction", "$e?x", "$e"},
     {"ChoicesWithWaits", "not (b)", "b"},
     {"NestedStates", "exit $o", "exit skip"},
-    {"NestedStates", "not $e /\\ not $f", "not $e"},
-    {"NestedStates", "not $e /\\ not $f", "not $f"},
+    {"NestedStates", " /\\ not $f", ""},
+    {"NestedStates", "(not $e \\/ not e_free) /\\ ", ""},
     {"DuringActions", "not A_busy /\\ ", ""},
     {"DuringActions", "A_busy = false", "skip"},
     {"DuringActions", "A_busy = true", "skip"},
@@ -232,8 +231,8 @@ TEST(EmitRstFaults, AreNoticed) {
         ASSERT_NE(at, std::string::npos) << text;
         text.replace(at, std::string_view(fault.good).size(), fault.bad);
         std::ofstream(base + ".rst") << text;
-        const Ran checked = run({"check", folder / "m.rct", base + ".rst", base + ".rsa", "--range", "nat=0..2",
-                                 "--timeout", "100", "-q"});
+        const Ran checked = run(
+            {"check", folder / "m.rct", base + ".rst", base + ".rsa", "--range", "nat=0..2", "--timeout", "100", "-q"});
         EXPECT_NE(checked.exit, 0) << text << checked.out;
         EXPECT_THAT(checked.out, HasSubstr("FAILS")) << checked.err;
     }
@@ -267,7 +266,8 @@ TEST(EmitRstRefusals, NameTheConstructAndTheCause) {
          "transition t1 { from A to A } }\n",
          "`C` cannot be run in cycles of 2 time units", "2"},
         {"stm C { initial i state A { } transition t0 { from i to A } transition t1 { from A to A } }\n", "[RC-K01]"},
-        {"stm C { event o initial i state A { entry o } transition t0 { from i to A } transition t1 { from A to A } }\n",
+        {"stm C { event o initial i state A { entry o } transition t0 { from i to A } transition t1 { from A to A } "
+         "}\n",
          "[RC-K02]"},
         {"stm C { event e event o initial i state A { } transition t0 { from i to A }\n"
          "transition t1 { from A to A trigger e action o ; o } }\n",
