@@ -12,6 +12,7 @@
 #include "counterexample/evaluation_failure.hpp"
 #include "driver/model/places.hpp"
 #include "frontend/cycles/robosim.hpp"
+#include "frontend/project/project.hpp"
 #include "frontend/rules/rules.hpp"
 #include "semantics/ir/query.hpp"
 
@@ -63,6 +64,24 @@ std::string refusal(driver::Project& project, const Options& options, const ir::
     }
 }
 
+/// The first error of the texts, read together with those of the model; "" if they are valid.
+std::string error_in(const frontend::RoboSimFiles& written, const driver::Project& project) {
+    diagnostics::SourceManager sources;
+    diagnostics::Diagnostics findings;
+    std::vector<diagnostics::SourceId> texts;
+    std::string folder;
+    for (const auto& file : project.model->files) {
+        if (file->is_library || file->is_assertions) continue;
+        const std::string path = project.sources.path(file->source);
+        folder = path.substr(0, path.rfind('/') + 1);
+        texts.push_back(sources.add(path, std::string(project.sources.source_text(file->source))));
+    }
+    texts.push_back(sources.add(folder + "emitted.rst", written.model));
+    texts.push_back(sources.add(folder + "emitted.rsa", written.claims));
+    (void)frontend::load_texts(sources, texts, findings);
+    return findings.first_error();
+}
+
 }  // namespace
 
 bool write_robosim(driver::Project& project, const Options& options, Report& report) {
@@ -81,6 +100,12 @@ bool write_robosim(driver::Project& project, const Options& options, Report& rep
         }
         const auto written = frontend::write_robosim(*project.model, name, options.code.cycle, project.diagnostics);
         if (!written) continue;
+        if (const std::string error = error_in(*written, project); !error.empty()) {
+            project.diagnostics.report(frontend::rules::no_cyclic_form,
+                                       driver::declared_at(project.system, component),
+                                       {"a construct", name, "the text would be wrong: " + error});
+            continue;
+        }
         const std::string file = file_name(project, component) + "_sim";
         const std::vector<TextFile> files{{file + ".rst", written->model}, {file + ".rsa", written->claims}};
         if (!write_all("rst/" + project.folder, files, report.rst_files, options, project)) return false;
