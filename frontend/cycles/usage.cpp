@@ -27,11 +27,8 @@ bool contains_variable(const std::vector<const Variable*>& list, const Variable&
 
 const Variable* Callers::variable_of_root(std::string_view name) const {
     const Scope scope = scope_of(*root_);
-    if (const auto found = scope.variables.find(name); found != scope.variables.end()) return found->second;
-    for (const Machine* definition : definitions_)
-        for (const VariablePtr& variable : definition->variables)
-            if (variable->name == name) return variable.get();
-    return nullptr;
+    const auto found = scope.variables.find(name);
+    return found == scope.variables.end() ? nullptr : found->second;
 }
 
 VariableRole Callers::role(const Machine& where, const Variable& variable) const {
@@ -42,7 +39,7 @@ VariableRole Callers::role(const Machine& where, const Variable& variable) const
     if (outer == nullptr)
         throw NoCyclicForm(variable.name_span,
                            fmt::format("variable `{}` of operation `{}`", variable.name, where.name),
-                           fmt::format("`{}`, which calls the operation, has no such variable", root_->name));
+                           fmt::format("only an operation that calls it has the variable, and not `{}`", root_->name));
     const VariableRole role_of_root = role(*root_, *outer);
     return role_of_root == VariableRole::own ? VariableRole::callers : role_of_root;
 }

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const Machine* definition(std::string_view operation) const;
     /// The role of a variable or constant in the machine or in an operation that it calls.
     [[nodiscard]] VariableRole role(const Machine& where, const Variable& variable) const;
-    /// The variable with the name of one that an operation requires: of the machine, or of an operation that calls it.
+    /// The variable of the machine itself with the name of a variable that an operation requires.
     [[nodiscard]] const Variable* variable_of_root(std::string_view name) const;
 
 private:
