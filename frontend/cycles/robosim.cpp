@@ -607,7 +607,11 @@ std::string in_layout(const std::string& text, bool claims) {
 std::optional<RoboSimFiles> write_robosim(const Model& model, const std::string& component, std::uint32_t cycle,
                                           diagnostics::Diagnostics& findings) {
     const Subject subject = find_subject(model, component);
-    if (subject.context == nullptr) throw std::logic_error("no component of the name " + component);
+    if (subject.context == nullptr) {
+        findings.report(rules::no_cyclic_form, {},
+                        {"a component inside another", component, "write the component that contains it"});
+        return std::nullopt;
+    }
     try {
         RoboSimFiles files = ComponentWriter(model, subject, component, cycle).write();
         files.model = in_layout(files.model, false);

@@ -8,6 +8,7 @@
 
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
+#include "tests/source_folder.hpp"
 
 namespace robochart::app::testing::emit_rst_test {
 namespace {
@@ -235,6 +236,30 @@ TEST(EmitRstFaults, AreNoticed) {
             {"check", folder / "m.rct", base + ".rst", base + ".rsa", "--range", "nat=0..2", "--timeout", "100", "-q"});
         EXPECT_NE(checked.exit, 0) << text << checked.out;
         EXPECT_THAT(checked.out, HasSubstr("FAILS")) << checked.err;
+    }
+}
+
+// ---------------------------------------------------------------- case studies
+
+/// The files of every module of the corpus are valid and in the standard layout. The claims of the small ones hold; the
+/// documents prove those of aggregation.
+TEST(EmitRstCorpus, IsReadBackAndProved) {
+    const std::string corpus = (tests::source_folder() / "corpus").string();
+    for (const auto& [model, module] : std::vector<std::pair<std::string, std::string>>{{"aggregation", "Aggregation"},
+                                                                                        {"alpha", "Robot"},
+                                                                                        {"best_of_n", "Robot"},
+                                                                                        {"foraging", "Robot"},
+                                                                                        {"moving_beacon", "Beacon"}}) {
+        SCOPED_TRACE(model);
+        const Folder out;
+        const std::string text = corpus + "/" + model + "/" + model + ".rct";
+        ASSERT_EQ(run({"emit", "rst", text, "-o", out / "out", "-q"}).exit, 0);
+        const std::string base = out / ("out/rst/" + module + "_sim");
+        EXPECT_EQ(run({"format", "--check", base + ".rst", base + ".rsa"}).exit, 0);
+        EXPECT_EQ(run({"validate", text, base + ".rst", base + ".rsa"}).exit, 0);
+        if (model != "moving_beacon" && model != "best_of_n") continue;
+        const Ran checked = run({"check", text, base + ".rst", base + ".rsa", "--assertion", module + "_*", "-q"});
+        EXPECT_THAT(checked.out, HasSubstr("3 of 3 checks hold")) << checked.err;
     }
 }
 
