@@ -134,7 +134,7 @@ void MachineWriter::add_entry_clocks() {
 
 namespace {
 
-std::vector<const Transition*> transitions_from(const NodeContainer& container, const State& node) {
+std::vector<const Transition*> ways_from(const NodeContainer& container, const State& node) {
     std::vector<const Transition*> result;
     for (const auto& transition : container.transitions)
         if (transition->source == &node) result.push_back(transition.get());
@@ -292,7 +292,7 @@ void flatten_action(const Stmt& statement, std::vector<const Stmt*>& parts) {
 
 /// A state. A final state in a composite state becomes a state too, in which cycles pass.
 void MachineWriter::write_state(const NodeContainer& container, const State& state, const Surroundings& around) {
-    Surroundings inside{&state, transitions_from(container, state), around.busy, {}, {}};
+    Surroundings inside{&state, ways_from(container, state), around.busy, {}, {}};
     inside.outgoing.insert(inside.outgoing.end(), around.outgoing.begin(), around.outgoing.end());
     std::vector<const Stmt*> entry;
     std::vector<std::string> first, exit;
@@ -362,7 +362,7 @@ void MachineWriter::write_rest(const Surroundings& inside) {
 namespace {
 
 /// True if an operation needs no time and no input.
-bool is_instant(const Machine& operation, const Callers& callers);
+bool takes_no_time(const Machine& operation, const Callers& callers);
 
 /// True if an action may end a cycle.
 bool may_wait(const Stmt& action, const Callers& callers) {
@@ -372,17 +372,17 @@ bool may_wait(const Stmt& action, const Callers& callers) {
         if (part.kind == StmtKind::communication && is_input(*part.communication, false)) waits = true;
         if (part.kind != StmtKind::call) return;
         const Machine* const definition = callers.definition(part.name.parts.back());
-        waits = waits || (definition != nullptr && !is_instant(*definition, callers));
+        waits = waits || (definition != nullptr && !takes_no_time(*definition, callers));
     });
     return waits;
 }
 
-bool is_instant(const Machine& operation, const Callers& callers) {
+bool takes_no_time(const Machine& operation, const Callers& callers) {
     bool instant = true;
     for_actions(operation, [&](const Stmt& action) { instant = instant && !may_wait(action, callers); });
     walk_tree(operation, [&](const NodeContainer& container) {
         for (const auto& node : container.nodes) {
-            const auto ways = transitions_from(container, *node);
+            const auto ways = ways_from(container, *node);
             const bool rests = node->kind == DeclKind::state;
             instant = instant && (!rests || std::ranges::any_of(ways, [](const Transition* way) {
                           return !way->trigger && !way->condition;

@@ -21,21 +21,21 @@ namespace robochart::frontend {
 namespace {
 
 /// A component of RoboChart and the file that declares it.
-struct Subject {
+struct WrittenComponent {
     const File* file = nullptr;
     const Context* context = nullptr;
 };
 
 /// A part of a controller or module under the name that connections use.
 template <class Kind>
-struct Part {
+struct NamedPart {
     std::string name;
     const Kind* definition = nullptr;
 };
 
 template <class Kind>
-std::vector<Part<Kind>> parts_of(const Component& component, DeclKind kind) {
-    std::vector<Part<Kind>> result;
+std::vector<NamedPart<Kind>> named_parts(const Component& component, DeclKind kind) {
+    std::vector<NamedPart<Kind>> result;
     for (const Declaration* member : component.order) {
         const Declaration* const definition = follow_reference(member);
         if (definition == nullptr || definition->kind != kind) continue;
@@ -48,7 +48,7 @@ std::vector<Part<Kind>> parts_of(const Component& component, DeclKind kind) {
 struct CyclicMachine {
     std::string name;
     Callers callers;
-    std::vector<Part<Machine>> operations;  ///< the operations that it calls
+    std::vector<NamedPart<Machine>> operations;  ///< the operations that it calls
     std::set<std::string> reusable;
     Usage usage;
 };
@@ -65,7 +65,8 @@ void merge(Usage& all, const Usage& more) {
 
 class ComponentWriter {
 public:
-    ComponentWriter(const Model& model, const Subject& subject, const std::string& full_name, std::uint32_t cycle)
+    ComponentWriter(const Model& model, const WrittenComponent& subject, const std::string& full_name,
+                    std::uint32_t cycle)
         : model_(model), subject_(subject), full_name_(full_name) {
         component_.cycle = cycle;
     }
@@ -217,7 +218,7 @@ private:
     std::vector<CyclicMachine> machines_of(const Component& controller) {
         std::vector<CyclicMachine> result;
         const std::vector<const Machine*> operations = defined_operations(controller);
-        for (const Part<Machine>& part : parts_of<Machine>(controller, DeclKind::state_machine)) {
+        for (const NamedPart<Machine>& part : named_parts<Machine>(controller, DeclKind::state_machine)) {
             result.push_back(machine_of(part.name, *part.definition, operations));
             add_connected(controller, result.back());
             check_connected(controller, part.name, result.back().usage);
@@ -356,8 +357,8 @@ private:
     }
 
     std::string write_module(const Component& module, const std::string& name) {
-        const auto controllers = parts_of<Component>(module, DeclKind::controller);
-        const auto platforms = parts_of<Context>(module, DeclKind::platform);
+        const auto controllers = named_parts<Component>(module, DeclKind::controller);
+        const auto platforms = named_parts<Context>(module, DeclKind::platform);
         if (platforms.size() != 1)
             throw NoCyclicForm(module.name_span, fmt::format("module `{}`", module.name), "it has no robotic platform");
         if (controllers.size() > 1) check_module(module, platforms[0].name);
@@ -383,7 +384,7 @@ private:
     }
 
     /// Controllers may not share a variable that one of them writes.
-    static void check_shared(const std::vector<Part<Component>>& controllers,
+    static void check_shared(const std::vector<NamedPart<Component>>& controllers,
                              const std::vector<std::vector<CyclicMachine>>& machines) {
         std::vector<Usage> usage(machines.size());
         for (std::size_t i = 0; i < machines.size(); ++i)
@@ -398,7 +399,7 @@ private:
                             fmt::format("`{}` and `{}` share it", controllers[i].name, controllers[j].name));
     }
 
-    static void check_reached(const Component& module, const Part<Component>& controller,
+    static void check_reached(const Component& module, const NamedPart<Component>& controller,
                               const std::vector<CyclicMachine>& machines) {
         for (const CyclicMachine& machine : machines)
             for (const auto& [name, event] : usage_of(machine.callers.root(), machine.callers).inputs)
@@ -415,7 +416,7 @@ private:
                 }
     }
 
-    std::string write_platform(const Component& module, const Part<Context>& platform) {
+    std::string write_platform(const Component& module, const NamedPart<Context>& platform) {
         const Usage& usage = component_.usage;
         for (const VariablePtr& own : platform.definition->variables)
             if (own->kind == DeclKind::variable &&
@@ -554,7 +555,7 @@ private:
     }
 
     const Model& model_;
-    Subject subject_;
+    WrittenComponent subject_;
     std::string full_name_;
     CyclicComponent component_;
     std::map<std::string, std::string> callers_, all_callers_;
@@ -565,28 +566,29 @@ private:
 
 // ---------------------------------------------------------------- the component
 
-void find_in(const Component& component, const std::string& prefix, const std::string& name, Subject& found) {
+void find_inside(const Component& component, const std::string& prefix, const std::string& name,
+                 WrittenComponent& found) {
     const auto look_at = [&](const Context& context) {
         const std::string full = prefix + context.name;
         if (full == name) found.context = &context;
-        if (const auto* inner = dynamic_cast<const Component*>(&context)) find_in(*inner, full + "::", name, found);
+        if (const auto* inner = dynamic_cast<const Component*>(&context)) find_inside(*inner, full + "::", name, found);
     };
     for (const auto& controller : component.controllers) look_at(*controller);
     for (const auto& machine : component.machines) look_at(*machine);
 }
 
-Subject find_subject(const Model& model, const std::string& name) {
-    Subject found;
+WrittenComponent find_subject(const Model& model, const std::string& name) {
+    WrittenComponent found;
     for (const auto& file : model.files) {
         if (file->dialect != Dialect::robochart) continue;
         const std::string prefix = file->package.empty() ? "" : file->package.text() + "::";
         for (const auto& declared : file->declarations) {
             const auto* context = dynamic_cast<const Context*>(declared.get());
             if (context == nullptr) continue;
-            const Subject before = found;
+            const WrittenComponent before = found;
             if (prefix + context->name == name) found.context = context;
             if (const auto* component = dynamic_cast<const Component*>(context))
-                find_in(*component, prefix + context->name + "::", name, found);
+                find_inside(*component, prefix + context->name + "::", name, found);
             if (found.context != before.context) found.file = file.get();
         }
     }
@@ -606,7 +608,7 @@ std::string in_layout(const std::string& text, bool claims) {
 
 std::optional<RoboSimFiles> write_robosim(const Model& model, const std::string& component, std::uint32_t cycle,
                                           diagnostics::Diagnostics& findings) {
-    const Subject subject = find_subject(model, component);
+    const WrittenComponent subject = find_subject(model, component);
     if (subject.context == nullptr) {
         findings.report(rules::no_cyclic_form, {},
                         {"a component inside another", component, "write the component that contains it"});
