@@ -12,6 +12,7 @@
 #include "csp_emit/base/registers.hpp"
 #include "csp_emit/base/rules.hpp"
 #include "csp_emit/base/types.hpp"
+#include "csp_emit/base/variants.hpp"
 #include "csp_emit/expressions/expressions.hpp"
 #include "semantics/ir/own_constants.hpp"
 
@@ -281,7 +282,8 @@ ExprPtr Asserter::compared(const ir::ComponentRef& ref, const ir::ComponentRef& 
     for (const char* event : {"endexec", "terminate"})
         if (std::ranges::find(component->visible, event) != component->visible.end())
             hidden.push_back(b::name(path_of(ref) + "::" + event));
-    return hidden.empty() ? process : b::hide(process, b::productions(hidden));
+    // termination, once hidden, has priority over time
+    return hidden.empty() ? process : maximal_progress(project_, b::hide(process, b::productions(hidden)));
 }
 
 void Asserter::add_refinement(const ir::Property& property, Obligation& out) {

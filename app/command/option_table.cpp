@@ -35,6 +35,8 @@ const std::vector<VerbRow>& verb_table() {
         {Verb::emit_prism, "prism", "emit", "write modules as PRISM models in RoboTool's encoding", "MODEL..."},
         {Verb::emit_monitor, "monitor", "emit",
          "write monitors: headers that report when a controller violates its model, or rules in SLEEC", "MODEL..."},
+        {Verb::emit_rst, "rst", "emit", "write components as RoboSim models, with claims that these are equal",
+         "MODEL..."},
         {Verb::emit_tests, "tests", "emit",
          "write finite complete test suites, as logs and as GoogleTest for an implementation", "MODEL..."},
         {Verb::conform, "conform", "", "check that generated C++ refines the semantics, for all inputs", "MODEL..."},
@@ -100,13 +102,13 @@ namespace {
 
 constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
 
-constexpr Verbs instantiating =
-    verb_bit(Verb::emit_csp) | verb_bit(Verb::emit_cpp) | verb_bit(Verb::emit_monitor) | verb_bit(Verb::emit_tests);
+constexpr Verbs instantiating = verb_bit(Verb::emit_csp) | verb_bit(Verb::emit_cpp) | verb_bit(Verb::emit_monitor) |
+                                verb_bit(Verb::emit_tests) | verb_bit(Verb::emit_rst);
 constexpr Verbs emitting = instantiating | verb_bit(Verb::emit_prism);
 constexpr Verbs checking = verb_bit(Verb::verify) | verb_bit(Verb::check);
 constexpr Verbs models = checking | emitting | verb_bit(Verb::conform);
 constexpr Verbs coding = verb_bit(Verb::verify) | verb_bit(Verb::emit_cpp) | verb_bit(Verb::emit_monitor) |
-                         verb_bit(Verb::emit_tests) | verb_bit(Verb::conform);
+                         verb_bit(Verb::emit_tests) | verb_bit(Verb::emit_rst) | verb_bit(Verb::conform);
 constexpr Verbs deciding = verb_bit(Verb::check) | verb_bit(Verb::cspm);
 constexpr Verbs searching = models | verb_bit(Verb::cspm) | verb_bit(Verb::rules);
 constexpr Verbs limited = searching | verb_bit(Verb::prism) | verb_bit(Verb::step) | verb_bit(Verb::validate) |

@@ -13,6 +13,7 @@ driver::ClaimUse claim_use(Verb verb) {
         case Verb::emit_cpp:
         case Verb::emit_monitor:
         case Verb::emit_tests:
+        case Verb::emit_rst:
         case Verb::conform:
         case Verb::draw:
         case Verb::rules:

@@ -42,6 +42,7 @@ enum class Verb {
     emit_monitor,
     emit_prism,
     emit_tests,
+    emit_rst,
     conform,
     cspm,
     draw,

@@ -671,6 +671,7 @@ std::string files_text(const Report& report) {
     write_files(out, "PRISM", report.prism_files);
     write_files(out, "monitors", report.monitor_files);
     write_files(out, "tests", report.test_files);
+    write_files(out, "RoboSim", report.rst_files);
     for (const std::string& remark : report.remarks) out += fmt::format("  {}\n", remark);
     return out;
 }

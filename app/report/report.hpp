@@ -59,7 +59,7 @@ struct Report : driver::ClaimResults {
     std::vector<std::string> notes;  ///< notes about the instantiation: scale of reals, carriers
     std::string subject = "model";   ///< the grammatical subject in the text of a counterexample
     std::vector<ConformanceReport> conformance;
-    std::vector<FileReport> csp_files, cpp_files, prism_files, monitor_files, test_files;
+    std::vector<FileReport> csp_files, cpp_files, prism_files, monitor_files, test_files, rst_files;
     std::vector<RefusedReport> refused;
     std::string unclaimed;         ///< printed if no assertion was checked although some should be; "" otherwise
     bool nothing_checked = false;  ///< true if nothing was checked and the run had no other task

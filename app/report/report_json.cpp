@@ -251,6 +251,7 @@ std::string render_json(const Report& report) {
     if (!report.prism_files.empty()) json["prismFiles"] = json_array(report.prism_files, file_json);
     if (!report.monitor_files.empty()) json["monitorFiles"] = json_array(report.monitor_files, file_json);
     if (!report.test_files.empty()) json["testFiles"] = json_array(report.test_files, file_json);
+    if (!report.rst_files.empty()) json["rstFiles"] = json_array(report.rst_files, file_json);
     if (!report.remarks.empty()) json["remarks"] = report.remarks;
     if (!report.refused.empty()) json["refused"] = json_array(report.refused, refused_json);
     // json_text replaces bytes that are not UTF-8, which names of files may contain.

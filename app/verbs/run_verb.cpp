@@ -43,6 +43,7 @@ Exit run_verb(const Options& options) {
         case Verb::emit_monitor:
         case Verb::emit_prism:
         case Verb::emit_tests:
+        case Verb::emit_rst:
         case Verb::conform:
         case Verb::help:
         case Verb::version:

@@ -47,6 +47,8 @@ void check_conformance(driver::Project&, const Options&, Report&);
 [[nodiscard]] bool write_monitors(driver::Project&, const Options&, Report&);
 /// Writes tests/COMPONENT/… below the output folder.
 [[nodiscard]] bool write_tests(driver::Project&, const Options&, Report&);
+/// Writes rst/COMPONENT_sim.rst and .rsa below the output folder.
+[[nodiscard]] bool write_robosim(driver::Project&, const Options&, Report&);
 /// conform --traces: checks logs of runs against the models.
 Exit conform_traces(const std::vector<driver::Part>&, const Options&);
 /// conform RULES.sleec --traces: checks logs of runs against rules.

@@ -217,6 +217,7 @@ bool run_phases(driver::Project& project, const Options& options, bool code, Rep
     if (options.verb == Verb::emit_prism && !write_prism(project, options, report)) return false;
     if (options.verb == Verb::emit_monitor && !write_monitors(project, options, report)) return false;
     if (options.verb == Verb::emit_tests && !write_tests(project, options, report)) return false;
+    if (options.verb == Verb::emit_rst && !write_robosim(project, options, report)) return false;
     return project.diagnostics.ok();
 }
 
@@ -540,6 +541,7 @@ void note_nothing_checked(const Options& options, Report& report) {
 bool has_components(const driver::Part& part, const std::vector<driver::Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
+                      options.verb == Verb::emit_rst ||
                       options.verb == Verb::conform;
     const bool some =
         !driver::code_components(part.project->system, options.load.component, options.load.robosim).empty();
@@ -725,7 +727,7 @@ Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& p
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
     parts = driver::load_parts(options, options.run->budget());
     if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
-        options.verb == Verb::emit_tests)
+        options.verb == Verb::emit_tests || options.verb == Verb::emit_rst)
         for (const driver::Part& part : parts) driver::read_ignored_claims(*part.project, options.load);
     record_projects(parts, options, options);
     if (options.output.phase != Phase::none) return print_phases(parts, options);

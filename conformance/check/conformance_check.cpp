@@ -293,11 +293,15 @@ namespace {
 /// all valuations.
 constexpr double few_valuations = 128;
 
+}  // namespace
+
 bool many_valuations(const Interface& interface) {
     double valuations = 1;
     for (const Register& input : interface.inputs) valuations *= input.reading_count();
     return valuations > few_valuations;
 }
+
+namespace {
 
 bool on_demand(InputSearch inputs, const Interface& interface, const rc_interface& code) {
     if (inputs != InputSearch::automatic) return inputs == InputSearch::on_demand;

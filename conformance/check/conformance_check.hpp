@@ -22,6 +22,9 @@ namespace robochart::conformance {
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
+/// True if the inputs have so many valuations that reading on demand is faster than trying all of them.
+[[nodiscard]] bool many_valuations(const Interface&);
+
 /// Completes a result with a run of NF_c(M) that shows that M cannot be run in cycles; `model` is M's graph.
 void report_not_schedulable(Result&, const refine::Counterexample& found, ModelGraph& model, const Alphabet&,
                             std::uint32_t cycle_length, const refine::Limits&);

@@ -45,6 +45,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->outside_ = std::move(outside->interface);
     loaded->boundary_.interface.drops = dropped_inputs(loaded->outside_, order);
     loaded->session_ = std::make_unique<cspm::Session>(loaded->script_.definitions);
+    loaded->process_ = process;
     loaded->model_ = loaded->session_->system(process, limits);
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
     loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);

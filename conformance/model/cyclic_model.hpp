@@ -35,6 +35,8 @@ public:
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
+    [[nodiscard]] cspm::Session& session() { return *session_; }
+    [[nodiscard]] const cspm::ExprPtr& process() const { return process_; }  ///< the component in the script
     /// NF_c(M); of a RoboSim component, which needs no normal form, S(M).
     [[nodiscard]] CycleSystem& normal_form() { return *normal_form_; }
     [[nodiscard]] ModelGraph& graph() { return *graph_; }
@@ -52,6 +54,7 @@ private:
     csp_emit::Emission script_;
     ModelInterface boundary_;
     std::unique_ptr<cspm::Session> session_;
+    cspm::ExprPtr process_;
     std::unique_ptr<lts::TransitionSystem> model_;
     std::unique_ptr<Alphabet> alphabet_;
     std::unique_ptr<ModelGraph> graph_;

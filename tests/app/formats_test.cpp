@@ -72,6 +72,7 @@ const Form forms[] = {
     {"emitCpp", "emit cpp --format json m.rct", "robochart-verify/report/1"},
     {"emitMonitor", "emit monitor --format json m.rct", "robochart-verify/report/1"},
     {"emitTests", "emit tests --format json m.rct", "robochart-verify/report/1"},
+    {"emitRst", "emit rst --format json m.rct", "robochart-verify/report/1"},
     {"conform", "conform --format json m.rct", "robochart-verify/report/1"},
     {"conformTraces", "conform --traces run.trace --format json m.rct", ""},
     {"cspm", "cspm --format json s.csp", "robochart-verify/refines/1"},

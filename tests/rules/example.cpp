@@ -181,6 +181,7 @@ void run(const app::Options& given, Judgement& result) {
     if (good && (all || options.verb == app::Verb::emit_csp)) good = app::write_csp(*project, options, report);
     if (good && options.verb == app::Verb::emit_cpp) good = app::write_cpp(*project, options, report);
     if (good && options.verb == app::Verb::emit_prism) good = app::write_prism(*project, options, report);
+    if (good && options.verb == app::Verb::emit_rst) good = app::write_robosim(*project, options, report);
     if (good && options.verb == app::Verb::conform) {
         app::check_conformance(*project, options, report);
         for (const app::ConformanceReport& conformance : report.conformance) take(conformance, result);
