@@ -631,21 +631,21 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// Whether some verdict rests on carriers.
-bool rests_on_carriers(const Report& report) {
+/// Whether some verdict rests on carriers, or is missing because of their size or of what lies beyond them.
+bool depends_on_carriers(const Report& report) {
     const auto limits = [](const driver::Ground& ground) {
         return ground.kind == driver::GroundKind::bound || ground.kind == driver::GroundKind::carriers;
     };
     return std::ranges::any_of(report.assertions, [&](const driver::AssertionReport& assertion) {
-        return std::ranges::any_of(assertion.basis, limits);
+        return assertion.answer == driver::Answer::inconclusive || std::ranges::any_of(assertion.basis, limits);
     });
 }
 
-/// The data that classes replace in the claims above. If a verdict rests on carriers, also the data that keep them.
+/// The data that classes replace in the claims above. If a verdict depends on carriers, also the data that keep them.
 std::string data_lines(const Report& report) {
     std::string out;
     for (const ir::ReplacedData& data : report.data) out += fmt::format("  values       {}\n", data_text(data));
-    if (!rests_on_carriers(report)) return out;
+    if (!depends_on_carriers(report)) return out;
     for (const driver::KeptDataReport& data : report.kept_data) {
         out += fmt::format("  carrier      {}: {}", fmt::join(data.places, ", "), data.reason);
         out += data.place.empty() ? "\n" : fmt::format(" ({})\n", diagnostics::escape_for_display(data.place));

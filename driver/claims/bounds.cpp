@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <functional>
+#include <optional>
 
 #include "base/diagnostics/text.hpp"
 #include "checker/cspm/session.hpp"
@@ -16,6 +16,7 @@
 #include "driver/claims/class_project.hpp"
 #include "driver/claims/component_processes.hpp"
 #include "driver/settings/search_context.hpp"
+#include "semantics/data/derived_values.hpp"
 #include "semantics/evaluate/preconditions.hpp"
 #include "semantics/ir/element_at.hpp"
 #include "semantics/ir/number_parts.hpp"
@@ -190,78 +191,161 @@ bool reads_size(const ir::Expr& expr) {
     return expr.text == "sequence_toolkit_size" || expr.text == "sequence_toolkit_isNonEmpty";
 }
 
-/// Whether the condition depends on more than comparisons of one value with literals and constants.
-bool is_uncovered(const ir::System& system, const ir::Machine& machine, const ir::Expr& root) {
+/// A condition or a time in a machine. `trigger`: the event whose value it reads; no value if it reads none.
+struct ReadExpression {
+    const ir::Expr* expr = nullptr;
+    std::optional<ir::EventId> trigger;
+};
+
+/// What an expression reads.
+struct Reading {
+    bool numbers = false;   ///< values with numbers
+    bool computed = false;  ///< something else than comparisons of values that are no results
+    bool outside = false;   ///< values that come from outside
+    bool clocks = false;
     std::set<std::pair<ir::ExprKind, ir::VariableId>> places;
-    bool cut = false, computed = false;
-    ir::visit_operands(root, [&](const ir::Expr& expr) {
-        computed = computed || is_computation(expr) || (expr.kind == ir::ExprKind::toolkit && !reads_size(expr));
+};
+
+Reading reading_of(const ir::System& system, const ir::DerivedValues& derived, ir::MachineId id,
+                   const ReadExpression& root) {
+    const ir::Machine& machine = system.machine(id);
+    Reading result;
+    ir::visit_operands(*root.expr, [&](const ir::Expr& expr) {
+        if (is_computation(expr) || (expr.kind == ir::ExprKind::toolkit && !reads_size(expr))) result.computed = true;
+        if (expr.kind == ir::ExprKind::since || expr.kind == ir::ExprKind::since_entry) result.clocks = true;
         const bool variable = expr.kind == ir::ExprKind::variable;
         if (!variable && expr.kind != ir::ExprKind::trigger_value) return;
-        cut = cut || ir::has_numbers(system, variable ? machine.variables.at(expr.variable.index).type : expr.type);
-        places.emplace(expr.kind, expr.variable);
-    });
-    return cut && (computed || places.size() > 1);
-}
-
-/// The conditions of a machine, without their connectives.
-std::vector<ir::ExprPtr> conditions_of(const ir::Machine& machine) {
-    std::vector<ir::ExprPtr> result;
-    const std::function<void(const ir::ExprPtr&)> add = [&](const ir::ExprPtr& condition) {
-        if (!condition || !condition->span.is_known()) return;
-        if (ir::is_connective(condition->kind))
-            std::ranges::for_each(condition->args, add);
-        else
-            result.push_back(condition);
-    };
-    for (const ir::Transition& transition : machine.transitions) {
-        add(transition.guard);
-        if (transition.trigger) add(transition.trigger->predicate);
-    }
-    ir::visit_statements(machine, [&](const ir::Stmt& stmt) {
-        add(stmt.condition);
-        add(stmt.communication.predicate);
+        ir::ValueSource source = ir::ValueSource::outside;
+        if (variable)
+            source = derived.of_variable(id, expr.variable);
+        else if (root.trigger)
+            source = derived.of_event(id, *root.trigger);
+        const ir::TypeId type = variable ? machine.variables.at(expr.variable.index).type : expr.type;
+        result.numbers = result.numbers || ir::has_numbers(system, type);
+        result.computed = result.computed || source == ir::ValueSource::derived;
+        result.outside = result.outside || source != ir::ValueSource::inside;
+        result.places.emplace(expr.kind, expr.variable);
     });
     return result;
 }
 
+/// Whether the condition depends on more than comparisons of one received value with literals and constants.
+bool is_uncovered(const Reading& read) {
+    return read.numbers && (read.computed || read.places.size() > 1 || (read.clocks && read.outside));
+}
+
+/// The conditions of a machine, without their connectives, the comparisons in its other expressions, and its times.
+class ExpressionsOfMachine {
+public:
+    explicit ExpressionsOfMachine(const ir::Machine& machine) {
+        for (const auto* contract : {&machine.preconditions, &machine.postconditions})
+            for (const ir::ExprPtr& condition : *contract) add(condition);
+        for (const ir::Transition& transition : machine.transitions) {
+            if (transition.trigger) trigger_ = transition.trigger->event;
+            add(transition.guard);
+            if (transition.trigger) add(transition.trigger->predicate);
+            add_time(transition.deadline);
+            trigger_.reset();
+        }
+        ir::visit_statements(machine, [&](const ir::Stmt& stmt) { add_statement(stmt); });
+    }
+
+    [[nodiscard]] const std::vector<ReadExpression>& conditions() const { return conditions_; }
+    [[nodiscard]] const std::vector<ReadExpression>& times() const { return times_; }
+
+private:
+    void add_statement(const ir::Stmt& stmt) {
+        add(stmt.condition);
+        add_time(stmt.upper);
+        if (stmt.kind == ir::StmtKind::assign)
+            add_comparisons(stmt.value);
+        else
+            add_time(stmt.value);
+        if (stmt.kind == ir::StmtKind::communicate) trigger_ = stmt.communication.event;
+        add(stmt.communication.predicate);
+        trigger_.reset();
+        add_comparisons(stmt.communication.value);
+        for (const ir::ExprPtr& argument : stmt.args) add_comparisons(argument);
+    }
+    void add(const ir::ExprPtr& condition) {
+        if (!condition || !condition->span.is_known()) return;
+        if (!ir::is_connective(condition->kind)) return conditions_.push_back({condition.get(), trigger_});
+        for (const ir::ExprPtr& part : condition->args) add(part);
+    }
+    void add_comparisons(const ir::ExprPtr& value) {
+        if (!value) return;
+        ir::visit_operands(*value, [&](const ir::Expr& expr) {
+            const bool compares = ir::is_comparison(expr.kind) || expr.kind == ir::ExprKind::is_in;
+            if (compares && expr.span.is_known()) conditions_.push_back({&expr, std::nullopt});
+        });
+    }
+    void add_time(const ir::ExprPtr& time) {
+        if (time && time->span.is_known()) times_.push_back({time.get(), trigger_});
+    }
+
+    std::vector<ReadExpression> conditions_, times_;
+    std::optional<ir::EventId> trigger_;
+};
+
+/// An entry for some expressions: the first one and their number, with the verb.
+std::optional<Ground> ground_for(const Project& project, const std::vector<const ir::Expr*>& expressions,
+                                 const char* noun, const char* verb) {
+    std::vector<std::string> texts;
+    for (const ir::Expr* expr : expressions) {
+        const std::string text = expression_text(project.sources, expr->span);
+        if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+    }
+    if (texts.empty()) return std::nullopt;
+    std::string more;
+    if (texts.size() > 1) more = fmt::format(" and {} more {}{}", texts.size() - 1, noun, texts.size() == 2 ? "" : "s");
+    Ground ground;
+    ground.text =
+        fmt::format("{}{} {}{} only the values of carriers", texts.front(), more, verb, texts.size() == 1 ? "s" : "");
+    const std::string element = ir::element_at(project.system, expressions.front()->span);
+    ground.element = project.label + (element.empty() ? "model" : element);
+    ground.remedy = "--range gives types more values";
+    set_place(project.sources, expressions.front()->span, ground);
+    return ground;
+}
+
 }  // namespace
 
-/// One entry for each machine. Empty if the user chose the carriers.
+/// Up to two entries for each machine. Empty if the user chose the carriers.
 const std::vector<Ground>& ReachedBounds::comparisons() {
     if (comparisons_) return *comparisons_;
     comparisons_.emplace();
     if (chooses_ranges(project_)) return *comparisons_;
-    for (const ir::Machine& machine : project_.system.machines) {
-        std::vector<std::string> texts;
-        std::optional<diagnostics::Span> first;
-        for (const ir::ExprPtr& condition : conditions_of(machine)) {
-            if (!is_uncovered(project_.system, machine, *condition)) continue;
-            const std::string text = expression_text(project_.sources, condition->span);
-            if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
-            if (!first) first = condition->span;
-        }
-        if (!first) continue;
-        std::string more;
-        if (texts.size() > 1)
-            more = fmt::format(" and {} more condition{}", texts.size() - 1, texts.size() == 2 ? "" : "s");
-        Ground ground;
-        ground.text = fmt::format("{}{} compare{} only the values of carriers", texts.front(), more,
-                                  texts.size() == 1 ? "s" : "");
-        const std::string element = ir::element_at(project_.system, *first);
-        ground.element = project_.label + (element.empty() ? "model" : element);
-        ground.remedy = "--range gives types more values";
-        set_place(project_.sources, *first, ground);
-        comparisons_->push_back(std::move(ground));
+    const ir::DerivedValues derived(project_.system, project_.instantiation);
+    for (std::uint32_t m = 0; m < project_.system.machines.size(); ++m) {
+        const ExpressionsOfMachine machine(project_.system.machines[m]);
+        const auto read = [&](const ReadExpression& expression) {
+            return reading_of(project_.system, derived, ir::MachineId{m}, expression);
+        };
+        std::vector<const ir::Expr*> conditions, times;
+        for (const ReadExpression& condition : machine.conditions())
+            if (is_uncovered(read(condition))) conditions.push_back(condition.expr);
+        for (const ReadExpression& time : machine.times())
+            if (const Reading found = read(time); found.numbers && found.outside) times.push_back(time.expr);
+        for (auto& ground :
+             {ground_for(project_, conditions, "condition", "compare"), ground_for(project_, times, "time", "take")})
+            if (ground) comparisons_->push_back(*ground);
     }
     return *comparisons_;
 }
 
+/// An operation may run in every component, so its entries belong to all claims.
 Basis ReachedBounds::comparisons_in(const csp_emit::Obligation& claim) {
+    const auto in_operation = [&](const Ground& ground) {
+        return std::ranges::any_of(project_.system.machines, [&](const ir::Machine& machine) {
+            const std::string package = machine.package.empty() ? "" : machine.package + "::";
+            return machine.kind == ir::MachineKind::operation &&
+                   ground.element.starts_with(project_.label + package + machine.path + "::");
+        });
+    };
     Basis result;
     for (const cspm::ExprPtr& process : processes_of(claim))
         for (const Ground& ground : comparisons())
-            if (is_part(ground.element, process)) driver::add(result, ground);
+            if (is_part(ground.element, process) || in_operation(ground)) driver::add(result, ground);
     return result;
 }
 

@@ -55,7 +55,9 @@ public:
     [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
     /// Conditions of the claim's machines that compare values of carriers in a way that the carriers do not cover. A
     /// carrier reaches beyond each literal with which a value is compared, but not beyond other values: for carriers
-    /// 0..2, x > y /\ y > z /\ z > 0 is never true. Empty if the user chose the carriers (--range).
+    /// 0..2, x > y /\ y > z /\ z > 0 is never true. It does not cover values that are computed or converted from
+    /// inputs either (semantics/data/derived_values.hpp), nor times that are inputs: a wait for x is short for x in
+    /// 0..2. Empty if the user chose the carriers (--range).
     [[nodiscard]] Basis comparisons_in(const csp_emit::Obligation& claim);
     /// The basis for one process.
     [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);

@@ -33,10 +33,18 @@ std::string reason_text(ir::KeepReason why, const std::string& expr) {
         case contract:
             return fmt::format("`{}` is a precondition or postcondition of an operation", expr);
         case form:
-            return fmt::format("`{}` is neither linear nor about windows of a sequence, and {}", expr,
+            return fmt::format("`{}` is neither linear nor about windows of the first 4096 places, and {}", expr,
                                ir::has_solver() ? "Z3 finds no classes" : "this program was built without Z3");
-        case many:
-            return "there are more than 64 conditions or 256 classes";
+        case conditions:
+            return "there are more than 64 conditions";
+        case classes:
+            return "there are more than 256 classes";
+        case numbers:
+            return "the conditions read more than 8 numbers of one value";
+        case extremes:
+            return "conditions read least numbers of windows, and also greatest ones";
+        case points:
+            return "for some combination of answers, no decimal numbers are found";
         case computed:
             return fmt::format("`{}` computes a value, and a condition reads it", expr);
         case from_carriers:

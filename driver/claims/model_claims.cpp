@@ -69,6 +69,24 @@ void add_claims(TimeClaims& list, std::vector<WaitingClaim>& claims) {
             claim, [&list, claim](const Turn& turn) { return list.store(list.decide(turn, claim), claim); }));
 }
 
+/// A class of values has no probability, so probabilistic claims are about the values of carriers. The report says so
+/// if it lists data that classes replace in other claims.
+/// `first`: the first claim of the project.
+void note_carriers_of_probabilities(const SearchContext& search, std::size_t first, ClaimResults& results) {
+    const auto edit = search.services.edit();
+    for (std::size_t i = first; i < results.assertions.size(); ++i) {
+        AssertionReport& one = results.assertions[i];
+        if (!one.probability) continue;
+        if (one.answer == Answer::holds || one.answer == Answer::fails || one.answer == Answer::computed)
+            add(one.basis, {GroundKind::carriers,
+                            "probabilities are those of the values of the finite instantiation",
+                            {},
+                            {},
+                            {},
+                            {}});
+    }
+}
+
 }  // namespace
 
 void check_assertions(Project& project, const SearchContext& search, ClaimResults& results) {
@@ -76,6 +94,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     auto preferences = read_preferences(project, search.settings.probability);
     if (!preferences) return;
     std::vector<WaitingClaim> claims;
+    const std::size_t first_claim = results.assertions.size();
     std::unique_ptr<ProbabilityClaims> probabilities;
     if (search.settings.swarm.file.empty()) {
         probabilities = std::make_unique<ProbabilityClaims>(project, search, std::move(*preferences), results);
@@ -83,12 +102,12 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
     }
     const ClassProject classes = class_project(project, search.settings);
     Project& decided = classes.project ? *classes.project : project;
-    results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
     for (const ir::KeptData& data : classes.kept) results.kept_data.push_back(described(project.sources, data));
     FreeData free_data(project, search.settings, classes);
     std::vector<std::unique_ptr<TimeClaims>> times;
     std::vector<std::unique_ptr<FreeClaims>> free;
     std::vector<DividedClaims> divided;
+    bool uses_classes = false;
     for (const Time time : {Time::untimed, Time::timed}) {
         if (!includes_time(search.settings.claims.times, time) || !project.diagnostics.ok() ||
             !decided.diagnostics.ok())
@@ -104,6 +123,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         };
         const std::size_t first = results.assertions.size();
         add(decided, Values::of_project);
+        uses_classes = uses_classes || (classes.project && !times.back()->claims().empty());
         free.push_back(std::make_unique<FreeClaims>(*times.back(), free_data, search, time));
         free.back()->add_to(claims);
         const bool open = !(decided.outputs_replaced.empty() && decided.related.empty());
@@ -124,6 +144,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
             divided.push_back({time, first, results.assertions.size()});
     }
     if (&decided != &project) project.diagnostics.add(decided.diagnostics);
+    if (uses_classes) results.data.insert(results.data.end(), classes.data.begin(), classes.data.end());
     if (probabilities) probabilities->add_to(claims);
     if (!project.diagnostics.ok()) return;
     decide_in_turns(claims, search, [&] {
@@ -131,6 +152,7 @@ void check_assertions(Project& project, const SearchContext& search, ClaimResult
         for (const auto& claims_of_time : free) claims_of_time->give_back();
         if (probabilities) probabilities->give_back();
     });
+    if (uses_classes) note_carriers_of_probabilities(search, first_claim, results);
     for (const auto& time : times) time->measure_if_asked();
     for (const DividedClaims& claims_of_time : divided)
         order_claims(project, emit_csp(project, search.settings.claims, search.settings.swarm, claims_of_time.time),

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_conditions = 64;
 constexpr std::size_t most_classes = 256;
+constexpr std::size_t most_solver_numbers = 8;  // in one value, of those that the solver reads
 
 /// The parts of a type that are no parts of others, such as its numbers. Recursion depth: the depth of types.
 void collect_leaves(const System& system, TypeId id, std::set<TypeKind>& leaves) {
@@ -37,6 +38,8 @@ public:
     /// Classes of all values of the type, or of the values that occur; no value if the conditions have other forms.
     /// `only_by_events`: values come from events alone; `only_copied`: no value is computed.
     std::optional<ValueClasses> divide(bool all_values, bool only_by_events, bool only_copied);
+    /// True if the division ended because there are too many classes.
+    [[nodiscard]] bool has_too_many() const { return result_.witnesses.size() > most_classes; }
 
 private:
     /// For each condition 1, 0 or -1 (undefined).
@@ -121,7 +124,7 @@ bool Division::add_value(const Value& value, bool written) {
     if (!added) return true;
     for (std::size_t c = 0; c < uses_.conditions.size(); ++c)
         result_.answers[uses_.conditions[c].expr].push_back((*answers)[c] == 1);
-    return result_.witnesses.size() <= most_classes;
+    return !has_too_many();
 }
 
 /// If values are only copied, the classes are the values that the model writes, and one more. With one class, two
@@ -196,20 +199,35 @@ private:
         }
         const Place& place = places_[flow];
         const bool computed = is_computed(uses);
-        auto classes = Division(system_, sampling_, place.type, uses)
-                           .divide(from_outside(flow) || computed, !place.shared && !computed, !computed);
+        Division division(system_, sampling_, place.type, uses);
+        auto classes = division.divide(from_outside(flow) || computed, !place.shared && !computed, !computed);
         if (classes)
             chosen_.emplace(flow, std::move(*classes));
         else
-            kept_.emplace(flow, reason_without_classes(place.type, uses));
+            kept_.emplace(flow, reason_without_classes(place.type, uses, division.has_too_many()));
     }
 
     /// The reason why the conditions give no classes.
-    [[nodiscard]] Keep reason_without_classes(TypeId type, const Uses& uses) const {
+    [[nodiscard]] Keep reason_without_classes(TypeId type, const Uses& uses, bool too_many) const {
         for (const Condition& condition : uses.conditions)
             if (!can_divide(system_, sampling_, condition.machine, type, *condition.body))
                 return {KeepReason::form, condition.expr->span};
-        return {KeepReason::many, {}};
+        if (uses.conditions.size() > most_conditions) return {KeepReason::conditions, {}};
+        if (too_many) return {KeepReason::classes, {}};
+        if (system_.type(type).kind == TypeKind::sequence) return reason_of_sequences(uses);
+        LinearConditions linear(system_, sampling_.instantiation());
+        for (const Condition& condition : uses.conditions)
+            (void)linear.add(*condition.body,
+                             [&](const Expr& part) { return sampling_.closed_value(condition.machine, part); });
+        return {linear.components().size() > most_solver_numbers ? KeepReason::numbers : KeepReason::points, {}};
+    }
+
+    [[nodiscard]] Keep reason_of_sequences(const Uses& uses) const {
+        SequenceConditions sequences(system_, sampling_.instantiation().scale);
+        for (const Condition& condition : uses.conditions)
+            (void)sequences.add(*condition.body,
+                                [&](const Expr& part) { return sampling_.closed_value(condition.machine, part); });
+        return {sequences.has_both_extremes() ? KeepReason::extremes : KeepReason::classes, {}};
     }
 
     /// The chosen flow classes whose values cannot be computed: they come from outside, or are computed from such

@@ -22,8 +22,12 @@ enum class KeepReason {
     time,           ///< a wait or a deadline takes them
     probability,    ///< a probability depends on them
     contract,       ///< a precondition or postcondition of an operation reads them
-    form,           ///< a condition is neither linear nor about windows of a sequence
-    many,           ///< there are too many conditions or classes; no place
+    form,           ///< a condition is neither linear nor about windows of a sequence that are not far from its start
+    conditions,     ///< there are too many conditions; no place
+    classes,        ///< there are too many classes; no place
+    numbers,        ///< the conditions read too many numbers of one value; no place
+    extremes,       ///< conditions read the least numbers of windows and also greatest ones; no place
+    points,         ///< no decimal numbers are found for some combination of answers; no place
     computed,       ///< they are computed, and a condition reads them
     from_carriers,  ///< they are computed from data with carriers
     computed_from,  ///< data with carriers are computed from them

@@ -179,13 +179,15 @@ std::vector<std::int64_t> SequenceConditions::numbers_beside(const std::vector<s
     return {result.begin(), result.end()};
 }
 
+bool SequenceConditions::has_both_extremes() const {
+    const auto greatest = std::ranges::count_if(windows_, &SequenceWindow::greatest);
+    return greatest != 0 && greatest != static_cast<std::ptrdiff_t>(windows_.size());
+}
+
 std::optional<std::vector<Value>> SequenceConditions::values(TypeId element, const Value& other) const {
     const TypeKind kind = system_.type(element).kind;
     const bool number = kind == TypeKind::real || kind == TypeKind::integer || kind == TypeKind::nat;
-    const auto is_greatest = [](const SequenceWindow& window) { return window.greatest; };
-    const auto kinds = std::ranges::count_if(windows_, is_greatest);
-    const bool mixed = kinds != 0 && kinds != static_cast<std::ptrdiff_t>(windows_.size());
-    if (mixed || (!windows_.empty() && !number)) return std::nullopt;
+    if (has_both_extremes() || (!windows_.empty() && !number)) return std::nullopt;
     const auto all_cells = cells();
     std::vector<Value> result;
     for (const std::int64_t length : lengths()) {

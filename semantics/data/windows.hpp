@@ -35,6 +35,9 @@ public:
     /// in no window.
     [[nodiscard]] std::optional<std::vector<Value>> values(TypeId element, const Value& other) const;
 
+    /// Whether some windows use `min` and some `max`; there are no candidates then.
+    [[nodiscard]] bool has_both_extremes() const;
+
     /// Adds a comparison of the number in a window, or of the size, with a threshold. False if it is too large.
     [[nodiscard]] bool add_threshold(const SequenceWindow& window, std::int64_t threshold);
     [[nodiscard]] bool add_size(std::int64_t size);

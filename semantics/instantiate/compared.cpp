@@ -230,6 +230,14 @@ public:
     /// that one of them may have.
     void add_extremes(const Literals&);
     void add_between(const Literals&);
+    /// Records the conversions of values that are stored or sent to reals: `q = x` for x : int and q : real.
+    void look_at_written(const Expr& value);
+    /// Records the conversion of a value to the type of the place that stores it: `q = x` for x : nat and q : int.
+    void look_at_stored(TypeId value, TypeId place) {
+        conversions_.emplace(system_.type(value).kind, system_.type(place).kind);
+    }
+    /// A value that is converted to a wider type is compared with the numbers of this type.
+    void add_converted();
 
 private:
     void record_comparison(const Expr& subject, const Expr& with, const Machine*, bool ordered);
@@ -254,7 +262,8 @@ private:
     Compared& result_;
     std::vector<NumberOfVariable> limits_, steps_;
     std::set<TypeKind> unlike_variables_;  // types with order comparisons of two values that can both change
-    Decimals thresholds_;                  // numbers that reals are compared with by order
+    std::set<std::pair<TypeKind, TypeKind>> conversions_;  // of values that can change
+    Decimals thresholds_;                                  // numbers that reals are compared with by order
 };
 
 void Comparisons::look_at(const Expr& expr, const Machine* machine) {
@@ -328,6 +337,25 @@ void Comparisons::add_steps() {
             if (step.kind == TypeKind::nat && floor_of(*beyond) >= 0) result_.nat.insert(floor_of(*beyond));
         }
     }
+}
+
+void Comparisons::look_at_written(const Expr& value) {
+    visit_operands(value, [&](const Expr& expr) {
+        if (expr.kind != ExprKind::cast) return;
+        const Expr& from = *expr.args[0];
+        if (from.kind == ExprKind::variable || from.kind == ExprKind::trigger_value || from.kind == ExprKind::member)
+            conversions_.emplace(kind(from), kind(expr));
+    });
+}
+
+void Comparisons::add_converted() {
+    const auto copy = [](const std::set<std::int64_t>& from, std::set<std::int64_t>& to, bool natural) {
+        for (const std::int64_t number : from)
+            if (!natural || number >= 0) to.insert(number);
+    };
+    if (conversions_.contains({TypeKind::integer, TypeKind::real})) copy(result_.real, result_.integer, false);
+    if (conversions_.contains({TypeKind::nat, TypeKind::real})) copy(result_.real, result_.nat, true);
+    if (conversions_.contains({TypeKind::nat, TypeKind::integer})) copy(result_.integer, result_.nat, true);
 }
 
 void Comparisons::add_operands(const Expr& subject, const Decimal& value, const Machine* machine, bool ordered) {
@@ -422,9 +450,18 @@ Compared compared_values(const System& system, const Chosen& chosen, const Liter
         for (const auto* conditions : {&function.preconditions, &function.postconditions})
             for (const ExprPtr& condition : *conditions) look_at(*condition, nullptr);
     for (const Machine& machine : system.machines)
-        visit_statements(machine, [&](const Stmt& stmt) { comparisons.look_at_assignment(stmt, machine); });
+        visit_statements(machine, [&](const Stmt& stmt) {
+            comparisons.look_at_assignment(stmt, machine);
+            if (stmt.kind == StmtKind::assign && stmt.path.empty())
+                comparisons.look_at_stored(stmt.value->type, machine.variables.at(stmt.variable.index).type);
+            for (const ExprPtr& value : {stmt.value, stmt.communication.value})
+                if (value) comparisons.look_at_written(*value);
+            for (const ExprPtr& argument : stmt.args)
+                if (argument) comparisons.look_at_written(*argument);
+        });
     comparisons.add_steps();
     comparisons.add_extremes(literals);
+    comparisons.add_converted();
     comparisons.add_between(literals);
     return result;
 }

@@ -2,7 +2,8 @@
 // Collects the numbers with which values of a type are compared. Private to this component. RoboTool's carriers end at
 // the greatest literal. In this project a carrier also contains one number below and one above each number with which
 // values of the type are compared, and the number that a counter reaches one step beyond. Carriers of reals contain one
-// number between each two neighbours. So every comparison is true for some values and false for others. This does not
+// number between each two neighbours. If values of one type are converted to another one, its carrier also contains
+// these numbers of the other type. So every comparison is true for some values and false for others. This does not
 // apply if an option or a block Instantiations gives the carrier.
 #pragma once
 

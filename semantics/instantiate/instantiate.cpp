@@ -276,7 +276,7 @@ Instantiation instantiate_system(const System& system, const InstantiationOption
                                  Carriers carriers) {
     Instantiation instantiation;
     instantiation.budget = diagnostics.budget();
-    Literals literals = literals_of(system);
+    Literals literals = literals_of(system, carriers == Carriers::robotool || carriers_given(system));
     const auto chosen = chosen_constants(system, options.constants, literals, diagnostics);
     Ranges ranges;
     read_range_options(options, ranges, diagnostics);

@@ -2,6 +2,8 @@
 // Number literals of a model.
 #include "semantics/ir/literals.hpp"
 
+#include <algorithm>
+
 #include "semantics/ir/visit.hpp"
 
 namespace robochart::ir {
@@ -24,6 +26,13 @@ bool compares_clock(const Expr& expr) {
 /// A number that selects a part is not a value of a variable.
 bool is_place(const Expr& expr) {
     return expr.kind == ExprKind::integer;
+}
+
+/// A window that is written with literals only: `[31, 90]`, `{1, 5}`.
+bool is_window(const Expr& expr) {
+    if (expr.kind == ExprKind::integer) return true;
+    const bool listed = expr.kind == ExprKind::set || expr.kind == ExprKind::set_range || expr.kind == ExprKind::range;
+    return listed && std::ranges::all_of(expr.args, [](const ExprPtr& part) { return !part || is_window(*part); });
 }
 
 /// Records whether an expression uses constants as times or as values.
@@ -80,12 +89,15 @@ void add_literals(const System& system, const Expr& expr, bool time, Literals& l
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i]) continue;
         const bool place = expr.kind == ExprKind::index && i > 0 && is_place(*expr.args[i]);
-        if (!place) add_literals(system, *expr.args[i], operands_time, literals);
+        const bool window = expr.kind == ExprKind::toolkit && expr.text == "sequence_toolkit_extract" && i == 0 &&
+                            is_window(*expr.args[i]);
+        if (!place && (!window || literals.windows)) add_literals(system, *expr.args[i], operands_time, literals);
     }
 }
 
-Literals literals_of(const System& system) {
+Literals literals_of(const System& system, bool windows) {
     Literals literals;
+    literals.windows = windows;
     literals.durations = constants_of_durations(system);
     const std::set<const Expr*> times = values_of(literals.durations, system);
     visit_expressions(system, [&](const Expr& expr, ExprRole role) {

@@ -22,9 +22,11 @@ struct Literals {
     std::set<diagnostics::ForeignText> strings;        ///< texts
     std::map<std::int64_t, diagnostics::Span> places;  ///< the first place of a whole number
     std::set<std::string> durations;                   ///< see constants_of_durations()
+    bool windows = false;                              ///< includes those of windows: of W in `extract(W, s)`
 };
 
-[[nodiscard]] Literals literals_of(const System&);
+/// `windows`: with the numbers of windows. They are places of a sequence, but RoboTool's carriers contain them.
+[[nodiscard]] Literals literals_of(const System&, bool windows = false);
 /// The names of constants that are used only as a whole duration or in a comparison with since(), and at least once.
 /// Their values are numbers of time units, too. All constants with the same name are treated as one, because a required
 /// constant gets its value from another constant with this name.

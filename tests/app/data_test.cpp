@@ -4,13 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
+#include <thread>
 
+#include "semantics/data/kept_data.hpp"
 #include "tests/app/command.hpp"
 #include "tests/contents.hpp"
 #include "tests/rounds.hpp"
@@ -329,6 +333,71 @@ TEST(Classes, GiveTheAnswersOfCarriersThatHaveAllClasses) {
     EXPECT_GT(failing, tests::rounds(50)) << "some claims fail";
 }
 
+/// The answers to all claims about a model by their titles, and the carriers of its numbers as options.
+struct DecidedModel {
+    std::map<std::string, std::string> answers;
+    std::vector<std::string> carriers;
+    bool has_classes = false, has_small_carriers = true;
+};
+
+DecidedModel decided_model(const std::string& model, std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {"check", model, "--core", "--no-cache", "--timeout", "20", "--format", "json"});
+    const Json report = Json::parse(run(options).out, nullptr, false);
+    DecidedModel result;
+    if (report.is_discarded() || !report.contains("assertions")) return result;
+    for (const Json& claim : report.at("assertions"))
+        if (claim.at("answer") == "holds" || claim.at("answer") == "fails")
+            result.answers[claim.at("title")] = claim.at("answer");
+    for (const Json& data : report.value("data", Json::array()))
+        result.has_classes = result.has_classes || data.contains("classes");
+    std::set<std::string> types;
+    for (const Json& range : report.at("run").at("ranges")) {
+        const std::string type = range.at("type");
+        if (type != "nat" && type != "int" && type != "real") continue;
+        if (!types.insert(type).second) result.has_small_carriers = false;  // several models with carriers of their own
+        result.has_small_carriers = result.has_small_carriers && range.at("values") <= 64;
+        result.carriers.insert(result.carriers.end(),
+                               {"--range", fmt::format("{}={}..{}", type, range.at("low").get<std::int64_t>(),
+                                                       range.at("high").get<std::int64_t>())});
+    }
+    return result;
+}
+
+/// The folders with models in the repository and, if they are there, in the suites beside it.
+std::vector<std::string> folders_of_models() {
+    std::set<std::string> folders;
+    const std::filesystem::path suites = tests::shared_folder() / "suite";
+    for (const std::filesystem::path& root :
+         {std::filesystem::path(testing::repository("corpus")),
+          std::filesystem::path(testing::repository("tests/app/agreeing")), suites / "data", suites / "robotool",
+          suites / "findings", suites / "findings3", suites / "claims"}) {
+        if (!std::filesystem::exists(root)) continue;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
+            if (entry.path().extension() == ".rct") folders.insert(entry.path().parent_path().string());
+    }
+    return {folders.begin(), folders.end()};
+}
+
+/// Claims that are decided with classes have the answers of the carriers that the program would choose, if these are
+/// small. All models with ROBOCHART_ALL_ROUNDS, a few otherwise.
+TEST(Classes, GiveTheAnswersOfCarriersInTheSuites) {
+    const std::vector<std::string> folders = folders_of_models();
+    const std::size_t step = tests::rounds(3) == 3 ? 1 : 12;
+    std::size_t compared = 0;
+    for (std::size_t f = 0; f < folders.size(); f += step) {
+        const DecidedModel classes = decided_model(folders[f]);
+        if (!classes.has_classes || !classes.has_small_carriers) continue;
+        const DecidedModel carriers = decided_model(folders[f], classes.carriers);
+        for (const auto& [claim, answer] : carriers.answers) {
+            const auto found = classes.answers.find(claim);
+            if (found == classes.answers.end()) continue;  // not known
+            ++compared;
+            EXPECT_EQ(found->second, answer) << folders[f] << ": " << claim;
+        }
+    }
+    EXPECT_GE(compared, 10U);
+}
+
 /// Data with classes need no carrier, so a carrier of millions is no obstacle. Data that keep their carrier have the
 /// numbers of the model and their neighbours: 4,999,999 and 5,000,001 lead to different states.
 TEST(Classes, NumbersOfMillionsAreDecided) {
@@ -386,6 +455,29 @@ TEST(Shortcuts, ClassesHaveNoProbabilities) {
     EXPECT_GT(found, 0.0);
     EXPECT_EQ(found, value({"--range", "int=-2..4"}));
     EXPECT_GT(value({"--range", "int=-2..7"}), found) << "as many values above 3 as below: like two classes";
+}
+
+/// Classes are not mentioned if only probabilities are computed. If other claims have classes, the probability rests on
+/// the values of the carriers.
+TEST(Shortcuts, ProbabilitiesAreNotAboutAllValues) {
+    const std::string model =
+        "stm S { event e : int var x : int = 0 initial i state A { } state B { } transition t0 { from i to A } "
+        "transition t1 { from A to A trigger e ? x } transition t2 { from A to B condition x > 3 } "
+        "transition t3 { from B to B trigger e ? x } }";
+    const std::string probability = "label there = S is in S::B\nprob property P : Prob=? of [Finally <=2 #there]\n";
+    const auto report_on = [&](const std::string& more) {
+        const testing::Folder folder({{"m.rct", model}, {"m.assertions", probability + more}});
+        const auto ran = run({"check", folder.path(), "--no-cache", "--format", "json"});
+        return Json::parse(ran.out, nullptr, false);
+    };
+    const Json alone = report_on("");
+    ASSERT_TRUE(alone.contains("assertions")) << alone;
+    EXPECT_TRUE(alone.value("data", Json::array()).empty()) << alone;
+    const Json both = report_on("untimed assertion Free : S is deadlock-free\n");
+    ASSERT_TRUE(both.contains("assertions")) << both;
+    EXPECT_EQ(both.at("data").at(0).at("classes"), 2U) << both;
+    for (const Json& claim : both.at("assertions"))
+        EXPECT_EQ(claim.contains("basis"), claim.contains("probability")) << claim;
 }
 
 // ---------------------------------------------------------------- computed data
@@ -447,9 +539,24 @@ TEST(ComputedData, ConditionsThatAreNotLinearMayHaveEitherAnswer) {
         "transition t0 { from i to A } transition t1 { from A to B trigger e ? x } "
         "transition t2 { from B to k trigger f ? y } transition t3 { from k to A condition x * y > 12345.5 } "
         "transition t4 { from k to B condition x * y <= 12345.5 } }");
-    const Answers found = answers_for(model.path(), {}, "2");
+    const Answers found = answers_for(model.path(), {}, "8");
     EXPECT_EQ(found.verdicts.at(stuck), "holds") << found.text;
     EXPECT_FALSE(found.bounded.contains(stuck)) << found.text;
+}
+
+/// B is left only if a product is small. A branch that may be possible, offered in addition to what is certain, would
+/// hide the deadlock. The failure with free values need not be a run of the model, so no run is shown.
+TEST(ComputedData, ABranchThatMayBePossibleIsNotOfferedForCertain) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm S { event e : real event f : real var x : real = 0.0 var y : real = 0.0 initial i state A { } state B { } "
+        "transition t0 { from i to A } transition t1 { from A to A trigger e ? x } "
+        "transition t2 { from A to B trigger f ? y } transition t3 { from B to A condition x * y <= 12345.5 } }");
+    const Answers found = answers_for(model.path(), {"--untimed"}, "4");
+    EXPECT_EQ(found.verdicts.at(stuck), "inconclusive") << found.text;
+    EXPECT_THAT(found.text, ::testing::HasSubstr("with free values of computed data it fails, which may not be a run"));
+    EXPECT_THAT(found.text, ::testing::Not(::testing::HasSubstr("\"counterexample\"")));
+    EXPECT_EQ(found.verdicts.at("state machine S divergence-free"), "holds") << found.text;
 }
 
 // ---------------------------------------------------------------- relations of variables
@@ -726,6 +833,122 @@ TEST(Carriers, TheReportSaysWhyDataKeepThem) {
     EXPECT_THAT(ran.out, ::testing::HasSubstr("m.rct:5)")) << ran.out;
 }
 
+/// The reason of the report for a machine with these conditions on the input x.
+std::string reason_for(const std::string& type, const std::vector<std::string>& conditions) {
+    std::string text = fmt::format(
+        "import sequence_toolkit::* import set_toolkit::* import relation_toolkit::* "
+        "stm S {{ event e : {0} event go var x : {0} initial i state A {{ }} state B {{ }} transition t0 {{ from i to "
+        "A }} "
+        "transition t {{ from A to B trigger e ? x }} ",
+        type);
+    for (std::size_t c = 0; c < conditions.size(); ++c)
+        text += fmt::format("transition c{} {{ from B to A trigger go condition {} }} ", c, conditions[c]);
+    const testing::TemporaryFile model("m.rct", text + "}");
+    return answers_for(model.path(), {"--untimed"}, "1").kept["e"];
+}
+
+TEST(Carriers, TheReportSaysWhichLimitKeepsThem) {
+    std::vector<std::string> seventy, windows, numbers, thirds;
+    for (int i = 0; i < 70; ++i) seventy.push_back(fmt::format("x == {}.5", i));
+    for (int i = 0; i < 13; ++i)
+        windows.push_back(fmt::format("min(ran(extract([{}, {}], x))) < 0.5", 10 * i + 1, 10 * i + 10));
+    for (int i = 0; i < 13; ++i) numbers.push_back(fmt::format("x[{}] > 0.5", i + 1));
+    std::string tuple = "real";
+    for (int i = 1; i < 13; ++i) tuple += " * real";
+    EXPECT_EQ(reason_for("real", seventy), "there are more than 64 conditions");
+    EXPECT_EQ(reason_for("Seq(real)", windows), "there are more than 256 classes") << "2 answers in each of 13 windows";
+    EXPECT_EQ(reason_for(tuple, numbers), "the conditions read more than 8 numbers of one value");
+    EXPECT_EQ(reason_for("Seq(real)", {"min(ran(extract([1, 2], x))) < 0.5", "max(ran(extract([3, 4], x))) > 0.5"}),
+              "conditions read least numbers of windows, and also greatest ones");
+    EXPECT_EQ(reason_for("real", {"3 * x == 1"}), "for some combination of answers, no decimal numbers are found");
+    EXPECT_THAT(reason_for("Seq(real)", {"min(ran(extract([1000000, 1000001], x))) < 0.5"}),
+                ::testing::HasSubstr("neither linear nor about windows of the first 4096 places"));
+}
+
+/// If a claim is inconclusive because carriers are large, the text says why data keep them.
+TEST(Carriers, TheReportSaysWhyTheyAreTooLarge) {
+    std::string text =
+        "stm S { event e : T event go var x : T initial i state A { } state B { } "
+        "transition t0 { from i to A } transition t { from A to B trigger e ? x } ";
+    std::string fields;
+    for (int i = 0; i < 200; ++i) {
+        fields += fmt::format(" f{} : real\n", i);
+        text += fmt::format("transition c{0} {{ from B to A trigger go condition x.f{0} < {0}.5 }} ", i);
+    }
+    const testing::TemporaryFile model("m.rct", "datatype T {\n" + fields + "}\n" + text + "}");
+    const auto ran = run({"check", model.path(), "--core", "--untimed", "--no-cache", "--timeout", "2"});
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, ::testing::HasSubstr("carrier      e, x: there are more than 64 conditions\n"));
+}
+
+/// Windows that no place of a sequence is in: their least number is undefined, so t2 and t4 are never taken.
+TEST(Classes, OfReversedAndEmptyWindowsHaveNoNumbers) {
+    for (const char* const window : {"[5, 3]", "[0, 0]", "[-3, -1]", "{}"}) {
+        const testing::TemporaryFile model(
+            "m.rct",
+            fmt::format(
+                "import sequence_toolkit::* import set_toolkit::* import relation_toolkit::* "
+                "stm S {{ event e : Seq(real) var x : Seq(real) initial i state A {{ }} state B {{ }} junction k "
+                "transition t0 {{ from i to A }} transition t1 {{ from A to k trigger e ? x }} "
+                "transition t2 {{ from k to B condition min(ran(extract({0}, x))) < 0.5 }} "
+                "transition t3 {{ from k to A condition size(x) == 5 }} "
+                "transition t4 {{ from k to A condition not (min(ran(extract({0}, x))) < 0.5) }} }}",
+                window));
+        const Answers found = answers_for(model.path());
+        EXPECT_EQ(found.verdicts.at(stuck), "fails") << window << found.text;
+        EXPECT_EQ(found.verdicts.at("state machine S B is reachable"), "fails") << window << found.text;
+        EXPECT_EQ(found.classes.at("e"), 2U) << window << found.text;
+    }
+}
+
+/// Types with five million numbers whose values no condition and no output needs.
+TEST(Carriers, OfUnusedTypesAreNotListed) {
+    const char* const machines[] = {
+        "stm S { event e : nat event q : nat * nat var u : nat var big : nat * nat = (| 5000001, 0 |) initial i "
+        "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e ? u } }",
+        "datatype D { a : nat b : nat c : nat } stm S { event e event d : D var u : D const N : nat = 5000001 initial "
+        "i "
+        "state A { } transition t0 { from i to A } transition t1 { from A to A trigger e } }",
+        "stm S { event e event s : Set(nat) var u : Set(nat) var z : nat = 5000000 initial i state A { } "
+        "transition t0 { from i to A } transition t1 { from A to A trigger e condition z > 3 } }"};
+    for (const char* const text : machines) {
+        const Answers found = answers_for_text(text);
+        EXPECT_EQ(found.verdicts.at(stuck), "holds") << found.text;
+        const testing::TemporaryFile model("m.rct", text);
+        EXPECT_EQ(conformance_of(model.path(), {}).value("outcome", ""), "conforms") << text;
+    }
+}
+
+/// A function that calls itself for ever has no value. The message names the place.
+TEST(Carriers, ARecursionWithoutEndIsAnError) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "function f(n : int) : int { postcondition result == f(n) }\n"
+        "stm S { event e : int var x : int initial i state A { } state B { } transition t0 { from i to A }\n"
+        "transition t1 { from A to B trigger e ? x condition f(x) > 5 } transition t2 { from B to A } }\n");
+    const auto ran = run({"check", model.path(), "--core", "--untimed", "--no-cache", "--timeout", "60"});
+    EXPECT_EQ(ran.exit, 2) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, ::testing::HasSubstr("m.rct:1: evaluation nests too deeply: runaway recursion?, in f"));
+}
+
+/// Z3 works for seconds on these conditions. A signal ends the command before it has finished.
+TEST(Classes, ASignalEndsTheSolver) {
+    if (!ir::has_solver()) GTEST_SKIP() << "built without Z3";
+    const testing::TemporaryFile model(
+        "m.rct",
+        "stm S { event e : int * int * int var x : int * int * int initial i state A { } state B { } "
+        "transition t0 { from i to A } "
+        "transition t1 { from A to B trigger e ? x condition x[1]*x[1]*x[1] + x[2]*x[2]*x[2] + x[3]*x[3]*x[3] == 33 } "
+        "transition t2 { from B to A condition x[1]*x[1]*x[1] - x[2]*x[2]*x[2] + 5*x[3]*x[3]*x[3] == 1234567 } "
+        "transition t3 { from B to A condition x[1]*x[2]*x[3] == 777771 /\\ x[1] > 2 /\\ x[2] > 2 } }");
+    const auto a_while = [](const std::function<bool()>&) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    };
+    const auto ran = testing::run_and_signal({"check", model.path(), "--core", "--no-cache"}, SIGINT, a_while);
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out + ran.err, ::testing::HasSubstr("interrupted"));
+}
+
 /// The machine has an own variable `a` beside the shared one. If carriers are large, memories with channels hold both.
 TEST(Carriers, LargeOnesOfVariablesWithOneNameHaveDifferentChannels) {
     const std::string text =
@@ -816,6 +1039,108 @@ TEST(Carriers, AConditionOnSeveralValuesIsPartOfTheBasis) {
     const Answers found = answers_for(model.path());
     EXPECT_TRUE(found.verdicts.at(stuck) != "holds" || found.bounded.contains(stuck)) << found.text;
     EXPECT_TRUE(found.bounded.contains(wrong)) << found.text;
+}
+
+/// A machine that stores a value computed from an input, and is stuck in B if the condition is false.
+std::string storing(const std::string& variables, const std::string& action, const std::string& condition) {
+    return fmt::format(
+        "stm S {{ {} initial i state A {{ }} state B {{ }} transition t0 {{ from i to A }} "
+        "transition t1 {{ from A to B trigger e ? x action {} }} transition t2 {{ from B to A condition {} }} }}",
+        variables, action, condition);
+}
+
+/// The carrier of an input has a number beyond 7, but not beyond 14 or 49, so it does not cover a half or a root that
+/// is compared with 7. Each of these machines is stuck after the input 1000.
+TEST(Shortcuts, CarriersOfInputsDoNotCoverWhatIsComputedFromThem) {
+    const std::string whole = "event e : int var x : int = 0 var q : int = 0";
+    const std::string real = "event e : real var x : real = 0.0 var q : real = 0.0";
+    const std::string truth = "event e : nat var x : nat = 0 var y : nat = 1 var z : nat = 0 var b : boolean = true";
+    const std::vector<std::string> machines{
+        storing(whole, "q = (x / 2) as int", "q <= 7"),
+        storing(real, "q = x / 2", "q <= 7"),
+        storing(whole, "x = (x / 4) as int", "x <= 7"),
+        storing(whole + " var r : int = 0", "q = (x / 2) as int ; r = q", "r <= 7"),
+        storing("event e : int var x : int = 0 var q : int * int", "q = (| (x / 2) as int, 0 |)", "q[1] <= 7"),
+        storing(truth + " event f : nat", "b = (x > y /\\ y > z /\\ z > 0) ; z = y ; y = x", "not b")};
+    for (const std::string& text : machines) {
+        const Answers found = answers_for_text(text);
+        EXPECT_TRUE(found.verdicts.at(stuck) != "holds" || found.bounded.contains(stuck)) << text << found.text;
+    }
+}
+
+/// A wait for an input x is short for x in 0..2. With x = 7, the deadline of 5 is missed, and since(C) < 5 is false.
+TEST(Shortcuts, CarriersOfInputsDoNotCoverTimes) {
+    const std::string input = "event e : nat clock C var x : nat = 0";
+    const auto is_open = [](const std::string& text, const std::string& claim) {
+        const Answers found = answers_for_text(text);
+        const std::string name = "state machine S " + claim;
+        return found.verdicts.at(name) != "holds" || found.bounded.contains(name);
+    };
+    EXPECT_TRUE(is_open(storing(input, "(wait(x)) <{ 5 }", "true"), "timelock-free"));
+    EXPECT_TRUE(is_open(storing(input, "#C ; wait(x)", "since(C) < 5"), "deadlock-free"));
+    EXPECT_TRUE(is_open(storing(input, "#C ; wait(1)", "since(C) < 5 /\\ since(C) >= x"), "deadlock-free"));
+    EXPECT_FALSE(
+        is_open(storing(input + " var y : nat = 2", "#C ; wait(y)", "since(C) < 5 /\\ since(C) >= y"), "deadlock-free"))
+        << "y is always 2";
+}
+
+/// The operation waits for ever with p = 1000 / 2.
+TEST(Shortcuts, CarriersOfInputsDoNotCoverArguments) {
+    const Answers found = answers_for_text(
+        "interface O { op(p : int) } interface E { event e : int } operation op(p : int) { initial i state D { } final "
+        "f "
+        "transition u0 { from i to D } transition u1 { from D to f condition p <= 7 } } "
+        "stm S { uses E requires O var x : int = 0 initial i state A { } state B { } transition t0 { from i to A } "
+        "transition t1 { from A to B trigger e ? x action op((x / 2) as int) } transition t2 { from B to A } } "
+        "controller C { uses E opref o = op sref s = S connection C on e to s on e }");
+    const std::string claim = "controller C deadlock-free";
+    ASSERT_TRUE(found.verdicts.contains(claim)) << found.text;
+    EXPECT_TRUE(found.verdicts.at(claim) != "holds" || found.bounded.contains(claim)) << found.text;
+}
+
+/// A value that is converted to a wider type is compared with the numbers of this type.
+TEST(Carriers, ContainTheNumbersThatConvertedValuesAreComparedWith) {
+    const std::vector<std::string> machines{
+        storing("event e : nat var x : nat = 0 var q : int = 0", "q = x", "q <= 7"),
+        storing("event e : int var x : int = 0 var q : real = 0.0", "q = x", "q <= 2.5"),
+        storing("event e : int var x : int = 0 var q : real * real", "q = (| x, x |)", "q[1] <= 7.5")};
+    for (const std::string& text : machines)
+        EXPECT_EQ(answers_for_text(text).verdicts.at(stuck), "fails") << text << answers_for_text(text).text;
+    for (const std::string& text :
+         {std::string("stm S { event e : nat var q : int = 0 initial i state A { } state B { } "
+                      "transition t0 { from i to A } transition t1 { from A to B trigger e ? q } "
+                      "transition t2 { from B to A condition q <= 7 } }"),
+          "function twice(y : int) : real { postcondition result == y } " +
+              storing("event e : int var x : int = 0 var q : real = 0.0", "q = twice(x)", "q <= 7.5")}) {
+        const Answers found = answers_for_text(text);
+        EXPECT_TRUE(found.verdicts.at(stuck) != "holds" || found.bounded.contains(stuck)) << text << found.text;
+    }
+}
+
+/// A counter takes only the numbers that the machine computes, whatever comes from outside.
+TEST(Carriers, ACounterDoesNotRestOnThem) {
+    const Answers found = answers_for_text(
+        "stm S { event e var n : nat = 0 initial i state A { } state B { } transition t0 { from i to A } "
+        "transition t1 { from A to B trigger e action n = n + 1 } transition t2 { from B to A condition n < 5 } "
+        "transition t3 { from B to A condition n >= 5 action n = 0 } }");
+    EXPECT_EQ(found.verdicts.at(stuck), "holds") << found.text;
+    EXPECT_FALSE(found.bounded.contains(stuck)) << found.text;
+}
+
+/// The numbers of windows are places of a sequence. Its numbers are compared with 0.5 only.
+TEST(Carriers, DoNotContainTheNumbersOfWindows) {
+    const testing::TemporaryFile model(
+        "m.rct",
+        "import sequence_toolkit::* import set_toolkit::* import relation_toolkit::* "
+        "stm S { event e : Seq(real) var s : Seq(real) var x : real = 0.0 initial i state A { } state B { } "
+        "transition t0 { from i to A } transition t1 { from A to B trigger e ? s } "
+        "transition t2 { from B to A condition min(ran(extract([31, 90], s))) < 0.5 } "
+        "transition t3 { from B to A condition min(ran(extract({7, 900}, s))) < 0.5 } }");
+    const auto ran = run({"check", model.path(), "--core", "--no-cache"});
+    EXPECT_THAT(ran.out, ::testing::HasSubstr("nat 0..2, int -2..2, real 6 values")) << ran.out << ran.err;
+    const auto concrete =
+        run({"check", model.path(), "--core", "--no-cache", "--concrete", "--untimed", "--timeout", "1"});
+    EXPECT_THAT(concrete.out, ::testing::HasSubstr("int -2..900")) << concrete.out << concrete.err;
 }
 
 TEST(Shortcuts, ClaimsThatObserveValuesHaveNoClasses) {

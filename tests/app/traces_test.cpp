@@ -47,6 +47,34 @@ TEST(Traces, EveryRobotOfBothCaseStudiesRunsAsItsModel) {
     }
 }
 
+/// Numbers of robots that are no numbers of models, and those at the ends of `double`.
+TEST(Traces, NumbersThatAreNoneAreRefusedAndExtremeOnesAreCompared) {
+    const std::string model =
+        "interface Plant { heat() rest() }\n"
+        "stm T { requires Plant event degrees : real event shown : real var t : real initial i\n"
+        "state R { entry rest() } state H { entry heat() ; shown ! t } junction k transition t0 { from i to R }\n"
+        "transition t1 { from R to k trigger degrees ? t } transition t2 { from H to k trigger degrees ? t }\n"
+        "transition t3 { from k to H condition t < 19.5 } transition t4 { from k to R condition t >= 19.5 } }\n";
+    const Folder folder({std::pair<std::string, std::string>("m.rct", model)});
+    const auto checked = [&](const std::string& number) {
+        std::ofstream(folder / "a.trace") << "robochart-trace 1\ncomponent T\nrun a\nrest! tock\ndegrees?" << number
+                                          << " heat! shown!" << number << " tock\n";
+        return run({"conform", folder / "m.rct", "--traces", folder / "a.trace"});
+    };
+    for (const char* number : {"nan", "NaN", "inf", "-inf", "1e309", "0x10"}) {
+        const auto ran = checked(number);
+        EXPECT_EQ(ran.exit, 2) << number;
+        EXPECT_THAT(ran.out + ran.err, HasSubstr(std::string("degrees carries a number, found `") + number + "`"));
+        EXPECT_THAT(ran.out + ran.err, HasSubstr("a.trace:5:9"));
+    }
+    for (const char* number : {"-0.0", "-1e308", "1e-308", "19.4999"}) EXPECT_EQ(checked(number).exit, 0) << number;
+    for (const char* number : {"1e308", "19.5"}) {
+        const auto ran = checked(number);
+        EXPECT_EQ(ran.exit, 1) << number << ran.err;
+        EXPECT_THAT(ran.out, HasSubstr("allowed    rest()")) << number;
+    }
+}
+
 /// Controllers of altered models: the original model rejects their logs.
 TEST(Traces, ChangedControllersAreFoundOut) {
     struct Change {
