@@ -22,6 +22,7 @@ driver::ClaimUse claim_use(Verb verb) {
         case Verb::tune:
             return driver::ClaimUse::ignore;
         case Verb::emit_prism:
+        case Verb::emit_rst:
         case Verb::cspm:
         case Verb::explain:
         case Verb::format:
