@@ -101,8 +101,7 @@ bool write_robosim(driver::Project& project, const Options& options, Report& rep
         const auto written = frontend::write_robosim(*project.model, name, options.code.cycle, project.diagnostics);
         if (!written) continue;
         if (const std::string error = error_in(*written, project); !error.empty()) {
-            project.diagnostics.report(frontend::rules::no_cyclic_form,
-                                       driver::declared_at(project.system, component),
+            project.diagnostics.report(frontend::rules::no_cyclic_form, driver::declared_at(project.system, component),
                                        {"a construct", name, "the text would be wrong: " + error});
             continue;
         }

@@ -541,8 +541,7 @@ void note_nothing_checked(const Options& options, Report& report) {
 bool has_components(const driver::Part& part, const std::vector<driver::Part>& parts, const Options& options) {
     const bool code = options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
-                      options.verb == Verb::emit_rst ||
-                      options.verb == Verb::conform;
+                      options.verb == Verb::emit_rst || options.verb == Verb::conform;
     const bool some =
         !driver::code_components(part.project->system, options.load.component, options.load.robosim).empty();
     return some || (options.load.component.empty() && (!code || parts.size() == 1));

@@ -434,7 +434,7 @@ private:
 
     // ------------------------------------------------------------ files
 
-    /// The name of the component. In the unnamed package, the name of the model could not be told apart from it.
+    /// The name of the component. In the unnamed package, its old name is the name of the RoboChart component only.
     std::string new_name() const {
         const std::string& name = subject_.context->name;
         return robosim_name(subject_.file->package.empty() ? name + "_sim" : name);

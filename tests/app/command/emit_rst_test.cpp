@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "tests/app/command.hpp"
@@ -286,10 +287,10 @@ TEST(EmitRstRefusals, NameTheConstructAndTheCause) {
          "the during action of state `A` of `C` cannot be written in RoboSim"},
         {"stm C { event e initial i state A { } transition t0 { from i to A }\n"
          "transition t1 { from A to A trigger e <{ 3 } action wait(1) } }\n",
-         "the deadline of transition `t1` of `C` cannot be written in RoboSim"},
+         "[RC-K08]"},
         {"stm C { event o initial i state A { entry o ; wait(3) } transition t0 { from i to A }\n"
          "transition t1 { from A to A } }\n",
-         "`C` cannot be run in cycles of 2 time units", "2"},
+         "a wait of `3` of `C` cannot be written in RoboSim: it may end between two cycles", "2"},
         {"stm C { initial i state A { } transition t0 { from i to A } transition t1 { from A to A } }\n", "[RC-K01]"},
         {"stm C { event o initial i state A { entry o } transition t0 { from i to A } transition t1 { from A to A } "
          "}\n",
