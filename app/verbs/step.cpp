@@ -373,6 +373,7 @@ void Console::end_cycle() {
 
 void Console::run_cycle(const std::string& words) {
     if (!stepped_.cycle) return report_wrong("only RoboSim components run in cycles");
+    if (!at_reads()) take_hidden_steps();  // machines in a component may first read events between them
     if (read_registers(read_inputs(words))) end_cycle();
     const std::vector<runs::RunCycle> cycles = runs::cycles_of(stepper_.run(stepped_.time));
     if (!cycles.empty()) print("cycle {}   {}\n", cycles.size(), runs::text_of(cycles.back()));
