@@ -123,7 +123,7 @@ TEST(Validate, FixMovesClaims) {
 TEST(Validate, ReadsRulesAndClaimsAlone) {
     const testing::Folder folder({{"good.sleec", "def_start event Go def_end rule_start R when Go then Go rule_end\n"},
                                   {"bad.sleec", "def_start event Go def_end rule_start R when Goo then Go rule_end\n"},
-                                  {"alone.claims", "claim A : never halt\n"}});
+                                  {"far/alone/alone.claims", "claim A : never halt\n"}});
     const auto rules = run({"validate", folder / "good.sleec"});
     EXPECT_EQ(rules.exit, 0) << rules.err;
     EXPECT_NE(rules.out.find("valid"), std::string::npos) << rules.out;
@@ -131,7 +131,7 @@ TEST(Validate, ReadsRulesAndClaimsAlone) {
     EXPECT_EQ(both.exit, 2);
     EXPECT_NE(both.out.find("SLEEC-T01"), std::string::npos) << both.out;
     EXPECT_NE(both.out.find("bad.sleec"), std::string::npos);
-    const auto claims = run({"validate", folder / "alone.claims"});
+    const auto claims = run({"validate", folder / "far/alone/alone.claims"});
     EXPECT_EQ(claims.exit, 2);
     EXPECT_NE(claims.err.find("contains no RoboChart files"), std::string::npos) << claims.err;
 }

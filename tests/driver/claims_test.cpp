@@ -344,9 +344,9 @@ TEST(Claims, ReadTruthValuesBesideABlockOfValues) {
         "transition b { from A to A trigger level?n } }";
     const Answers answers({{"m.rct", model},
                            {"b.assertions",
-                            "package q import p::* timed csp Instantiations csp-begin nametype core_nat = {0..1} "
-                            "nametype core_int = {0..1} nametype core_real = {0..1} nametype core_boolean = Bool "
-                            "nametype core_string = {0} csp-end"}},
+                            "package q import p::* timed csp Instantiations csp-begin\nnametype core_nat = {0..1}\n"
+                            "nametype core_int = {0..1}\nnametype core_real = {0..1}\nnametype core_boolean = Bool\n"
+                            "nametype core_string = {0}\ncsp-end\n"}},
                           "import p::*\nclaim A of S : lit only after lamp(true) or lamp(false)\n"
                           "claim B of S : lit only after lamp(x) with x\nclaim C of S : never level(1)\n");
     EXPECT_EQ(answers.verdict("A"), "holds") << answers.of("A").reason << answers.text();
