@@ -22,7 +22,6 @@ driver::ClaimUse claim_use(Verb verb) {
         case Verb::tune:
             return driver::ClaimUse::ignore;
         case Verb::emit_prism:
-        case Verb::emit_rst:
         case Verb::cspm:
         case Verb::explain:
         case Verb::format:
@@ -53,6 +52,7 @@ bool handles_robosim(Verb verb) {
         case Verb::check:
         case Verb::emit_csp:
         case Verb::emit_prism:
+        case Verb::emit_rst:
         case Verb::cspm:
         case Verb::draw:
         case Verb::explain:
