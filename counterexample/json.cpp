@@ -3,6 +3,7 @@
 #include "counterexample/json.hpp"
 
 #include "base/diagnostics/json_values.hpp"
+#include "counterexample/cycles.hpp"
 
 namespace robochart::runs {
 namespace {
@@ -38,6 +39,12 @@ const char* json_word(Kind kind) {
             return "internal";
         case Kind::event:
             return "event";
+        case Kind::read:
+            return "read";
+        case Kind::empty_read:
+            return "emptyRead";
+        case Kind::cycle_end:
+            return "cycleEnd";
     }
     return "";
 }
@@ -190,6 +197,10 @@ Json end(const End& end) {
     return json;
 }
 
+Json cycle_json(const RunCycle& cycle) {
+    return {{"time", cycle.time}, {"inputs", cycle.inputs}, {"outputs", cycle.outputs}, {"states", cycle.states}};
+}
+
 }  // namespace
 
 Json run_json(const Run& run) {
@@ -200,6 +211,7 @@ Json run_json(const Run& run) {
     json["steps"] = Json::array();
     for (std::size_t i = 0; i < run.steps.size(); ++i) json["steps"].push_back(step_json(run.steps[i], i + 1));
     json["loopStart"] = run.loop_start ? Json(*run.loop_start + 1) : Json(nullptr);
+    if (const auto cycles = cycles_of(run); !cycles.empty()) json["cycles"] = json_array(cycles, cycle_json);
     json["end"] = end(run.end);
     return json;
 }

@@ -42,6 +42,11 @@ Kind kind_of(MeaningKind kind) {
             return Kind::tock;
         case MeaningKind::refusal:
             return Kind::refusal;
+        case MeaningKind::event_read:
+        case MeaningKind::variable_read:
+            return Kind::read;
+        case MeaningKind::cycle_end:
+            return Kind::cycle_end;
         case MeaningKind::step:
         case MeaningKind::memory:
             break;
@@ -65,6 +70,14 @@ VariableKind kind_of(ParameterKind kind) {
     return VariableKind::temporary;
 }
 
+/// The content of the register of an event: whether it is full, and its value, which is arbitrary if it is empty.
+std::string register_text(const EventMeaning& event, const std::vector<Value>& values) {
+    const bool full = values.front().text == "true";
+    if (values.size() == 1) return (full ? "" : "no ") + event.text;
+    return full ? fmt::format("{} with {}", event.text, values.back().text)
+                : fmt::format("no {}, its register contains {}", event.text, values.back().text);
+}
+
 std::string with_values(const EventMeaning& event, const std::vector<Value>& values) {
     if (values.empty()) return event.text;
     std::vector<std::string> shown;
@@ -76,6 +89,11 @@ std::string with_values(const EventMeaning& event, const std::vector<Value>& val
             return fmt::format("{} = {}", event.text, joined);
         case MeaningKind::call:
             return fmt::format("{}({})", event.text, joined);
+        case MeaningKind::variable_read:
+            return fmt::format("{} = {}", event.text, joined);
+        case MeaningKind::event_read:
+            return register_text(event, values);
+        case MeaningKind::cycle_end:
         case MeaningKind::transition:
         case MeaningKind::trigger:
         case MeaningKind::output:
@@ -220,6 +238,9 @@ Event Meanings::event_of(const std::string& name) const {
     }
     result.values = values_of_event(system_, instantiation_, found->types, arguments);
     result.text = with_values(*found, result.values);
+    const bool empty =
+        found->kind == MeaningKind::event_read && !result.values.empty() && result.values.front().text != "true";
+    if (empty) result.kind = Kind::empty_read;
     return result;
 }
 

@@ -36,9 +36,12 @@ enum class Kind {
     exited,          ///< a state has been left
     tock,            ///< time passes
     terminate,
-    refusal,   ///< a refusal, in models of refinement in which it is an event (tick-tock)
-    internal,  ///< a step without a name in the model
-    event,     ///< an event of a process in a CSP block
+    refusal,     ///< a refusal, in models of refinement in which it is an event (tick-tock)
+    internal,    ///< a step without a name in the model
+    event,       ///< an event of a process in a CSP block
+    read,        ///< RoboSim: a register is read that contains a value
+    empty_read,  ///< RoboSim: the empty register of an event is read
+    cycle_end,   ///< RoboSim: the execution of a cycle ends
 };
 
 /// A value that is communicated.

@@ -84,7 +84,8 @@ Happening StepReader::happening_of(const std::vector<ComponentStep>& steps, cons
              known, machine});
     }
     const auto rank = [](const Candidate& candidate) {
-        const bool acts = candidate.event.kind != Kind::input && candidate.event.kind != Kind::external_write;
+        const bool acts = candidate.event.kind != Kind::input && candidate.event.kind != Kind::external_write &&
+                          candidate.event.kind != Kind::read && candidate.event.kind != Kind::empty_read;
         return std::tuple(!candidate.known, !candidate.machine, !acts);
     };
     std::ranges::stable_sort(candidates,

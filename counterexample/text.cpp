@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostics/escape.hpp"
+#include "counterexample/cycles.hpp"
 
 namespace robochart::runs {
 namespace {
@@ -39,6 +40,7 @@ private:
     [[nodiscard]] std::vector<Line> loop_lines() const;
     [[nodiscard]] std::string machine_line(const Machine& machine) const;
     void add(const std::vector<Line>& lines);
+    void add_cycles();
     [[nodiscard]] const std::vector<Machine>& at_the_end() const;
 
     const Run& run_;
@@ -162,6 +164,12 @@ std::vector<Line> Writer::loop_lines() const {
     return result;
 }
 
+void Writer::add_cycles() {
+    const std::vector<RunCycle> cycles = cycles_of(run_);
+    for (std::size_t i = 0; i < cycles.size(); ++i)
+        out_ += fmt::format("{}cycle {:<3} {}\n", indent_, i + 1, text_of(cycles[i]));
+}
+
 std::string Writer::write() {
     const std::size_t end = run_.loop_start.value_or(run_.steps.size());
     std::vector<Line> run = lines_of_steps(0, end);
@@ -179,6 +187,7 @@ std::string Writer::write() {
         out_ += fmt::format("{}then for ever:\n", indent_);
         add(loop_lines());
     }
+    add_cycles();
     if (!run_.end.why.empty()) out_ += fmt::format("{}why {}\n", indent_, run_.end.why);
     return std::move(out_);
 }
@@ -203,7 +212,11 @@ bool is_news(const Step& step) {
         case Kind::terminate:
         case Kind::refusal:
         case Kind::event:
+        case Kind::read:
+        case Kind::empty_read:
             break;
+        case Kind::cycle_end:
+            return false;
     }
     return true;
 }

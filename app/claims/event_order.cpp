@@ -156,7 +156,7 @@ cpp_emit::EventOrder translate(const driver::Project& project, const ir::Compone
     if (orders.empty()) return result;
     const std::vector<claims::Component> components = claims::components_of(project.system);
     const auto of = std::ranges::find(components, ir::qualified_name(component), &claims::Component::path);
-    if (of == components.end()) return result;
+    if (of == components.end() || ir::is_robosim(project.system, component)) return result;
     const Translator translator(project, component, *of);
     diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
     std::optional<cpp_emit::Component> plan;

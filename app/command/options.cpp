@@ -35,10 +35,45 @@ driver::ClaimUse claim_use(Verb verb) {
     return driver::ClaimUse::read;
 }
 
+namespace {
+
+/// True if the verb generates code or runs components of RoboSim. Claims of .rsa files do not depend on this.
+bool handles_robosim(Verb verb) {
+    switch (verb) {
+        case Verb::verify:
+        case Verb::emit_cpp:
+        case Verb::emit_monitor:
+        case Verb::emit_tests:
+        case Verb::conform:
+        case Verb::simulate:
+        case Verb::step:
+            return true;
+        case Verb::check:
+        case Verb::emit_csp:
+        case Verb::emit_prism:
+        case Verb::cspm:
+        case Verb::draw:
+        case Verb::explain:
+        case Verb::format:
+        case Verb::init:
+        case Verb::lsp:
+        case Verb::prism:
+        case Verb::rules:
+        case Verb::tune:
+        case Verb::validate:
+        case Verb::help:
+        case Verb::version:
+            return false;
+    }
+    return false;
+}
+
+}  // namespace
+
 void set_verb(Options& options, Verb verb) {
     options.verb = verb;
     options.load.claims = claim_use(verb);
-    options.load.robosim_code = verb == Verb::emit_cpp || verb == Verb::conform;
+    options.load.robosim = handles_robosim(verb);
 }
 
 }  // namespace robochart::app

@@ -18,6 +18,7 @@
 #include "app/report/value_plot.hpp"
 #include "base/diagnostics/escape.hpp"
 #include "base/diagnostics/json.hpp"
+#include "counterexample/cycles.hpp"
 #include "counterexample/text.hpp"
 #include "driver/claims/certificates.hpp"
 
@@ -133,6 +134,7 @@ private:
     void write_row(std::size_t number, const runs::Step* step, const std::vector<runs::Machine>& before,
                    const std::vector<runs::Machine>& after);
     void write_scope_legend(const runs::Run& run);
+    void write_cycles(const runs::Run& run);
     [[nodiscard]] std::vector<std::set<std::string>> marked_elements(const runs::Run& run) const;
     void write_figures(const std::string& id, const runs::Run& run);
     void write_figure(const std::string& attributes, const std::string& caption, const std::string& svg);
@@ -422,6 +424,30 @@ void ReportPage::write_steps(const std::string& id, const runs::Run& run) {
     out_ += "</tbody></table>\n";
     write_scope_legend(run);
     out_ += "</div>\n";
+    write_cycles(run);
+}
+
+/// RoboSim: the cycles of the run.
+void ReportPage::write_cycles(const runs::Run& run) {
+    const std::vector<runs::RunCycle> cycles = runs::cycles_of(run);
+    if (cycles.empty()) return;
+    out_ +=
+        "<div class=\"cycles\">\n<table><thead><tr><th scope=\"col\">cycle</th><th scope=\"col\">time</th>"
+        "<th scope=\"col\">inputs</th><th scope=\"col\">outputs</th><th scope=\"col\">states at its end</th></tr>"
+        "</thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        if (i == most_steps / 2 && cycles.size() > most_steps) {
+            i = cycles.size() - most_steps / 2;
+            out_ += fmt::format("<tr><td colspan=\"5\">{} cycles are left out</td></tr>\n", cycles.size() - most_steps);
+        }
+        const runs::RunCycle& cycle = cycles[i];
+        out_ += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", i + 1,
+                            xml_text(durations::time_text(cycle.time, unit_)),
+                            xml_text(fmt::format("{}", fmt::join(cycle.inputs, ", "))),
+                            xml_text(fmt::format("{}", fmt::join(cycle.outputs, ", "))),
+                            xml_text(fmt::format("{}", fmt::join(cycle.states, "; "))));
+    }
+    out_ += "</tbody></table>\n</div>\n";
 }
 
 /// Says what the bars beside the steps mean, if the run has some.

@@ -32,6 +32,27 @@ struct Unsayable {
     std::string why;
 };
 
+/// RoboSim: "pressed" of "P::S::registerRead.P::S::i_pressed.true"; "" of another event.
+std::string register_name(const std::string& name) {
+    for (const std::string_view channel : {"::registerRead.", "::registerWrite."}) {
+        const std::size_t at = name.find(channel);
+        if (at == std::string::npos) continue;
+        const std::string rest = name.substr(at + channel.size());
+        const std::string constructor = rest.substr(0, rest.find('.'));
+        const std::size_t mark = constructor.rfind("::");
+        return constructor.substr(mark == std::string::npos ? 2 : mark + 4);  // after `i_` or `o_`
+    }
+    return "";
+}
+
+/// The values of an event in a log. RoboSim: whether a register is full is not among them.
+std::vector<runs::Value> logged_values(const runs::Event& event) {
+    std::vector<runs::Value> result = event.values;
+    const bool of_event = event.kind == Kind::read && event.text.find(" = ") == std::string::npos;
+    if (of_event && !result.empty()) result.erase(result.begin());
+    return result;
+}
+
 /// Throws Unsayable for composed values.
 std::string word_of(const runs::Offer& offer, const Stepped& stepped) {
     const runs::Event& event = offer.happening.event;
@@ -153,6 +174,12 @@ std::optional<Node> next(const Node& node, const runs::Offer& offer, const Wante
         return result;
     }
     if (role == LogRole::termination) return expected.terminates ? std::optional(result) : std::nullopt;
+    if (offer.happening.event.kind == Kind::empty_read) {
+        const std::string input = register_name(offer.name) + "?";
+        const bool full =
+            std::ranges::any_of(node.left, [&](const std::string& word) { return word.starts_with(input); });
+        return full ? std::nullopt : std::optional(result);
+    }
     const std::string word = word_of(offer, stepped);
     if (role == LogRole::input) return result.left.erase(word) > 0 ? std::optional(result) : std::nullopt;
     if (role != LogRole::output) return result;
@@ -257,6 +284,7 @@ LogRole log_role(const runs::Event& event) {
     switch (event.kind) {
         case Kind::input:
         case Kind::external_write:
+        case Kind::read:
             return LogRole::input;
         case Kind::output:
         case Kind::call:
@@ -272,12 +300,15 @@ LogRole log_role(const runs::Event& event) {
         case Kind::refusal:
         case Kind::internal:
         case Kind::event:
+        case Kind::empty_read:
+        case Kind::cycle_end:
             return LogRole::none;
     }
     return LogRole::none;
 }
 
 std::optional<std::string> log_word(const runs::Event& event, std::string name, const Stepped& stepped) {
+    const std::string of_register = register_name(name);
     name = name.substr(0, name.find('.'));
     if (const std::string prefix = stepped.name + "::"; name.starts_with(prefix)) name = name.substr(prefix.size());
     for (const std::string_view before : {"set_EXT_", "set_"})
@@ -286,9 +317,11 @@ std::optional<std::string> log_word(const runs::Event& event, std::string name, 
             break;
         }
     if (event.kind == Kind::call && name.ends_with("Call")) name.resize(name.size() - 4);
+    if (!of_register.empty()) name = of_register;
     std::string word = name + (log_role(event) == LogRole::input ? "?" : "!");
-    for (std::size_t i = 0; i < event.values.size(); ++i) {
-        const std::string& text = event.values[i].text;
+    const std::vector<runs::Value> values = logged_values(event);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string& text = values[i].text;
         const bool plain = std::ranges::all_of(text, [](char c) {
             return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
         });
@@ -298,12 +331,22 @@ std::optional<std::string> log_word(const runs::Event& event, std::string name, 
     return word;
 }
 
+std::optional<ReadRegister> read_register(const runs::Offer& offer) {
+    const runs::Event& event = offer.happening.event;
+    if (event.kind != Kind::read && event.kind != Kind::empty_read) return std::nullopt;
+    const bool variable = event.text.find(" = ") != std::string::npos;
+    const std::vector<runs::Value> values = logged_values(event);
+    const bool valued = event.kind == Kind::read && !values.empty();
+    return ReadRegister{register_name(offer.name), valued ? values.front().text : "", !variable};
+}
+
 std::string log_head(const Stepped& stepped) {
     std::string constants;
     if (stepped.project != nullptr)
         for (const auto& [name, value] : stepped.project->asked.constants)
             constants += fmt::format("const {}={}\n", name, value);
-    return fmt::format("robochart-trace 1\ncomponent {}\ncycle 1\n{}run by hand\n", stepped.name, constants);
+    return fmt::format("robochart-trace 1\ncomponent {}\ncycle {}\n{}run by hand\n", stepped.name,
+                       stepped.cycle.value_or(1), constants);
 }
 
 namespace {

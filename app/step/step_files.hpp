@@ -18,7 +18,8 @@ struct Stepped {
     std::string model;                         ///< the file or folder
     const driver::Project* project = nullptr;  ///< null: a process of a script
     csp_emit::Time time = csp_emit::Time::timed;
-    bool any_constants = false;  ///< also follow logs that were made with other constants
+    std::optional<std::uint32_t> cycle = {};  ///< RoboSim: the time units of a cycle
+    bool any_constants = false;               ///< also follow logs that were made with other constants
 };
 
 /// The role of an event in a log.
@@ -27,6 +28,14 @@ enum class LogRole { none, input, output, tock, termination };
 /// An input or output in the notation of logs: "e?3", "move!1!2". `name` is that of runs::Offer. No value if the event
 /// has a composed value, which logs cannot contain.
 [[nodiscard]] std::optional<std::string> log_word(const runs::Event&, std::string name, const Stepped&);
+/// RoboSim: what a read of a register says.
+struct ReadRegister {
+    std::string name;    ///< of the event or variable
+    std::string value;   ///< of a full register; "" if it has none
+    bool event = false;  ///< of an event, not of a variable
+};
+/// No value if the offer is not a read.
+[[nodiscard]] std::optional<ReadRegister> read_register(const runs::Offer&);
 /// The first lines of a log.
 [[nodiscard]] std::string log_head(const Stepped&);
 

@@ -29,7 +29,7 @@ public:
     runs::Run run_of_log(const ComparedLog& log) {
         runs::Stepper& stepper = stepper_of(log);
         // The constants need no check, because the log was compared with this model.
-        const Stepped stepped{log.component, "", log.project, csp_emit::Time::timed, true};
+        const Stepped stepped{log.component, "", log.project, csp_emit::Time::timed, {}, true};
         const Followed followed = follow_log(stepper, stepped, log.path, *options_.run);
         runs::Run run = stepper.run(csp_emit::Time::timed);
         run.end.why = followed.error.empty() ? "the end of the run" : followed.error;

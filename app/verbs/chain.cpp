@@ -123,7 +123,8 @@ private:
         diagnostics::Budget& budget = options_.run->budget();
         const diagnostics::Budget::Phase phase(budget, "finding what robots may do between two states of the chain");
         const std::uint64_t units = scenario_.steps_between_samples() * scenario_.units_per_step;
-        const ir::ComponentRef component = driver::code_components(project_.system, scenario_.component.text).front();
+        const ir::ComponentRef component =
+            driver::code_components(project_.system, scenario_.component.text, true).front();
         probability::check_finite(project_.system, component);
         const auto process =
             probability::explore_process(project_.system, component, project_.instantiation, {}, project_.sources,

@@ -42,9 +42,9 @@ Made make_suite(driver::Project& project, const Options& options, const ir::Comp
     std::string error;
     const cpp_emit::EventOrder order = event_order(project, component);
     if (!project.diagnostics.ok()) throw std::length_error("its order of events is wrong");
-    const auto model =
-        conformance::CyclicModel::load(project.system, project.instantiation, component, options.code.cycle, bounds,
-                                       project.sources, project.diagnostics, error, order);
+    const auto model = conformance::CyclicModel::load(project.system, project.instantiation, component,
+                                                      control_cycle(project, component, options), bounds,
+                                                      project.sources, project.diagnostics, error, order);
     if (model == nullptr) throw std::length_error(error);
     const auto choices = conformance::choice_automaton(*model, bounds);
     const std::string name = file_name(project, component);
@@ -67,7 +67,7 @@ Made make_suite(driver::Project& project, const Options& options, const ir::Comp
 }  // namespace
 
 bool write_tests(driver::Project& project, const Options& options, Report& report) {
-    const auto components = driver::code_components(project.system, options.load.component);
+    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim);
     if (components.empty())
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.load.component.empty() ? "the model" : options.load.component});

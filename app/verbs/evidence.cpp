@@ -114,7 +114,7 @@ void decide_conformance(const Options& options, const simulation::Scenario& scen
         Report report;
         for (const driver::Part& part : parts)
             if (is_acceptable(*part.project, model_options.load) && !part.again &&
-                !driver::code_components(part.project->system, model_options.load.component).empty())
+                !driver::code_components(part.project->system, model_options.load.component, true).empty())
                 check_conformance(*part.project, model_options, report);
         const std::string name = in_front(scenario, controller);
         for (const ConformanceReport& component_report : report.conformance)

@@ -205,7 +205,8 @@ std::unique_ptr<simulation::Guard> guard_of(Simulation& simulation, driver::Proj
                                             const Options& options) {
     const std::uint32_t cycle = simulation.scenario.units_per_step;
     if (options.simulate.guarding_rules.empty()) {
-        auto made = build_monitor(project, options, driver::code_components(project.system, component).front(), cycle);
+        auto made =
+            build_monitor(project, options, driver::code_components(project.system, component, true).front(), cycle);
         if (made == nullptr && project.diagnostics.ok())
             simulation.project->diagnostics.report(driver::rules::bad_option, {},
                                                    {fmt::format("--monitor: there is no monitor of {}", component)});
@@ -315,12 +316,12 @@ bool write_rule_monitors(const Options& options, Report& report) {
 }
 
 bool write_monitors(driver::Project& project, const Options& options, Report& report) {
-    const auto components = driver::code_components(project.system, options.load.component);
+    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim);
     if (components.empty())
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.load.component.empty() ? "the model" : options.load.component});
     for (const ir::ComponentRef& component : components) {
-        const auto made = build_monitor(project, options, component, options.code.cycle);
+        const auto made = build_monitor(project, options, component, control_cycle(project, component, options));
         if (made == nullptr) return false;
         const std::string below = fmt::format("monitor/{}{}/", project.folder, file_name(project, component));
         const auto files = conformance::monitor_files(made->tables(), file_name(project, component));

@@ -33,6 +33,8 @@
 #include "driver/model/project_claims.hpp"
 #include "driver/settings/rules.hpp"
 #include "frontend/syntax/syntax_rules.hpp"
+#include "semantics/instantiate/instantiate.hpp"
+#include "semantics/ir/query.hpp"
 #include "simulation/report/report.hpp"
 #include "simulation/scenario/read_scenario.hpp"
 #include "simulation/scenario/rules.hpp"
@@ -159,14 +161,26 @@ std::string controllers_text(const simulation::Scenario& scenario) {
 /// Generates the code of one component. Errors are reported in the scenario's project.
 cpp_emit::DriveEmission emit_component(Simulation& simulation, driver::Project& project, const Name& component,
                                        const std::string& model) {
-    const auto components = driver::code_components(project.system, component.text);
+    const auto components = driver::code_components(project.system, component.text, true);
     if (components.empty()) {
         simulation.project->diagnostics.report(simulation::rules::no_controller, component.span,
                                                {component.text, model});
         return {};
     }
+    const std::uint32_t units = simulation.scenario.units_per_step;
+    const bool robosim = ir::is_robosim(project.system, components.front());
+    const std::int64_t cycle =
+        robosim ? ir::cycle_of(project.system, project.instantiation, components.front()) : units;
+    if (cycle != units) {
+        simulation.project->diagnostics.report(
+            simulation::rules::out_of_range, component.span,
+            {fmt::format(
+                "the cycle of {} is {} time units long, and a control step of the scenario is {}: they must be equal",
+                component.text, cycle, units)});
+        return {};
+    }
     cpp_emit::Options generator;
-    generator.cycle_length = simulation.scenario.units_per_step;
+    generator.cycle_length = units;
     generator.sources = &project.sources;
     generator.order = event_order(project, components.front());
     return cpp_emit::emit_drive(project.system, project.instantiation, components.front(), generator,

@@ -9,7 +9,9 @@
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "app/command/findings.hpp"
@@ -28,10 +30,13 @@
 #include "checker/cspm/session.hpp"
 #include "checker/cspm/syntax/reader.hpp"
 #include "checker/process/operational_semantics.hpp"
+#include "conformance/model/renamed_model.hpp"
+#include "counterexample/cycles.hpp"
 #include "counterexample/evaluation_failure.hpp"
 #include "counterexample/stepper.hpp"
 #include "counterexample/text.hpp"
 #include "driver/model/pipeline.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/query.hpp"
 
 namespace robochart::app {
@@ -74,6 +79,14 @@ private:
     void undo_steps(const std::string& word);
     void pass_time(const std::string& word);
     void take_random_steps(const std::string& word);
+    void run_cycle(const std::string& words);
+    [[nodiscard]] bool read_registers(std::map<std::string, std::string> given);
+    [[nodiscard]] std::optional<std::size_t> choose_read(const std::map<std::string, std::string>& given) const;
+    [[nodiscard]] bool at_reads() const;
+    [[nodiscard]] std::string last_value(const std::string& variable) const;
+    void end_cycle();
+    bool take_hidden_steps();
+    void take(std::size_t offer);
     void step_until(const std::string& text);
     void explain_absences(const std::string& text);
     void find(const std::string& text);
@@ -222,6 +235,151 @@ void Console::take_random_steps(const std::string& word) {
     show_state();
 }
 
+void Console::take(std::size_t offer) {
+    choices_.push_back(stepper_.steps_taken().size());
+    stepper_.take_offer(offer);
+    settle_hidden();
+}
+
+namespace {
+
+bool is_read(const runs::Event& event) {
+    return event.kind == runs::Kind::read || event.kind == runs::Kind::empty_read;
+}
+
+/// The inputs of `cycle`: "pressed", "e=3". A name without a value has the value "".
+std::map<std::string, std::string> read_inputs(const std::string& words) {
+    std::map<std::string, std::string> result;
+    std::istringstream in(words);
+    for (std::string word; in >> word;) {
+        const std::size_t equal = word.find('=');
+        result[word.substr(0, equal)] = equal == std::string::npos ? "" : word.substr(equal + 1);
+    }
+    return result;
+}
+
+}  // namespace
+
+bool Console::at_reads() const {
+    const auto offers = stepper_.offers_at(stepper_.current_term());
+    return std::ranges::any_of(
+        offers, [](const runs::Offer& offer) { return !offer.hidden && is_read(offer.happening.event); });
+}
+
+/// The value of the last read of a variable; "" if there is none.
+std::string Console::last_value(const std::string& variable) const {
+    std::string result;
+    for (const runs::Taken& step : stepper_.steps_taken())
+        if (const auto read = step.offer.hidden ? std::nullopt : read_register(step.offer);
+            read && read->name == variable)
+            result = read->value;
+    return result;
+}
+
+/// The offered read that fits the given inputs: an event that is not given is absent, and a variable that is not given
+/// keeps its last value. No value if none fits.
+std::optional<std::size_t> Console::choose_read(const std::map<std::string, std::string>& given) const {
+    const std::vector<runs::Offer> offers = stepper_.offers_at(stepper_.current_term());
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        const runs::Event& event = offers[i].happening.event;
+        const std::optional<ReadRegister> read = offers[i].hidden ? std::nullopt : read_register(offers[i]);
+        if (!read) continue;
+        const auto value = given.find(read->name);
+        if (value != given.end()) {
+            if (event.kind == runs::Kind::read && read->value == value->second) return i;
+            continue;
+        }
+        if (event.kind == runs::Kind::empty_read) return i;
+        if (read->event) continue;
+        if (last_value(read->name) == read->value) return i;
+        if (!first) first = i;
+    }
+    return first;
+}
+
+bool Console::read_registers(std::map<std::string, std::string> given) {
+    std::set<std::string> read;
+    while (at_reads()) {
+        const auto offer = choose_read(given);
+        if (!offer) {
+            report_wrong("an input has no such value: the offers show which values it has");
+            return false;
+        }
+        if (const auto found = read_register(stepper_.current_offers()[*offer])) read.insert(found->name);
+        take(*offer);
+    }
+    for (const auto& [name, value] : given)
+        if (!read.contains(name)) {
+            report_wrong(fmt::format("{} is not an input that is read in this cycle", name));
+            return false;
+        }
+    return true;
+}
+
+/// Takes the hidden steps here if their order does not matter: they all lead to one state without hidden steps, which
+/// still offers every visible event on the way. Returns false if there is a choice.
+bool Console::take_hidden_steps() {
+    struct Node {
+        process::TermId term{};
+        std::size_t parent = 0, offer = 0;
+    };
+    std::vector<Node> nodes{{stepper_.current_term(), 0, 0}};
+    std::set<process::TermId> seen{nodes.front().term};
+    std::set<std::string> visible, at_end;
+    std::optional<std::size_t> end;
+    for (std::size_t at = 0; at < nodes.size(); ++at) {
+        options_.run->budget().poll();
+        if (nodes.size() > most_settled) return false;
+        bool stable = true;
+        std::set<std::string> names;
+        const std::vector<runs::Offer> offers = stepper_.offers_at(nodes[at].term);
+        for (std::size_t i = 0; i < offers.size(); ++i) {
+            if (!offers[i].hidden) names.insert(offers[i].name);
+            stable = stable && !offers[i].hidden;
+            if (offers[i].hidden && seen.insert(offers[i].step.target).second)
+                nodes.push_back({offers[i].step.target, at, i});
+        }
+        if (stable && end) return false;
+        if (stable) end = at;
+        (stable ? at_end : visible).insert(names.begin(), names.end());
+    }
+    if (!end || !std::ranges::includes(at_end, visible)) return false;
+    std::vector<std::size_t> way;
+    for (std::size_t at = *end; at != 0; at = nodes[at].parent) way.push_back(nodes[at].offer);
+    choices_.push_back(stepper_.steps_taken().size());
+    for (auto offer = way.rbegin(); offer != way.rend(); ++offer) stepper_.take_offer(*offer);
+    return true;
+}
+
+/// Takes the steps of the execution that have no alternative, then lets the time units of the cycle pass.
+void Console::end_cycle() {
+    for (std::size_t steps = 0; steps < most_settled; ++steps) {
+        options_.run->budget().poll();
+        const std::vector<runs::Offer>& offers = stepper_.current_offers();
+        if (offers.empty()) return report_wrong("time stops: the component can neither go on nor end its cycle");
+        if (std::ranges::any_of(offers, &runs::Offer::hidden) && take_hidden_steps()) continue;
+        if (offers.back().happening.event.kind == runs::Kind::tock) break;
+        if (offers.size() > 1)
+            return report_wrong("several steps are possible: take one by its number, then `cycle` goes on");
+        take(0);
+    }
+    for (std::uint32_t unit = 0; unit < *stepped_.cycle; ++unit) {
+        const std::vector<runs::Offer>& offers = stepper_.current_offers();
+        if (offers.empty() || offers.back().happening.event.kind != runs::Kind::tock) break;
+        take(offers.size() - 1);
+    }
+}
+
+void Console::run_cycle(const std::string& words) {
+    if (!stepped_.cycle) return report_wrong("only RoboSim components run in cycles");
+    if (!at_reads()) take_hidden_steps();  // machines in a component may first read events between them
+    if (read_registers(read_inputs(words))) end_cycle();
+    const std::vector<runs::RunCycle> cycles = runs::cycles_of(stepper_.run(stepped_.time));
+    if (!cycles.empty()) print("cycle {}   {}\n", cycles.size(), runs::text_of(cycles.back()));
+    show_state();
+}
+
 bool Console::has_occurred(const std::string& text, std::size_t steps) {
     const std::vector<runs::Taken>& way = stepper_.steps_taken();
     for (std::size_t i = steps; i < way.size(); ++i)
@@ -326,6 +484,8 @@ const std::vector<Console::Command>& Console::command_table() {
         {"undo", "[N]", "go back one choice, or to step N of the way", &Console::undo_steps},
         {"tock", "[N]", "let N time units pass, one without N, as far as nothing has to happen first",
          &Console::pass_time},
+        {"cycle", "[INPUT]...", "RoboSim: run to the end of a cycle with these inputs: `cycle pressed speed=2`",
+         &Console::run_cycle},
         {"random", "[N]", "take N offers by chance, one without N", &Console::take_random_steps},
         {"until", "TEXT", "take offers by chance until a state, a value or an event with this text",
          &Console::step_until},
@@ -412,7 +572,8 @@ Candidates candidate_components(const std::vector<driver::Part>& parts, const st
     Candidates result;
     for (const driver::Part& part : parts)
         if (part.project->diagnostics.ok() && !part.again)
-            for (const ir::ComponentRef& component : driver::code_components(part.project->system, component_name))
+            for (const ir::ComponentRef& component :
+                 driver::code_components(part.project->system, component_name, true))
                 result.emplace_back(part.project.get(), component);
     return result;
 }
@@ -424,7 +585,7 @@ std::pair<driver::Project*, ir::ComponentRef> find_meant_component(const std::ve
     if (found.size() == 1) return found.front();
     std::vector<std::string> names;
     for (const auto& [project, component] : found.empty() ? candidate_components(parts, "") : found)
-        names.push_back(ir::qualified_name(component));
+        names.push_back(driver::component_name(project->system, component));
     std::vector<std::string> known = names;  // names with and without their packages
     for (const std::string& name : names) known.push_back(name.substr(name.rfind(':') + 1));
     if (found.empty())
@@ -450,10 +611,20 @@ Exit step_component(const Options& options) {
         return refusal_code(*project);
     }
     record_block_values(*project, options);
-    const std::string name = ir::qualified_name(component);
+    std::optional<std::uint32_t> cycle;
+    if (ir::is_robosim(project->system, component)) {
+        if (time == csp_emit::Time::untimed)
+            throw UsageError(
+                fmt::format("{} is written in RoboSim, which has no untimed semantics", ir::qualified_name(component)));
+        cycle = static_cast<std::uint32_t>(ir::cycle_of(project->system, project->instantiation, component));
+    }
+    diagnostics::Diagnostics apart;  // discarded, because the script has reported the same findings
+    const ir::ComponentRef inside =
+        conformance::renamed_model(project->system, project->instantiation, component, apart).component;
     try {
-        SteppedComponent stepped(*project, name, time, options);
-        return run_stepper(stepped.stepper(), options, {name, options.load.inputs.front(), project, time}, parts);
+        SteppedComponent stepped(*project, ir::qualified_name(inside), time, options);
+        return run_stepper(stepped.stepper(), options,
+                           {ir::qualified_name(component), options.load.inputs.front(), project, time, cycle}, parts);
     } catch (const cspm::EvaluationError& error) {
         print_error("robochart-verify: {}\n", runs::placed_failure(error, project->system, project->sources));
         return Exit::bad_input;

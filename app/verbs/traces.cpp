@@ -114,6 +114,12 @@ public:
                 parts_.front(), driver::rules::bad_option,
                 {fmt::format("--traces: {} and {} both have a component {}; compare the log with one of them",
                              part->project->name, all[1].first->project->name, component_name)});
+        if (!component_name.empty() && all.size() > 1)
+            return report_refusal(parts_.front(), driver::rules::bad_option,
+                                  {fmt::format("--traces: {} is a component of RoboChart and one of RoboSim; "
+                                               "--component {} or --component {} selects one",
+                                               component_name, driver::component_name(part->project->system, component),
+                                               driver::component_name(part->project->system, all[1].second))});
         const std::uint32_t cycle = options_.code.cycle_given ? options_.code.cycle : header.cycle;
         Entry& entry = entries_[{part, ir::qualified_name(component), cycle}];
         if (entry.checker == nullptr && entry.error.empty()) load_entry(entry, *part->project, component, cycle);
@@ -154,14 +160,21 @@ private:
                 }
         return &parts;
     }
-    /// The first component with this name in each part.
+    /// The first component with this name in each part, and the first one of the other notation with the same name.
     [[nodiscard]] static std::vector<Candidate> first_components(const std::vector<driver::Part>& parts,
                                                                  const std::string& component_name) {
         std::vector<Candidate> result;
-        for (const driver::Part& part : parts)
-            if (const auto components = driver::code_components(part.project->system, component_name);
-                !part.again && !components.empty())
-                result.emplace_back(&part, components.front());
+        for (const driver::Part& part : parts) {
+            const ir::System& system = part.project->system;
+            const auto components = driver::code_components(system, component_name, true);
+            if (part.again || components.empty()) continue;
+            result.emplace_back(&part, components.front());
+            const auto other = std::ranges::find_if(components, [&](const ir::ComponentRef& component) {
+                return !component_name.empty() &&
+                       ir::is_robosim(system, component) != ir::is_robosim(system, components.front());
+            });
+            if (other != components.end()) result.emplace_back(&part, *other);
+        }
         return result;
     }
     static std::nullopt_t report_refusal(const driver::Part& part, const diagnostics::Rule& rule,

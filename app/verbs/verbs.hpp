@@ -40,6 +40,8 @@ void require_empty_certificates(const Options&);
 [[nodiscard]] bool write_cpp(driver::Project&, const Options&, Report&);
 /// Writes prism/MODULE.prism below the output folder.
 [[nodiscard]] bool write_prism(driver::Project&, const Options&, Report&);
+/// The time units of a control cycle: --cycle; without it, the cycle of a RoboSim component, or 1.
+[[nodiscard]] std::uint32_t control_cycle(const driver::Project&, const ir::ComponentRef&, const Options&);
 void check_conformance(driver::Project&, const Options&, Report&);
 /// Writes monitor/COMPONENT/… below the output folder.
 [[nodiscard]] bool write_monitors(driver::Project&, const Options&, Report&);

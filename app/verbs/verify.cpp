@@ -46,6 +46,7 @@
 #include "prism/emit/emit.hpp"
 #include "prism/emit/preferences.hpp"
 #include "prism/emit/rules.hpp"
+#include "semantics/instantiate/instantiate.hpp"
 #include "semantics/ir/dump.hpp"
 #include "semantics/ir/query.hpp"
 #include "semantics/lower/lower.hpp"
@@ -316,8 +317,13 @@ void set_cycles(driver::Project& project, const std::vector<ir::ComponentRef>& c
 
 }  // namespace
 
+std::uint32_t control_cycle(const driver::Project& project, const ir::ComponentRef& component, const Options& options) {
+    if (options.code.cycle_given || !ir::is_robosim(project.system, component)) return options.code.cycle;
+    return static_cast<std::uint32_t>(ir::cycle_of(project.system, project.instantiation, component));
+}
+
 bool write_cpp(driver::Project& project, const Options& options, Report& report) {
-    auto components = driver::code_components(project.system, options.load.component, options.load.robosim_code);
+    auto components = driver::code_components(project.system, options.load.component, options.load.robosim);
     if (components.empty()) {
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.load.component.empty() ? "the model" : options.load.component});
@@ -371,7 +377,7 @@ const ir::Module* module_of(const ir::System& system, const ir::ComponentRef& co
 bool write_prism(driver::Project& project, const Options& options, Report& report) {
     const auto preferences = read_preferences(project, options.probability);
     if (!preferences) return false;
-    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim_code);
+    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim);
     if (components.empty())
         project.diagnostics.report(prism_emit::rules::no_module, model_place(project), {project.name});
     for (const ir::ComponentRef& component : components) {
@@ -424,7 +430,9 @@ std::shared_ptr<const conformance::CycleClaims> cycle_claims(const driver::Proje
     conformance::CycleClaims claims;
     claims.unit = project.claims->checked.unit;
     for (const claims::CheckedClaim& claim : project.claims->checked.claims)
-        if (claim.raised && claim.component.path == ir::qualified_name(component)) claims.claims.push_back(claim);
+        if (claim.raised && claim.component.path == ir::qualified_name(component) &&
+            claim.component.robosim == ir::is_robosim(project.system, component))
+            claims.claims.push_back(claim);
     if (claims.claims.empty()) return nullptr;
     return std::make_shared<const conformance::CycleClaims>(std::move(claims));
 }
@@ -437,7 +445,7 @@ bool allows_rounding(const Options& options) {
 }  // namespace
 
 void check_conformance(driver::Project& project, const Options& options, Report& report) {
-    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim_code);
+    const auto components = driver::code_components(project.system, options.load.component, options.load.robosim);
     if (components.empty())
         project.diagnostics.report(rules::no_component, model_place(project),
                                    {options.load.component.empty() ? "the model" : options.load.component});
@@ -446,8 +454,10 @@ void check_conformance(driver::Project& project, const Options& options, Report&
     {
         const auto edit = options.run->edit();
         for (const ir::ComponentRef& component : components) {
-            report.conformance.push_back(
-                {project.label + ir::qualified_name(component), declaration_place(project, component), {}, 0});
+            report.conformance.push_back({project.label + driver::component_name(project.system, component),
+                                          declaration_place(project, component),
+                                          {},
+                                          0});
             report.conformance.back().result.reason = driver::undecided_at_limit;
         }
     }
@@ -472,7 +482,7 @@ void check_conformance(driver::Project& project, const Options& options, Report&
         conformance_options.claims = cycle_claims(project, component);
         conformance_options.exported = export_format(options.conform.exported_code);
         ConformanceReport one;
-        one.component = project.label + ir::qualified_name(component);
+        one.component = project.label + driver::component_name(project.system, component);
         one.region = declaration_place(project, component);
         if (!model) {
             model =
@@ -521,7 +531,7 @@ bool has_components(const driver::Part& part, const std::vector<driver::Part>& p
                       options.verb == Verb::emit_prism || options.verb == Verb::emit_tests ||
                       options.verb == Verb::conform;
     const bool some =
-        !driver::code_components(part.project->system, options.load.component, options.load.robosim_code).empty();
+        !driver::code_components(part.project->system, options.load.component, options.load.robosim).empty();
     return some || (options.load.component.empty() && (!code || parts.size() == 1));
 }
 
@@ -612,13 +622,6 @@ Exit refuse_parts(const driver::Project& stopped, const std::vector<driver::Part
     return refusal_code(stopped);
 }
 
-/// Whether all components are of RoboSim.
-bool has_only_robosim(const ir::System& system) {
-    const auto chart = [](const auto& component) { return !component.robosim; };
-    return !ir::robosim_components(system).empty() && std::ranges::none_of(system.machines, chart) &&
-           std::ranges::none_of(system.controllers, chart) && std::ranges::none_of(system.modules, chart);
-}
-
 /// Runs a verb whose answer is a report over all parts. A part with errors is rejected, and the others are still
 /// processed.
 Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, Report& report) {
@@ -634,9 +637,9 @@ Exit run_parts(const std::vector<driver::Part>& parts, const Options& options, R
         Options part_options = options;
         part_options.claims.core = core_wanted(part, options);
         const bool code =
-            !part.again && (options.load.robosim_code || !has_only_robosim(part.project->system)) &&
+            !part.again &&
             (parts.size() == 1 ||
-             !driver::code_components(part.project->system, options.load.component, options.load.robosim_code).empty());
+             !driver::code_components(part.project->system, options.load.component, options.load.robosim).empty());
         (void)run_phases(*part.project, part_options, code, report);
     }
     if (!some)
@@ -709,11 +712,6 @@ Options with_buffers(Options options) {
 
 Exit run_verb(const Options& given, Report& report, std::vector<driver::Part>& parts) {
     Options options = given.verb == Verb::emit_prism ? with_buffers(given) : given;
-    // Logs of RoboSim are not compared, and its code has no robot's project.
-    const bool of_a_robot = options.code.target == cpp_emit::Target::ros2 ||
-                            options.code.target == cpp_emit::Target::enki ||
-                            options.code.target == cpp_emit::Target::argos;
-    if (!options.conform.traces.empty() || of_a_robot) options.load.robosim_code = false;
     parts = driver::load_parts(options, options.run->budget());
     if (options.verb == Verb::conform || options.verb == Verb::emit_cpp || options.verb == Verb::emit_monitor ||
         options.verb == Verb::emit_tests)

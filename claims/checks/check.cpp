@@ -86,6 +86,12 @@ private:
         return result;
     }
 
+    /// If a RoboChart and a RoboSim component are meant, the claim is about the RoboChart component.
+    static void prefer_robochart(std::vector<const Component*>& components) {
+        const auto in_robosim = [](const Component* component) { return component->robosim; };
+        if (!std::ranges::all_of(components, in_robosim)) std::erase_if(components, in_robosim);
+    }
+
     static std::string list(const std::vector<const Component*>& components) {
         std::vector<std::string> paths;
         for (const Component* component : components) paths.push_back(component->path);
@@ -102,6 +108,7 @@ private:
         for (const ir::ComponentKind kind :
              {ir::ComponentKind::module, ir::ComponentKind::controller, ir::ComponentKind::machine}) {
             std::vector<const Component*> found = visible_components(file);
+            prefer_robochart(found);
             std::erase_if(found, [&](const Component* one) { return one->kind != kind || one->part; });
             if (found.size() == 1) return *found.front();
             if (found.size() > 1)
@@ -126,6 +133,8 @@ private:
             found.push_back(component);
             if (!component->part) exact.push_back(component);
         }
+        prefer_robochart(exact);
+        if (exact.empty()) prefer_robochart(found);
         if (exact.size() == 1) return *exact.front();
         if (found.size() == 1) return *found.front();
         if (found.size() > 1)
@@ -146,6 +155,12 @@ private:
         CheckedOrder result;
         result.component = named_component(order.component, file);
         result.span = order.span;
+        if (result.component.robosim)
+            refuse(
+                order.component.span,
+                fmt::format("{} is written in RoboSim, and orders of events are for RoboChart: the conditions of its "
+                            "transitions read all registers of a cycle",
+                            result.component.path));
         if (!order.first.empty() && result.component.kind != ir::ComponentKind::machine)
             refuse(order.component.span, "a machine tries events first; `drops` is about a component");
         for (const Name& event : order.first) {
@@ -334,6 +349,11 @@ private:
         const CheckedBody& body = checked.body;
         if (body.kind == BodyKind::can_take) check_readiness(claim, checked);
         if (checked.assumption) check_assumption(claim, checked);
+        if (checked.component.robosim && !checked.raised)
+            refuse(claim.name.span,
+                   fmt::format("{} is written in RoboSim: claims about it are about cycles (`in a cycle with E, ...`, "
+                               "`raised E`), and `conform` decides them; a .rsa file can state others",
+                               checked.component.path));
         if (checked.raised) check_cycle(claim, checked);
         const bool counts = body.kind == BodyKind::at_most || body.kind == BodyKind::every;
         if (counts && claim.scope.kind == ScopeKind::after && !claim.scope.only_first)

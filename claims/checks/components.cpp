@@ -20,6 +20,16 @@ void add_events(const std::vector<ir::Event>& events, Component& component) {
     }
 }
 
+/// RoboSim: the events of the input context, which are registers of the machine.
+void add_registers(const ir::Machine& machine, Component& component) {
+    for (const ir::Input& input : machine.inputs) {
+        if (!input.full.is_valid()) continue;
+        std::vector<ir::TypeId> types;
+        if (input.content.is_valid()) types.push_back(machine.variables[input.content.index].type);
+        component.channels.push_back({input.name, ChannelKind::input, types});
+    }
+}
+
 void add_call(const ir::OperationSignature& operation, Component& component) {
     component.channels.push_back({operation.name, ChannelKind::call, operation.parameters});
 }
@@ -42,16 +52,13 @@ class Lister {
 public:
     explicit Lister(const ir::System& system) : system_(system) {}
 
-    /// Claims in English are about RoboChart components only.
     std::vector<Component> list_all() {
-        for (const ir::Module& module : system_.modules)
-            if (!module.robosim) add_module(module);
+        for (const ir::Module& module : system_.modules) add_module(module);
         for (const ir::Controller& controller : system_.controllers)
-            if (!controller.robosim)
-                add_controller(controller, qualified(controller.package, controller.path), controller.package, false);
+            add_controller(controller, qualified(controller.package, controller.path), controller.package, false);
         for (std::uint32_t i = 0; i < system_.machines.size(); ++i) {
             const ir::Machine& machine = system_.machines[i];
-            if (machine.kind == ir::MachineKind::state_machine && !machine.robosim)
+            if (machine.kind == ir::MachineKind::state_machine)
                 add_machine({i}, {}, qualified(machine.package, machine.path), machine.package, false);
         }
         return std::move(result_);
@@ -59,8 +66,12 @@ public:
 
 private:
     void add_module(const ir::Module& module) {
-        Component component{
-            ir::ComponentKind::module, qualified(module.package, module.name), module.package, false, {}};
+        Component component{ir::ComponentKind::module,
+                            qualified(module.package, module.name),
+                            module.package,
+                            false,
+                            module.robosim,
+                            {}};
         add_events(module.platform.events, component);
         for (const ir::OperationSignature& operation : module.platform.operations) add_call(operation, component);
         for (const ir::ControllerInstance& instance : module.controllers)
@@ -109,7 +120,7 @@ private:
 
     void add_controller(const ir::Controller& controller, const std::string& path, const std::string& package,
                         bool part) {
-        Component component{ir::ComponentKind::controller, path, package, part, {}};
+        Component component{ir::ComponentKind::controller, path, package, part, controller.robosim, {}};
         add_events(controller.events, component);
         for (const ir::OperationSignature& operation : controller.operations) add_call(operation, component);
         add_definitions(controller, component);
@@ -123,9 +134,10 @@ private:
     void add_machine(ir::MachineId id, const std::vector<ir::MachineId>& definitions, const std::string& path,
                      const std::string& package, bool part) {
         const ir::Machine& machine = system_.machine(id);
-        Component component{ir::ComponentKind::machine, path, package, part, {}};
+        Component component{ir::ComponentKind::machine, path, package, part, machine.robosim, {}};
         component.machines.push_back({path, id});
         add_events(machine.events, component);
+        add_registers(machine, component);
         for (std::size_t i = 0; i < machine.operations.size(); ++i) {
             const bool defined = i < definitions.size() && definitions[i].is_valid();
             if (defined)

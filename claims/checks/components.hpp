@@ -36,9 +36,10 @@ struct Spontaneous {
 /// A module, a controller or a machine, alone or as a part of another component.
 struct Component {
     ir::ComponentKind kind = ir::ComponentKind::module;
-    std::string path;     ///< as in the script: "warehouse::Warehouse::brain::patrol"
-    std::string package;  ///< "" if unnamed
-    bool part = false;    ///< a part of another component
+    std::string path;      ///< as in the script: "warehouse::Warehouse::brain::patrol"
+    std::string package;   ///< "" if unnamed
+    bool part = false;     ///< a part of another component
+    bool robosim = false;  ///< it is written in RoboSim
     std::vector<Channel> channels;
     std::vector<std::string> defined = {};  ///< operations that the model defines for this component
     std::vector<MachinePart> machines = {};

@@ -138,8 +138,11 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
     }
     const bool interrupted = options.limits.interrupted && options.limits.interrupted();
     // The other searches do not know the filter of dropped inputs.
-    if (result.outcome != Outcome::inconclusive || interrupted || !interface.drops.empty() || interface.robosim)
+    if (result.outcome != Outcome::inconclusive || interrupted || !interface.drops.empty()) return result;
+    if (interface.robosim) {
+        if (options.walks.cycles > 0) result.reason += "; no random walks follow, because the component is in RoboSim";
         return result;
+    }
     if (model && options.relation == Relation::failures_divergences && options.inputs != InputSearch::on_demand)
         try_partial_readings(result, *model, session, interface, code, options, places);
     if (result.outcome != Outcome::inconclusive) return result;
@@ -263,6 +266,8 @@ Result judge_script(const csp_emit::Emission& script, const ir::System& system, 
         Result result = check_process(session, process, interface, code, options, places, failure_text);
         const Alphabet alphabet(interface, session.event_table());
         if (interface.robosim) {
+            add_cycle_claims(result, session, process, alphabet, code, {system, script.provenance}, {}, options);
+            if (options.exported != Export::none) export_code(result, {script, process, code, alphabet}, options);
             if (sources != nullptr) name_model_places(result, script.provenance, *sources);
             report_large_inputs(result, interface);
             return result;

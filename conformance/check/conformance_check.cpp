@@ -332,7 +332,7 @@ namespace {
 Result judge_registers(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                        std::uint32_t cycle_length, const refine::Limits& limits, Relation relation,
                        const EventPlaces& places) {
-    RegisterSystem idle(model, alphabet, AfterEnd::idle);
+    RegisterSystem idle(model, alphabet, cycle_length, AfterEnd::idle);
     const refine::Verdict endless = refine::divergence_free(idle, limits);
     Result result;
     result.schedulability = endless.statistics;
@@ -342,7 +342,7 @@ Result judge_registers(ModelGraph& model, const Alphabet& alphabet, const rc_int
         report_not_schedulable(result, *endless.counterexample, model, alphabet, cycle_length, limits);
     if (endless.outcome != refine::Outcome::holds) return result;
     const refine::Verdict stops = refine::deadlock_free(idle, refine::Model::failures_divergences, limits);
-    RegisterSystem specification(model, alphabet, AfterEnd::stop);
+    RegisterSystem specification(model, alphabet, cycle_length, AfterEnd::stop);
     result = compare(model, specification, alphabet, code, cycle_length, limits, relation, places);
     result.schedulability = stops.statistics;
     result.register_cycles.emplace();

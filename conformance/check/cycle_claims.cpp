@@ -16,6 +16,7 @@
 #include "checker/process/operational_semantics.hpp"
 #include "checker/refine/search/budget.hpp"
 #include "claims/monitor/account.hpp"
+#include "conformance/model/component_in_cycles.hpp"
 #include "conformance/model/provenance_text.hpp"
 
 namespace robochart::conformance {
@@ -118,7 +119,7 @@ bool reads_values(const CheckedClaim& claim) {
 using FactsOf = std::function<std::vector<FactValue>(lts::StateView)>;
 
 /// In the model: the active states of the definitions in which it is.
-FactsOf facts_of_model(const CheckedClaim& claim, const ClaimedModel& claimed, const NormalFormSystem& system) {
+FactsOf facts_of_model(const CheckedClaim& claim, const ClaimedModel& claimed, const CycleSystem& system) {
     return [&](lts::StateView state) {
         std::vector<FactValue> result;
         const std::vector<std::string> names = definitions_in(system.describe_model(state));
@@ -449,8 +450,8 @@ std::vector<CycleAnswers> decide_cycle_claims(const CycleClaims& claims, const C
             continue;
         }
         answers.model = answer([&] {
-            NormalFormSystem system(model, alphabet, cycle_length);
-            return Product(system, claim, alphabet, cycle_length, facts_of_model(claim, claimed, system))
+            const std::unique_ptr<CycleSystem> system = component_in_cycles(model, alphabet, cycle_length);
+            return Product(*system, claim, alphabet, cycle_length, facts_of_model(claim, claimed, *system))
                 .search(limits, claims.unit);
         });
         answers.code = answer([&] {

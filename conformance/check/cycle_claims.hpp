@@ -13,7 +13,7 @@
 #include "claims/checks/checked.hpp"
 #include "conformance/check/result.hpp"
 #include "conformance/code/code_system.hpp"
-#include "conformance/model/normal_form_system.hpp"
+#include "conformance/model/model_graph.hpp"
 #include "csp_emit/base/emission.hpp"
 
 namespace robochart::conformance {

@@ -43,6 +43,11 @@ std::string script_text(const lts::Graph& graph, const CheckedCode& checked, std
 }  // namespace
 
 void export_code(Result& result, const CheckedCode& checked, const Options& options) {
+    if (options.exported == Export::csp && checked.alphabet.interface().robosim) {
+        result.export_failure =
+            "in RoboSim, there is no normal form for a script; .aut and .dot contain the code alone";
+        return;
+    }
     try {
         CodeSystem system(checked.code, checked.alphabet, options.cycle_length);
         const lts::Graph graph = explore_code(system, options.limits);

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "conformance/model/component.hpp"
+#include "conformance/model/component_in_cycles.hpp"
 #include "conformance/model/renamed_model.hpp"
+#include "semantics/ir/query.hpp"
 
 namespace robochart::conformance {
 
@@ -19,9 +21,12 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     std::unique_ptr<CyclicModel> loaded(new CyclicModel);
     loaded->system_ = &system;
     loaded->instantiation_ = &instantiation;
+    ir::Instantiation with_cycle = instantiation;
+    if (ir::is_robosim(system, ref))
+        with_cycle.constants[ir::constant_name(ref.package, ref.path, ir::cycle_length)] = {cycle_length, {}};
     // CSP blocks are removed, because a block that replaces the instantiation would give the model other values than
     // the code.
-    const RenamedModel safe = renamed_model(system, instantiation, ref, diagnostics);
+    const RenamedModel safe = renamed_model(system, with_cycle, ref, diagnostics);
     loaded->cycle_length_ = cycle_length;
     loaded->script_ = csp_emit::emit(safe.system, safe.instantiation, csp_emit::Time::timed, {}, sources, diagnostics);
     const cspm::ExprPtr process = component_process(loaded->script_.definitions, safe.component);
@@ -43,7 +48,7 @@ std::unique_ptr<CyclicModel> CyclicModel::load(const ir::System& system, const i
     loaded->model_ = loaded->session_->system(process, limits);
     loaded->alphabet_ = std::make_unique<Alphabet>(loaded->boundary_.interface, loaded->session_->event_table());
     loaded->graph_ = std::make_unique<ModelGraph>(*loaded->model_, *loaded->alphabet_);
-    loaded->normal_form_ = std::make_unique<NormalFormSystem>(*loaded->graph_, *loaded->alphabet_, cycle_length);
+    loaded->normal_form_ = component_in_cycles(*loaded->graph_, *loaded->alphabet_, cycle_length);
     return loaded;
 }
 

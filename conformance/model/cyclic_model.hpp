@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // A component whose allowed behaviour in control cycles can be queried without generated code: the script's process,
-// the alphabet, and NF_c(M) as a transition system (docs/conformance.md).
+// the alphabet, and NF_c(M) or, in RoboSim, S(M) as a transition system (docs/conformance.md).
 #pragma once
 
 #include <memory>
 #include <string>
 
 #include "checker/cspm/session.hpp"
+#include "conformance/model/cycle_system.hpp"
 #include "conformance/model/model_graph.hpp"
 #include "conformance/model/model_interface.hpp"
-#include "conformance/model/normal_form_system.hpp"
 #include "csp_emit/emit.hpp"
 #include "semantics/ir/instantiation.hpp"
 #include "semantics/ir/ir.hpp"
@@ -20,7 +20,7 @@ class CyclicModel {
 public:
     /// Returns null if the component has no timed semantics or no cyclic form; see diagnostics or `error`. Throws
     /// process::Interrupted at a limit and cspm::EvaluationError if the script cannot be evaluated. Events that `order`
-    /// drops count as not raised.
+    /// drops count as not raised. In RoboSim, the cycle length replaces `cycleDef`.
     [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
                                                            const ir::ComponentRef&, std::uint32_t cycle_length,
                                                            const refine::Limits&, diagnostics::SourceManager&,
@@ -35,7 +35,8 @@ public:
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
     [[nodiscard]] const csp_emit::Provenance& provenance() const { return script_.provenance; }
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
-    [[nodiscard]] NormalFormSystem& normal_form() { return *normal_form_; }
+    /// NF_c(M); of a RoboSim component, which needs no normal form, S(M).
+    [[nodiscard]] CycleSystem& normal_form() { return *normal_form_; }
     [[nodiscard]] ModelGraph& graph() { return *graph_; }
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }
     [[nodiscard]] const ir::System& system() const { return *system_; }
@@ -54,7 +55,7 @@ private:
     std::unique_ptr<lts::TransitionSystem> model_;
     std::unique_ptr<Alphabet> alphabet_;
     std::unique_ptr<ModelGraph> graph_;
-    std::unique_ptr<NormalFormSystem> normal_form_;
+    std::unique_ptr<CycleSystem> normal_form_;
 };
 
 }  // namespace robochart::conformance

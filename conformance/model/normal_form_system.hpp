@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "checker/lts/transition_system.hpp"
+#include "conformance/model/cycle_system.hpp"
 #include "conformance/model/model_graph.hpp"
 
 namespace robochart::conformance {
@@ -55,7 +55,7 @@ enum class Standstill {
     terminated,
 };
 
-class NormalFormSystem : public lts::TransitionSystem {
+class NormalFormSystem : public CycleSystem {
 public:
     NormalFormSystem(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length, Frame = {});
 
@@ -65,8 +65,7 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void set_budget(diagnostics::Pollable& budget) override { model_->set_budget(budget); }
-    /// Whether a cycle may begin in the state: nothing has been read or written yet.
-    [[nodiscard]] bool begins_cycle(lts::StateView state) const;
+    [[nodiscard]] bool begins_cycle(lts::StateView state) const override;
     /// The reason why the state has no transitions; `none` if it has some.
     [[nodiscard]] Standstill standstill_kind(lts::StateView state);
     /// The state of M; no value after its termination.
@@ -77,8 +76,7 @@ public:
     /// The events of Frame::unread.
     [[nodiscard]] process::Event unread_event(std::uint32_t input) const { return unread_[input]; }
     [[nodiscard]] process::Event ask_event(std::uint32_t input) const { return asks_[input]; }
-    /// The text that M prints for its state; "" after termination.
-    [[nodiscard]] std::string describe_model(lts::StateView state) const;
+    [[nodiscard]] std::string describe_model(lts::StateView state) const override;
 
 private:
     struct Move;

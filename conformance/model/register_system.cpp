@@ -9,10 +9,13 @@ namespace {
 
 // Layout of a packed state. Then there is one word for each register: the last reading of a variable, 0 for events.
 namespace word {
-enum Place : std::size_t { model, next_register, pending, kept };
-}
-/// State of the model after ✓.
-constexpr lts::Word after_end = 0xffffffffU;
+enum Place : std::size_t { model, next_register, pending, tocks, kept };
+/// Value of `tocks` between the first read or write of a cycle and its first tock; otherwise the number of tocks of the
+/// cycle, 0 before the first read or write.
+constexpr lts::Word acting = 0xffffffffU;
+}  // namespace word
+/// State of the model after ✓. (log_projection.cpp uses the next number for states that are not known.)
+constexpr lts::Word after_end = 0xfffffffeU;
 constexpr std::uint32_t no_input = 0xffffffffU;
 
 }  // namespace
@@ -29,8 +32,12 @@ struct RegisterSystem::Move {
     }
 };
 
-RegisterSystem::RegisterSystem(ModelGraph& model, const Alphabet& alphabet, AfterEnd after)
-    : model_(&model), alphabet_(&alphabet), after_(after), inputs_(alphabet.interface().inputs.size()) {
+RegisterSystem::RegisterSystem(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length, AfterEnd after)
+    : model_(&model),
+      alphabet_(&alphabet),
+      cycle_length_(cycle_length),
+      after_(after),
+      inputs_(alphabet.interface().inputs.size()) {
     const std::vector<Register>& inputs = alphabet.interface().inputs;
     for (const Output& output : alphabet.interface().outputs) {
         const auto same = std::ranges::find_if(inputs, [&](const Register& input) {
@@ -66,6 +73,8 @@ void RegisterSystem::successors(lts::StateView state, lts::SuccessorSink& sink) 
     for (const ModelEdge& edge : edges) {
         if (edge.role.kind != ModelRole::Kind::tock) continue;
         move.restart()[word::model] = edge.target;
+        const lts::Word before = state[word::tocks] == word::acting ? 0 : state[word::tocks];
+        move.next[word::tocks] = before + 1 == cycle_length_ ? 0 : before + 1;
         sink.add(edge.event, move.next, edge.event);
     }
 }
@@ -99,6 +108,7 @@ void RegisterSystem::add_read(Move& move, const ModelEdge& edge) const {
     const std::uint32_t input = edge.role.index, reading = edge.role.reading;
     if (move.from[word::next_register] != input) return;
     move.next[word::next_register] = input + 1 == inputs_ ? 0 : input + 1;
+    move.next[word::tocks] = word::acting;
     const process::Event event = alphabet_->read_event(input, reading);
     if (alphabet_->interface().inputs[input].kept == 0) return move.sink.add(event, move.next, event);
     const process::Event absent = alphabet_->read_event(input, 0);
@@ -111,6 +121,7 @@ void RegisterSystem::add_read(Move& move, const ModelEdge& edge) const {
 void RegisterSystem::add_write(Move& move, const ModelEdge& edge) const {
     move.urgent = true;
     move.next[word::pending] = edge.role.write;
+    move.next[word::tocks] = word::acting;
     if (const std::uint32_t input = kept_by_output_[edge.role.index]; input != no_input) {
         const auto& texts = alphabet_->interface().inputs[input].texts;
         const auto value = std::ranges::find(texts, alphabet_->written_arguments(edge.role.write).at(0));
@@ -121,6 +132,14 @@ void RegisterSystem::add_write(Move& move, const ModelEdge& edge) const {
 
 std::string RegisterSystem::describe(lts::StateView state) const {
     return state[word::model] == after_end ? "terminated" : model_->describe(state[word::model]);
+}
+
+bool RegisterSystem::begins_cycle(lts::StateView state) const {
+    return state[word::model] != after_end && state[word::tocks] == 0;
+}
+
+std::string RegisterSystem::describe_model(lts::StateView state) const {
+    return state[word::model] == after_end ? "" : model_->describe(state[word::model]);
 }
 
 }  // namespace robochart::conformance

@@ -10,8 +10,8 @@
 //     between two outputs is M's and not that of the environment.
 #pragma once
 
-#include "checker/lts/transition_system.hpp"
 #include "conformance/code/interface.hpp"
+#include "conformance/model/cycle_system.hpp"
 #include "conformance/model/model_graph.hpp"
 
 namespace robochart::conformance {
@@ -22,16 +22,19 @@ enum class AfterEnd {
     idle,  ///< time passes, so that only a timelock is a deadlock
 };
 
-class RegisterSystem final : public lts::TransitionSystem {
+class RegisterSystem final : public CycleSystem {
 public:
     /// The model and the alphabet must outlive the system.
-    RegisterSystem(ModelGraph&, const Alphabet&, AfterEnd);
+    RegisterSystem(ModelGraph&, const Alphabet&, std::uint32_t cycle_length, AfterEnd);
 
     [[nodiscard]] std::size_t width() const override;
     void initial(std::span<lts::Word> state) override;
     void successors(lts::StateView, lts::SuccessorSink&) override;
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView) const override;
+    void set_budget(diagnostics::Pollable& budget) override { model_->set_budget(budget); }
+    [[nodiscard]] bool begins_cycle(lts::StateView) const override;
+    [[nodiscard]] std::string describe_model(lts::StateView) const override;
 
 private:
     struct Move;
@@ -41,6 +44,7 @@ private:
 
     ModelGraph* model_;
     const Alphabet* alphabet_;
+    std::uint32_t cycle_length_;
     AfterEnd after_;
     std::size_t inputs_;
     std::vector<std::uint32_t> kept_by_output_;  ///< by output: the input with the same register, or no_input

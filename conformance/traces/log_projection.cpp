@@ -13,7 +13,8 @@ namespace robochart::conformance {
 
 namespace {
 
-/// First word of the packed state while the initial state is unknown. No phase of NF_c(M) has this number.
+/// First word of the packed state while the initial state is unknown. Neither a phase of NF_c(M) nor a state of S(M)
+/// has this number.
 constexpr lts::Word anywhere = 0xffffffffU;
 
 bool is_unknown(lts::StateView state) {
@@ -22,7 +23,7 @@ bool is_unknown(lts::StateView state) {
 
 }  // namespace
 
-std::vector<std::vector<lts::Word>> cycle_starts(NormalFormSystem& system, const refine::Limits& limits) {
+std::vector<std::vector<lts::Word>> cycle_starts(CycleSystem& system, const refine::Limits& limits) {
     refine::Budget budget(limits);
     const refine::PollGuard guard({&system}, budget);
     const lts::Exploration all = lts::explore(system, [&](std::size_t states) {
@@ -50,7 +51,7 @@ private:
     lts::SuccessorSink& out_;
 };
 
-ObservedSystem::ObservedSystem(NormalFormSystem& normal_form, const Alphabet& alphabet, Observation observation,
+ObservedSystem::ObservedSystem(CycleSystem& normal_form, const Alphabet& alphabet, Observation observation,
                                std::vector<std::vector<lts::Word>> starts)
     : normal_form_(&normal_form),
       alphabet_(&alphabet),

@@ -17,12 +17,12 @@ struct Observation {
 };
 
 /// All reachable packed states of NF_c(M) in which a cycle may begin. Throws process::Interrupted at a limit.
-[[nodiscard]] std::vector<std::vector<lts::Word>> cycle_starts(NormalFormSystem&, const refine::Limits&);
+[[nodiscard]] std::vector<std::vector<lts::Word>> cycle_starts(CycleSystem&, const refine::Limits&);
 
 class ObservedSystem final : public lts::TransitionSystem {
 public:
     /// `starts`: the possible initial states; empty: the initial state of NF_c(M).
-    ObservedSystem(NormalFormSystem&, const Alphabet&, Observation, std::vector<std::vector<lts::Word>> starts);
+    ObservedSystem(CycleSystem&, const Alphabet&, Observation, std::vector<std::vector<lts::Word>> starts);
 
     [[nodiscard]] std::size_t width() const override { return normal_form_->width(); }
     void initial(std::span<lts::Word> state) override;
@@ -32,13 +32,13 @@ public:
     [[nodiscard]] bool is_hidden(process::Event event);
     /// Whether no hidden step is possible.
     [[nodiscard]] bool is_stable(lts::StateView state);
-    /// The description of the model's state (NormalFormSystem::describe_model); "" if the state is not known yet.
+    /// The description of the model's state (CycleSystem::describe_model); "" if the state is not known yet.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
 private:
     class Sink;
 
-    NormalFormSystem* normal_form_;
+    CycleSystem* normal_form_;
     const Alphabet* alphabet_;
     Observation observation_;
     std::vector<std::vector<lts::Word>> starts_;

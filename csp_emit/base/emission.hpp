@@ -33,7 +33,10 @@ enum class MeaningKind {
     step,
     memory,  ///< a read or write of a memory process; it belongs to the step before
     tock,
-    refusal,  ///< tick-tock: its argument is the refused event
+    refusal,        ///< tick-tock: its argument is the refused event
+    event_read,     ///< RoboSim: the register of an event is read; its first argument is whether it is full
+    variable_read,  ///< RoboSim: the register of a variable is read
+    cycle_end,      ///< RoboSim: the execution of a cycle ends
 };
 /// The data that determine the probability of a transition that leaves a probabilistic junction.
 struct Draw {

@@ -114,7 +114,8 @@ void declare_registers(const Project& project, const std::string& owner, const R
             project.report_unsupported("the register " + one.name + ", whose name CSPM cannot write,", one.origin.span);
     for (const Register& one : registers.inputs)
         mean(provenance, owner, std::string(reading) + "." + owner + "::i_" + one.name,
-             {one.kind, "input " + one.name, one.types, one.origin});
+             {one.event ? MeaningKind::event_read : MeaningKind::variable_read, "input " + one.name, one.types,
+              one.origin});
     for (const Register& one : outputs) {
         const std::string word = one.kind == MeaningKind::call ? "call " : "output ";
         mean(provenance, owner, std::string(writing) + "." + owner + "::o_" + one.name,

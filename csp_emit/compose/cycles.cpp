@@ -467,7 +467,7 @@ std::vector<std::string> declare_cycle_channels(const Project& project, const st
                                                 const CycleLinks& links, const ir::Origin& origin, bool module,
                                                 Provenance& provenance, std::vector<DeclPtr>& decls) {
     decls.push_back(b::channel({"endexec", "terminate"}));
-    mean(provenance, path, "endexec", {MeaningKind::step, "the execution ends", {}, origin});
+    mean(provenance, path, "endexec", {MeaningKind::cycle_end, "the execution ends", {}, origin});
     mean(provenance, path, "terminate", {MeaningKind::terminate, origin.element + " terminates", {}, origin});
     declare_registers(project, path, links.registers, links.also_named, provenance, decls);
     std::vector<std::string> visible = visible_registers(links.registers);

@@ -82,7 +82,7 @@ void ModuleDeclarations::declare_cycle_channels(std::vector<DeclPtr>& decls) {
     declare_registers(tables_.project(), tables_.context.path, registers, {}, tables_.provenance, decls);
     decls.push_back(b::channel({"endexec", "startexec"}));
     const auto& origin = tables_.machine().origin;
-    tables_.record_meaning("endexec", {MeaningKind::step, "the execution ends", {}, origin});
+    tables_.record_meaning("endexec", {MeaningKind::cycle_end, "the execution ends", {}, origin});
     tables_.record_meaning("startexec", {MeaningKind::step, "the execution begins", {}, origin});
 }
 

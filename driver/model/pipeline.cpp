@@ -85,20 +85,41 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     return all;
 }
 
-/// Whether the command generates code for RoboSim components: for the named one, or for all if there are no others.
+/// Whether the command needs the RoboSim components: for scripts, or because it handles the selected ones.
 bool uses_robosim(const ir::System& system, const LoadSettings& settings) {
-    const auto chosen = code_components(system, settings.component, settings.robosim_code);
-    return settings.robosim_code && !chosen.empty() && ir::is_robosim(system, chosen.front());
+    if (settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write) return true;
+    if (!settings.robosim) return false;
+    const auto chosen = code_components(system, settings.component, true);
+    return chosen.empty() ||
+           std::ranges::any_of(chosen, [&](const ir::ComponentRef& ref) { return ir::is_robosim(system, ref); });
 }
 
 bool lower(Project& project, const LoadSettings& settings) {
     const diagnostics::Budget::Phase phase(*project.diagnostics.budget(), "reading the model");
     if (!is_acceptable(project, settings)) return false;
     project.system = ir::lower(*project.model, project.sources, project.diagnostics);
-    const bool scripts = settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write;
-    if (!scripts && project.diagnostics.ok() && !uses_robosim(project.system, settings))
-        ir::leave_out_robosim(project.system, project.diagnostics);
     return project.diagnostics.ok();
+}
+
+bool has_robochart(const ir::System& system) {
+    const auto components = all_components(system);
+    return std::ranges::any_of(components, [&](const ir::ComponentRef& ref) { return !ir::is_robosim(system, ref); });
+}
+
+/// Leaves out the RoboSim components of the parts whose command does not need them. If it handles RoboSim, but another
+/// component is selected, this needs no message.
+bool leave_out_robosim(const std::vector<Part>& parts, const LoadSettings& settings) {
+    const bool charts =
+        std::ranges::any_of(parts, [](const Part& part) { return has_robochart(part.project->system); });
+    bool good = true;
+    for (const Part& part : parts) {
+        Project& project = *part.project;
+        if (!project.diagnostics.ok() || uses_robosim(project.system, settings)) continue;
+        diagnostics::Diagnostics apart;
+        ir::leave_out_robosim(project.system, settings.robosim ? apart : project.diagnostics, charts);
+        good = project.diagnostics.ok() && good;
+    }
+    return good;
 }
 
 /// Makes the project finite. `options` are the settings without constants that exist only in other parts.
@@ -140,10 +161,9 @@ void instantiate_parts(const std::vector<Part>& parts, const Settings& settings)
         return;
     }
     bool lowered = true;
-    for (const Part& part : parts) {
-        lowered = lower(*part.project, settings.load) && lowered;
-        find_shared_names(*part.project);
-    }
+    for (const Part& part : parts) lowered = lower(*part.project, settings.load) && lowered;
+    lowered = leave_out_robosim(parts, settings.load) && lowered;
+    for (const Part& part : parts) find_shared_names(*part.project);
     const auto carriers = settings.claims.concrete ? ir::Carriers::robotool : ir::Carriers::beyond;
     bool all = lowered;
     for (const Part& part : parts) {
@@ -653,9 +673,23 @@ const csp_emit::Emission& emit_csp(Project& project, const ClaimSettings& claims
     return emission;
 }
 
+namespace {
+
+/// Whether a RoboChart and a RoboSim component have this qualified name.
+bool is_in_both_notations(const ir::System& system, const ir::ComponentRef& component) {
+    return std::ranges::any_of(all_components(system), [&](const ir::ComponentRef& other) {
+        return ir::qualified_name(other) == ir::qualified_name(component) &&
+               ir::is_robosim(system, other) != ir::is_robosim(system, component);
+    });
+}
+
+}  // namespace
+
 std::string file_name(const Project& project, const ir::ComponentRef& component) {
     const bool shared = project.shared_names.contains(component.path) && !component.package.empty();
     std::string name = shared ? component.package + "_" + component.path : component.path;
+    if (ir::is_robosim(project.system, component) && is_in_both_notations(project.system, component))
+        name += "_robosim";
     for (char& c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     return name;
@@ -683,16 +717,42 @@ std::string files_inside(const std::string& folder, std::string_view ending) {
     return fmt::format("; it has {}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
+namespace {
+
+/// A component's name as a user writes it: `P::S`, `S`, or with its notation `robosim:P::S`, `robochart:S`.
+struct GivenName {
+    std::string name;
+    std::optional<bool> robosim;  ///< no value: of any notation
+};
+
+constexpr std::string_view robochart_prefix = "robochart:", robosim_prefix = "robosim:";
+
+GivenName read_name(const std::string& text) {
+    for (const std::string_view prefix : {robochart_prefix, robosim_prefix})
+        if (text.starts_with(prefix) && text.substr(prefix.size(), 1) != ":")
+            return {text.substr(prefix.size()), prefix == robosim_prefix};
+    return {text, std::nullopt};
+}
+
+}  // namespace
+
 std::vector<ir::ComponentRef> code_components(const ir::System& system, const std::string& name, bool robosim_too) {
-    std::vector<ir::ComponentRef> chosen, robosim;
+    const GivenName given = read_name(name);
+    std::vector<ir::ComponentRef> charts, robosim;
     for (const ir::ComponentRef& ref : all_components(system)) {
         const bool in_robosim = ir::is_robosim(system, ref);
-        if (in_robosim && !robosim_too) continue;
-        std::vector<ir::ComponentRef>& list = in_robosim ? robosim : chosen;
-        const bool named = ref.path == name || ref.package + "::" + ref.path == name;
-        if (name.empty() ? list.empty() || list.front().kind == ref.kind : named) list.push_back(ref);
+        if ((in_robosim && !robosim_too) || (given.robosim && *given.robosim != in_robosim)) continue;
+        std::vector<ir::ComponentRef>& list = in_robosim ? robosim : charts;
+        const bool named = ref.path == given.name || ref.package + "::" + ref.path == given.name;
+        if (given.name.empty() ? list.empty() || list.front().kind == ref.kind : named) list.push_back(ref);
     }
-    return chosen.empty() ? robosim : chosen;
+    charts.insert(charts.end(), robosim.begin(), robosim.end());
+    return charts;
+}
+
+std::string component_name(const ir::System& system, const ir::ComponentRef& component) {
+    const std::string_view prefix = ir::is_robosim(system, component) ? robosim_prefix : robochart_prefix;
+    return fmt::format("{}{}", is_in_both_notations(system, component) ? prefix : "", ir::qualified_name(component));
 }
 
 namespace {
@@ -703,8 +763,7 @@ void check_component(const std::vector<Part>& parts, const LoadSettings& setting
     const std::string& component = settings.component;
     std::vector<std::string> known;
     for (const Part& part : parts) {
-        if (component.empty() || !code_components(part.project->system, component, settings.robosim_code).empty())
-            return;
+        if (component.empty() || !code_components(part.project->system, component, settings.robosim).empty()) return;
         for (const ir::ComponentRef& ref : all_components(part.project->system)) known.push_back(ref.path);
     }
     const std::string meant = diagnostics::nearest_spelling(component, known);

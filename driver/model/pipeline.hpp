@@ -59,11 +59,15 @@ void add_swarm(Settings&);
 [[nodiscard]] const csp_emit::Emission& emit_csp(Project&, const ClaimSettings&, const SwarmSettings&, csp_emit::Time);
 
 /// The components for which C++ is generated. Without a name: the modules; if the model has no modules, the
-/// controllers; if it has no controllers either, the machines. With a name: the component with this name, of any kind.
-/// `robosim`: if there is no such component of RoboChart, those of RoboSim.
-/// If there is none, a diagnostic is reported and the list is empty.
+/// controllers; if it has no controllers either, the machines. With a name: the components with this name, of any kind.
+/// `robosim`: likewise those of RoboSim, after those of RoboChart. A prefix of the name, `robochart:` or `robosim:`,
+/// selects one of the two.
 [[nodiscard]] std::vector<ir::ComponentRef> code_components(const ir::System&, const std::string& name,
                                                             bool robosim = false);
+
+/// The name of a component that selects it: qualified, and with the prefix `robochart:` or `robosim:` if components of
+/// both have this name.
+[[nodiscard]] std::string component_name(const ir::System&, const ir::ComponentRef&);
 
 /// A component's name in file names and generated code: letters, digits and underscores. It contains the package if
 /// components of other packages have the same name.

@@ -31,7 +31,7 @@ struct LoadSettings {
     bool deny_warnings = false;        ///< treats warnings as errors
     std::string component;             ///< only this module, controller or machine is used; "": all
     ClaimUse claims = ClaimUse::decide;
-    bool robosim_code = false;        ///< code is also generated for RoboSim components
+    bool robosim = false;             ///< the command also handles components of RoboSim
     bool split_broken_claims = true;  ///< claims are decided although other claims have errors
 };
 

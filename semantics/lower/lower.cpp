@@ -63,7 +63,7 @@ System lower(const ast::Model& model, const diagnostics::SourceManager& sources,
     return std::move(lowering.system);
 }
 
-void leave_out_robosim(System& system, diagnostics::Diagnostics& diagnostics) {
+void leave_out_robosim(System& system, diagnostics::Diagnostics& diagnostics, bool elsewhere) {
     const std::vector<ComponentRef> robosim = robosim_components(system);
     if (robosim.empty()) return;
     const ComponentRef& first = robosim.front();
@@ -77,7 +77,7 @@ void leave_out_robosim(System& system, diagnostics::Diagnostics& diagnostics) {
     std::string what = "`" + first.path + "`";
     if (robosim.size() > 1) what += " (and " + std::to_string(robosim.size() - 1) + " more)";
     remove_robosim(system);
-    const bool only = system.machines.empty() && system.controllers.empty() && system.modules.empty();
+    const bool only = !elsewhere && system.machines.empty() && system.controllers.empty() && system.modules.empty();
     diagnostics.report(only ? rules::robosim_only : rules::robosim_passed_over, place, {what, "this command"});
 }
 

@@ -13,8 +13,8 @@ namespace robochart::ir {
 /// table semantics/rules.hpp) and omitted. The sources provide paths and the wording of assertions.
 [[nodiscard]] System lower(const frontend::Model&, const diagnostics::SourceManager&, diagnostics::Diagnostics&);
 
-/// Removes the components of RoboSim, for a command that handles only RoboChart (RC-S26). If there are no other
-/// components, this is an error.
-void leave_out_robosim(System&, diagnostics::Diagnostics&);
+/// Removes the components of RoboSim, for a command that handles only RoboChart (RC-S26). This is an error if there are
+/// no components of RoboChart, in the system or `elsewhere`, in other systems of the command.
+void leave_out_robosim(System&, diagnostics::Diagnostics&, bool elsewhere);
 
 }  // namespace robochart::ir

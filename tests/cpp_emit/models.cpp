@@ -55,10 +55,10 @@ ir::System load_corpus(const std::string& name) {
     return lower_model(sources, *model, diagnostics);
 }
 
-ir::System load_model(const std::string& text) {
+ir::System load_model(const std::string& text, const std::string& path) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics diagnostics;
-    const diagnostics::SourceId source = sources.add("test.rct", text);
+    const diagnostics::SourceId source = sources.add(path, text);
     frontend::Model model;
     model.files.push_back(frontend::parse(sources, source, false, diagnostics));
     frontend::add_toolkits(sources, model, diagnostics);

@@ -11,8 +11,8 @@ namespace robochart::cpp_emit::testing {
 
 /// Loads a project of corpus/ as IR; errors fail the test.
 [[nodiscard]] ir::System load_corpus(const std::string& name);
-/// Loads RoboChart text as IR; errors fail the test.
-[[nodiscard]] ir::System load_model(const std::string& text);
+/// Loads RoboChart text as IR, or RoboSim text with a path `NAME.rst`; errors fail the test.
+[[nodiscard]] ir::System load_model(const std::string& text, const std::string& path = "test.rct");
 
 /// A module `Mod` with an enumeration, whole numbers, several arguments, a sent event, and termination.
 extern const char* const typed_model;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/csp_emit/fixture.hpp"
+#include "tests/csp_emit/robosim_models.hpp"
 
 namespace robochart::csp_emit::robosim_test {
 namespace {
@@ -33,13 +34,6 @@ std::string compare(const std::string& rst, const std::string& specification, co
     for (const std::string& verdict : testing::decide_script(model->emit_with_memories(Time::timed).script))
         if (verdict != "holds") return "with memories: " + verdict;
     return "holds";
-}
-
-/// A machine in cycles of one time unit with these contexts and body.
-std::string machine(const std::string& inputs, const std::string& outputs, const std::string& body,
-                    const std::string& cycle = "1") {
-    return "stm S { cycleDef cycle == " + cycle + " input context { " + inputs + " } output context { " + outputs +
-           " } initial i " + body + " }\n";
 }
 
 const char* const loop = "state A { } transition t0 { from i to A } transition t1 { from A to A exec } ";
@@ -244,26 +238,6 @@ TEST(RoboSim, OperationsRunInTheCyclesOfTheirCaller) {
         "holds");
 }
 
-/// Two machines: one sends `sig` in its first cycle, the other looks at it in the cycle `late`.
-std::string sender_and_reader(int late) {
-    std::string reader =
-        "stm R { cycleDef cycle == 1 input context { event sig } output context { event got event none } "
-        "initial i ";
-    for (int n = 0; n <= late; ++n) reader += "state R" + std::to_string(n) + " { } ";
-    reader += "state E { } transition a { from i to R0 } ";
-    for (int n = 0; n < late; ++n)
-        reader += "transition s" + std::to_string(n) + " { from R" + std::to_string(n) + " to R" +
-                  std::to_string(n + 1) + " exec } ";
-    const std::string last = std::to_string(late);
-    reader += "transition x { from R" + last + " to E condition $sig action $got } transition y { from R" + last +
-              " to E condition not $sig action $none } transition z { from E to E exec } }\n";
-    return "stm W { cycleDef cycle == 1 input context { } output context { event sig } initial i state A { } "
-           "transition t0 { from i to A action $sig } transition t1 { from A to A exec } }\n" +
-           reader +
-           "controller C { cycleDef cycle == 1 event got event none sref w = W sref r = R "
-           "connection w on sig to r on sig connection r on got to C on got connection r on none to C on none }";
-}
-
 TEST(RoboSim, AnEventBetweenMachinesIsSeenInTheNextCycleAndInNoOther) {
     const std::string idle = "\nEnd = C::endexec -> tock -> End\nOnce(e) = e -> End\n";
     const std::string got = "C::registerWrite.C::o_got", none = "C::registerWrite.C::o_none";
@@ -282,19 +256,6 @@ TEST(RoboSim, AnUnconnectedInputHasAnyValueAndAnUnconnectedOutputVanishes) {
                 "Spec = (C::registerWrite.C::o_yes -> C::endexec -> tock -> Spec) |~| (C::endexec -> tock -> Spec)",
                 "C"),
         "holds");
-}
-
-/// Two machines that each call `go` with their number in their first cycle, in a controller with this cycle.
-std::string two_callers(const std::string& first, const std::string& second, const std::string& cycle = "1") {
-    const auto one = [](const std::string& name, const std::string& call, const std::string& own_cycle) {
-        return "stm " + name + " { cycleDef cycle == " + own_cycle +
-               " input context { } output context { requires Op } " +
-               "initial i state Z { } transition t0 { from i to Z action " + call +
-               " } "
-               "transition t1 { from Z to Z exec } } ";
-    };
-    return "interface Op { go(n : nat) stay() }\ncontroller C { cycleDef cycle == " + cycle + " requires Op " +
-           one("A", first, "3") + one("B", second, "5") + "}";
 }
 
 TEST(RoboSim, AnOutputHappensAtMostOnceInACycleOverAllMachines) {

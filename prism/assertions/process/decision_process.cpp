@@ -124,8 +124,10 @@ private:
         result.meaning = meaning_of(name);
         const bool named = result.meaning != nullptr && !hidden;
         result.tock = named && result.meaning->kind == MeaningKind::tock;
-        result.waits = named && (result.meaning->kind == MeaningKind::trigger ||
-                                 result.meaning->kind == MeaningKind::external_write);
+        result.waits =
+            named &&
+            (result.meaning->kind == MeaningKind::trigger || result.meaning->kind == MeaningKind::external_write ||
+             result.meaning->kind == MeaningKind::event_read || result.meaning->kind == MeaningKind::variable_read);
         return result;
     }
 

@@ -90,6 +90,57 @@ int main() {
 })");
 }
 
+/// RoboSim: a lamp that is on for one cycle after its button was pressed, in cycles of two time units.
+const char* const lamp = R"(package lamp
+interface Button { event pressed }
+interface Light { lit(bright : boolean) }
+stm Switch {
+    cycleDef cycle == 2
+    input context { uses Button }
+    output context { requires Light }
+    initial i
+    state Off { entry $lit(false) }
+    state On { entry $lit(true) }
+    transition t0 { from i to Off }
+    transition t1 { from Off to On exec condition $pressed }
+    transition t2 { from Off to Off exec condition not $pressed }
+    transition t3 { from On to Off exec }
+}
+)";
+
+/// One timer is one cycle: it reads the messages since the last one, which empties their registers.
+TEST_F(Package, OfRoboSimRunsOneCycleAtEveryTick) {
+    Options options;
+    options.unit = 100'000'000;  // a time unit of 0.1 s
+    emit(testing::load_model(lamp, "test.rst"), "Switch", "", {}, options);
+    drive("Switch_node.hpp", R"(
+int main() {
+    lamp::SwitchNode node;
+    Network& network = Network::get();
+    EXPECT(started(node));
+    EXPECT(network.running().size() == 1 && network.running()[0]->period == 0.2);
+    const auto lights = [] {
+        std::string text;
+        for (const auto& message : taken<std_msgs::msg::Bool>("/switch/out/lit")) text += message.data ? '1' : '0';
+        return text;
+    };
+    network.tick();
+    EXPECT(lights() == "0");
+    network.send("/switch/in/pressed", std_msgs::msg::Empty{});
+    network.send("/switch/in/pressed", std_msgs::msg::Empty{});
+    EXPECT(lights().empty());  // a message changes nothing before the next cycle
+    network.tick();
+    EXPECT(lights() == "0");  // it enters Off again, then reads that the button was pressed
+    network.tick();
+    EXPECT(lights() == "1");
+    network.tick();
+    EXPECT(lights() == "0");  // the register was emptied: it does not go on again
+    network.tick();
+    EXPECT(lights() == "0");
+    return 0;
+})");
+}
+
 /// The trace hook logs inputs and outputs in the notation of docs/traces.md.
 TEST_F(Package, WritesALog) {
     emit(testing::load_model(testing::typed_model), "Mod");

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// RoboSim components in the verbs, as a user runs them: each verb handles them or says that it does not.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "tests/contents.hpp"
+
+namespace robochart::app::robosim_test {
+namespace {
+
+using ::testing::AllOf;
+using testing::Folder;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::Ran;
+using testing::run;
+using tests::read_contents;
+
+const char* const interfaces = R"(package lamps
+interface Button { event pressed }
+interface Light { lit(bright : boolean) }
+)";
+
+/// On for one cycle after the button was pressed. Off is entered anew in every cycle.
+std::string lamp(const std::string& cycle) {
+    return std::string(interfaces) + R"(
+stm Lamp {
+    cycleDef cycle == )" +
+           cycle + R"(
+    input context { uses Button }
+    output context { requires Light }
+    initial i
+    state Off { entry $lit(false) }
+    state On { entry $lit(true) }
+    transition t0 { from i to Off }
+    transition t1 { from Off to On exec condition $pressed }
+    transition t2 { from Off to Off exec condition not $pressed }
+    transition t3 { from On to Off exec }
+}
+)";
+}
+
+/// A RoboChart machine with the same qualified name, in a file of the same package.
+const char* const chart = R"(package lamps
+stm Lamp {
+    uses Button
+    requires Light
+    initial i
+    state Off { entry lit(false) }
+    state On { entry lit(true) }
+    transition t0 { from i to Off }
+    transition t1 { from Off to On trigger pressed }
+    transition t2 { from On to Off trigger pressed }
+}
+)";
+
+// ---------------------------------------------------------------- names
+
+TEST(RoboSimVerbs, ComponentsOfBothNotationsAreKeptApart) {
+    const Folder folder({{"lamp.rst", lamp("1")}, {"lamp.rct", chart}});
+    const Ran both = run({"conform", folder.path(), "-q"});
+    EXPECT_EQ(both.exit, 0) << both.out << both.err;
+    EXPECT_THAT(both.out, HasSubstr("2 of 2 controllers conform"));
+    const Ran named = run({"conform", folder.path()});
+    EXPECT_THAT(named.out, AllOf(HasSubstr("robochart:lamps::Lamp"), HasSubstr("robosim:lamps::Lamp")));
+    const Ran one = run({"conform", folder.path(), "--component", "robosim:lamps::Lamp"});
+    EXPECT_THAT(one.out, AllOf(HasSubstr("1 of 1 controllers conform"), Not(HasSubstr("events dispatched"))));
+    const Ran chart_alone = run({"conform", folder.path(), "--component", "robochart:Lamp"});
+    EXPECT_THAT(chart_alone.out, AllOf(HasSubstr("1 of 1 controllers conform"), HasSubstr("events dispatched")));
+    const Ran written = run({"emit", "cpp", folder.path(), "-o", folder / "out"});
+    EXPECT_EQ(written.exit, 0) << written.err;
+    EXPECT_THAT(written.out, AllOf(HasSubstr("cpp/Lamp/"), HasSubstr("cpp/Lamp_robosim/")));
+    const Ran stepped = run({"step", folder.path(), "Lamp"});
+    EXPECT_EQ(stepped.exit, 4);
+    EXPECT_THAT(stepped.err, AllOf(HasSubstr("robochart:lamps::Lamp"), HasSubstr("robosim:lamps::Lamp")));
+    const Ran chosen = run({"step", folder.path(), "robosim:Lamp"}, "cycle pressed\n");
+    EXPECT_EQ(chosen.exit, 0) << chosen.err;
+    EXPECT_THAT(chosen.out, HasSubstr("cycle 1   in {pressed}  out <lit(false)>"));
+}
+
+/// A part that has only RoboSim does not make the command fail that is about another part.
+TEST(RoboSimVerbs, APartWithoutRoboChartIsLeftOutByCommandsForRoboChart) {
+    const Folder folder({{"lamp.rst", lamp("1")},
+                         {"other.rct",
+                          "package other\ninterface I { event go }\nstm M { uses I initial i state A { } "
+                          "transition t0 { from i to A } transition t1 { from A to A trigger go } }\n"}});
+    const Ran one = run({"conform", folder.path(), "--component", "other::M", "-q"});
+    EXPECT_EQ(one.exit, 0) << one.out << one.err;
+    const Ran both = run({"conform", folder.path(), "-q"});
+    EXPECT_EQ(both.exit, 0) << both.out << both.err;
+    EXPECT_THAT(both.out, HasSubstr("2 of 2 controllers conform"));
+    const Ran alone = run({"emit", "prism", folder / "lamp.rst"});
+    EXPECT_EQ(alone.exit, 2);
+    EXPECT_THAT(alone.err, HasSubstr("RC-S26"));
+}
+
+// ---------------------------------------------------------------- options and claims
+
+TEST(RoboSimVerbs, VerifyRunsAllSteps) {
+    const Folder folder(
+        {{"lamp.rst", lamp("1")}, {"lamp.rsa", "import lamps::*\nassertion A : Lamp is deadlock-free\n"}});
+    const Ran ran = run({"verify", folder.path(), "-o", folder / "out"});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("1 of 1 checks hold"), HasSubstr("conforms     lamps::Lamp"),
+                               HasSubstr("Lamp_core.hpp")));
+}
+
+TEST(RoboSimVerbs, TheStatesOfTheCodeAreExported) {
+    const Folder folder({{"lamp.rst", lamp("1")}});
+    const Ran states = run({"conform", folder.path(), "--export", folder / "code.aut"});
+    EXPECT_EQ(states.exit, 0) << states.err;
+    EXPECT_THAT(read_contents(folder / "code.aut"), HasSubstr("registerWrite.wrote__litCall.true"));
+    const Ran script = run({"conform", folder.path(), "--export", folder / "code.csp"});
+    EXPECT_EQ(script.exit, 2);
+    EXPECT_THAT(script.err, HasSubstr("there is no normal form"));
+}
+
+TEST(RoboSimVerbs, ClaimsAboutCyclesAreDecidedAndOthersRefused) {
+    const Folder folder({{"lamp.rst", lamp("1")},
+                         {"lamp.claims",
+                          "import lamps::*\nclaim Dark : in a cycle with pressed, never lit(true)\n"
+                          "claim Lights : in a cycle with pressed, always in On\n"}});
+    const Ran ran = run({"conform", folder.path()});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("Dark"), HasSubstr("Lights")));
+    const Folder others({{"lamp.rst", lamp("1")},
+                         {"lamp.claims", "import lamps::*\nclaim Soon : pressed leads to lit(true) within 3 units\n"}});
+    for (const char* verb : {"check", "conform"}) {
+        const Ran refused = run({verb, others.path()});
+        EXPECT_EQ(refused.exit, 2);
+        EXPECT_THAT(refused.err, AllOf(HasSubstr("CLM-T15"), HasSubstr("is written in RoboSim"), HasSubstr(":2:")));
+    }
+    const Folder ordered({{"lamp.rst", lamp("1")}, {"lamp.claims", "import lamps::*\norder Lamp : pressed first\n"}});
+    const Ran order = run({"conform", ordered.path()});
+    EXPECT_EQ(order.exit, 2);
+    EXPECT_THAT(order.err, AllOf(HasSubstr("CLM-T15"), HasSubstr("is written in RoboSim")));
+}
+
+TEST(RoboSimVerbs, TheReportOfALimitSaysThatNoWalksFollow) {
+    const Folder folder({{"lamp.rst", lamp("1")}});
+    const Ran ran = run({"conform", folder.path(), "--max-states", "2"});
+    EXPECT_EQ(ran.exit, 3) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("no random walks follow"));
+}
+
+// ---------------------------------------------------------------- cycles
+
+/// The model begins in Off, and enters Off again after every cycle without the button.
+TEST(RoboSimVerbs, StepRunsCycles) {
+    const Folder folder({{"lamp.rst", lamp("2")}});
+    const Ran ran = run({"step", folder.path()}, "cycle\ncycle pressed\ncycle\nway\n");
+    EXPECT_EQ(ran.exit, 0) << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("cycle 1   in {}  out <lit(false)>"),
+                               HasSubstr("cycle 2   in {pressed}  out <lit(false)>"),
+                               HasSubstr("cycle 3   in {}  out <lit(true)>"), HasSubstr("t=6")));
+    for (const char* wrong : {"cycle knob\n", "cycle pressed=3\n"}) {
+        const Ran refused = run({"step", folder.path()}, wrong);
+        EXPECT_EQ(refused.exit, 1) << wrong;
+    }
+    const Ran untimed = run({"step", folder.path(), "--untimed"}, "");
+    EXPECT_EQ(untimed.exit, 4);
+    EXPECT_THAT(untimed.err, HasSubstr("no untimed semantics"));
+}
+
+TEST(RoboSimVerbs, CounterexamplesShowCycles) {
+    const Folder folder(
+        {{"lamp.rst", lamp("1")},
+         {"lamp.rsa",
+          "import lamps::*\ncsp Dark csp-begin\n"
+          "Dark = lamps::Lamp::registerRead.lamps::Lamp::i_pressed?b -> "
+          "lamps::Lamp::registerWrite.lamps::Lamp::o_lit.false -> lamps::Lamp::endexec -> tock -> Dark\n"
+          "csp-end\nassertion A : Lamp refines Dark\n"}});
+    const Ran ran = run({"check", folder.path(), "--json", folder / "a.json", "--html", folder / "a.html"});
+    EXPECT_EQ(ran.exit, 1) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, AllOf(HasSubstr("cycle 1   in {pressed}  out <lit(false)>"), HasSubstr("cycle 2   in {}")));
+    const auto json = nlohmann::json::parse(read_contents(folder / "a.json"));
+    const auto& cycles = json["assertions"][0]["counterexample"]["cycles"];
+    ASSERT_GE(cycles.size(), 2U) << json.dump(1);
+    EXPECT_EQ(cycles[0]["inputs"], nlohmann::json::array({"pressed"}));
+    EXPECT_EQ(cycles[0]["outputs"], nlohmann::json::array({"lit(false)"}));
+    EXPECT_EQ(cycles[1]["time"], 1);
+    EXPECT_THAT(read_contents(folder / "a.html"), HasSubstr("<td>pressed</td><td>lit(false)</td>"));
+}
+
+// ---------------------------------------------------------------- logs and robots
+
+TEST(RoboSimVerbs, LogsAreComparedWithTheComponent) {
+    const Folder folder({{"lamp.rst", lamp("2")}});
+    const Ran saved =
+        run({"step", folder.path()}, "cycle\ncycle pressed\ncycle\nsave " + (folder / "run.trace") + "\n");
+    EXPECT_EQ(saved.exit, 0) << saved.err;
+    const Ran accepted = run({"conform", folder.path(), "--traces", folder / "run.trace"});
+    EXPECT_EQ(accepted.exit, 0) << accepted.out << accepted.err << read_contents(folder / "run.trace");
+    EXPECT_THAT(accepted.out, HasSubstr("3 cycles: 1 accepted"));
+    const std::string head = "robochart-trace 1\ncomponent lamps::Lamp\ncycle 2\nrun a\n";
+    std::ofstream(folder / "wrong.trace") << head << "pressed? lit!false tock tock\nlit!false tock tock\n";
+    const Ran rejected = run({"conform", folder.path(), "--traces", folder / "wrong.trace"});
+    EXPECT_EQ(rejected.exit, 1) << rejected.out << rejected.err;
+    EXPECT_THAT(rejected.out, AllOf(HasSubstr("cycle 2"), HasSubstr("lit(true)")));
+    std::ofstream(folder / "early.trace") << head << "lit!false tock lit!false tock\n";
+    EXPECT_EQ(run({"conform", folder.path(), "--traces", folder / "early.trace"}).exit, 1)
+        << "an output between the two time units of a cycle";
+    std::ofstream(folder / "late.trace") << head << "late\nlit!true tock tock\nlit!false tock tock\n";
+    EXPECT_EQ(run({"conform", folder.path(), "--traces", folder / "late.trace"}).exit, 0);
+    const Ran loaded = run({"step", folder.path()}, "load " + (folder / "run.trace") + "\n");
+    EXPECT_EQ(loaded.exit, 0) << loaded.err;
+    EXPECT_THAT(loaded.out, HasSubstr("t=6"));
+}
+
+TEST(RoboSimVerbs, MonitorsAndTestSuitesAreWritten) {
+    const Folder folder({{"lamp.rst", lamp("2")}});
+    const Ran monitor = run({"emit", "monitor", folder.path(), "-o", folder / "out"});
+    EXPECT_EQ(monitor.exit, 0) << monitor.out << monitor.err;
+    EXPECT_THAT(monitor.out, HasSubstr("Lamp_monitor.hpp"));
+    const Ran suite = run({"emit", "tests", folder.path(), "-o", folder / "out"});
+    EXPECT_EQ(suite.exit, 0) << suite.out << suite.err;
+    const Ran accepted = run({"conform", folder.path(), "--traces", folder / "out/tests/Lamp/Lamp.trace"});
+    EXPECT_EQ(accepted.exit, 0) << accepted.out << accepted.err;
+}
+
+const char* const scenario = R"(scenario Blink for Lamp {
+    step 0.2 s
+    unit 0.1 s
+    physics 0.1 s
+    duration 3 s
+    trials 1
+    seed 1
+    arena 100 cm by 100 cm
+    robots 2 { radius 5 cm axle 8 cm wheel 10 cm/s place random in arena }
+    stimulus pressed at 1 s
+    ignore lit
+}
+)";
+
+/// The model accepts the logs of the robots, but rejects those of robots whose lamp works the other way round.
+TEST(RoboSimVerbs, RobotsOfAScenarioRunInCycles) {
+    const Folder folder({{"lamp.rst", lamp("2")}, {"blink.scenario", scenario}});
+    const Ran ran =
+        run({"simulate", folder / "blink.scenario", "--no-pictures", "--log", folder / "logs", "--monitor"});
+    EXPECT_EQ(ran.exit, 0) << ran.out << ran.err;
+    const std::string log = read_contents(folder / "logs/trial-01/robot-00.trace");
+    EXPECT_THAT(log, AllOf(HasSubstr("pressed?"), HasSubstr("lit!true")));
+    const Ran accepted = run({"conform", folder.path(), "--traces", folder / "logs"});
+    EXPECT_EQ(accepted.exit, 0) << accepted.out << accepted.err;
+    EXPECT_THAT(accepted.out, HasSubstr("2 accepted"));
+    std::string swapped = lamp("2");
+    swapped.replace(swapped.find("$lit(true)"), 10, "$lit(false)");
+    const Folder other({{"lamp.rst", swapped}});
+    EXPECT_EQ(run({"conform", other.path(), "--traces", folder / "logs"}).exit, 1);
+    const Folder unequal({{"lamp.rst", lamp("1")}, {"blink.scenario", scenario}});
+    const Ran refused = run({"simulate", unequal / "blink.scenario", "--no-pictures"});
+    EXPECT_EQ(refused.exit, 2) << refused.out;
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("RC-M03"), HasSubstr("1 time units"), HasSubstr("is 2")));
+}
+
+}  // namespace
+}  // namespace robochart::app::robosim_test
