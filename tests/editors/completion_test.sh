@@ -45,7 +45,7 @@ expect "--help --version" --
 expect "emit explain" e
 expect "aggregation" check agg
 expect "aggregation" agg
-expect "cpp csp monitor prism tests" emit ""
+expect "cpp csp monitor prism rst tests" emit ""
 expect "aggregation alpha best_of_n false_claims foraging moving_beacon swarm_taxis" emit cpp ""
 expect "check conform cspm draw emit explain format help init lsp prism rules simulate step tune validate verify version" help ""
 expect "always auto never" check --color ""

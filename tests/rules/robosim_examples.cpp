@@ -71,11 +71,18 @@ csp N csp-begin
 N = SKIP
 csp-end
 )"}},
-        {blink,
+        {{"robochart", "blink.rct", R"(package M
+stm Blink {  // expect: RC-E01
+	event lit
+	initial i
+	state A { entry lit }
+	transition t0 { from i to A }
+}
+)"},
          model(machine(cycle + contexts, "stm S {  // expect: RC-S26")),
-         {"console", "", "$ robochart-verify emit monitor MODEL"}},
+         {"console", "", "$ robochart-verify emit prism MODEL"}},
         {model(machine(cycle + contexts, "stm S {  // expect: RC-S26")),
-         {"console", "", "$ robochart-verify emit monitor MODEL"}},
+         {"console", "", "$ robochart-verify emit prism MODEL"}},
     };
 }
 
