@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"NoVerbAndNoFile", "overview claimed", 4, "there is no verb, file or folder 'overview'"},
         Row{"MisspeltFolder", "claimd", 4, "did you mean 'claimed'?"}, Row{"NoFile", "Overview.rct", 2, "RC-F01"},
         Row{"MisspeltThingToEmit", "emit cp claimed", 4, "did you mean 'csp'?"},
-        Row{"NothingToEmit", "emit", 4, "emit needs one of csp, cpp, prism, monitor, tests"},
+        Row{"NothingToEmit", "emit", 4, "emit needs one of csp, cpp, prism, monitor, rst, tests"},
         Row{"MisspeltVerbOfHelp", "help conforn", 4, "did you mean 'conform'?"},
         Row{"EmitInAnotherSpelling", "emit c++ claimed", 4, "did you mean 'cpp'?"},
         Row{"BeginningOfAVerbOfHelp", "help sim", 4, "did you mean 'simulate'?"},
