@@ -244,9 +244,10 @@ private:
     /// An input without connection occurs at any time in RoboChart, and in RoboSim its register has any content.
     static void check_connected(const Component& outer, const std::string& part, const Usage& usage) {
         for (const auto& [name, event] : usage.inputs) {
+            const std::string& input = name;  // clang 14 does not capture structured bindings
             const bool connected = std::ranges::any_of(outer.connections, [&](const auto& connection) {
                 const auto ends_here = [&](const Connection::End& end) {
-                    return end.node.text() == part && end.event.text() == name;
+                    return end.node.text() == part && end.event.text() == input;
                 };
                 return ends_here(connection->from) || ends_here(connection->to);
             });
@@ -404,8 +405,9 @@ private:
         for (const CyclicMachine& machine : machines)
             for (const auto& [name, event] : usage_of(machine.callers.root(), machine.callers).inputs)
                 for (const auto& connection : controller.definition->connections) {
+                    const std::string& input = name;
                     const auto outer = [&](const Connection::End& inner, const Connection::End& end) {
-                        return inner.node.text() == machine.name && inner.event.text() == name ? end.event.text() : "";
+                        return inner.node.text() == machine.name && inner.event.text() == input ? end.event.text() : "";
                     };
                     const std::string event_outside =
                         outer(connection->to, connection->from) + outer(connection->from, connection->to);
