@@ -21,8 +21,8 @@ public:
     Saturation(const Saturation&) = delete;
     Saturation& operator=(const Saturation&) = delete;
 
-    /// The states that the steps reach from a state; `initial` by level, the first element is unused. The caller keeps
-    /// the result.
+    /// Returns the states that the steps reach from the initial state. `initial` contains its values by level; the
+    /// first element is unused. The caller must keep the result.
     [[nodiscard]] Node reachable(const std::vector<Value>& initial);
 
 private:
@@ -32,7 +32,7 @@ private:
         std::vector<Value> values;  ///< those whose child is not `nothing`, in any order
         std::vector<bool> waits;    ///< by value: in the queue of saturate
     };
-    /// Steps of one highest level that differ only in what they do there.
+    /// Steps with the same highest level that differ only in their relation on this level.
     struct TopSteps {
         LocalRelation local;
         Chain rest = no_link;
