@@ -14,8 +14,8 @@
 
 namespace robochart::machine {
 
-/// Exchanges the components of two ranges of slots, one by one. Every other component keeps its place and state. The
-/// numbers of states and events are those of the shapes.
+/// Exchanges the components of two ranges of slots: the first with the first, the second with the second, and so on.
+/// All other components stay unchanged. The numbers of states and events are those of the shapes.
 class Exchange {
 public:
     /// `shapes`: by slot, for the slots in both ranges. The ranges are disjoint and have the same length.

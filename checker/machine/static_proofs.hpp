@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts about all states of a compiled process that follow from its rules and components, without a search
-// (docs/search.md, "Static proofs", contains the statements and the proofs).
+// Proves facts about all states of a compiled process from its rules and components, without a search (docs/search.md,
+// "Static proofs", contains the statements and the proofs).
 #pragma once
 
 #include <vector>

@@ -25,7 +25,7 @@ struct Participant {
     std::uint32_t index = 0;  ///< slot, or region
 };
 
-/// The edges of a component with events of rules in which the component is the first participant.
+/// The edges of a component that can fire rules in which the component is the first participant.
 struct Leading {
     std::vector<std::uint32_t> first;  ///< by state, one more at the end
     std::vector<Component::Edge> edges;
@@ -60,9 +60,9 @@ struct Rule {
     std::uint32_t first_assignment, end_assignment;    ///< several rules may share these assignments
 };
 
-/// The rules between two prioritise operators. They are separate because operators above a prioritise see only what it
-/// allows. A rule begins with the participant that can perform its event in the fewest states, so that rules that
-/// cannot fire are seldom examined.
+/// The rules of the operators between one prioritise and the next. Each region has separate rules, because the
+/// operators above a prioritise must see only the events that it allows. A rule begins with the participant that can
+/// perform its event in the fewest states, so that rules that cannot fire are seldom examined.
 struct Region {
     std::vector<Participant> participants;
     std::vector<Leading> leading;                        ///< by participant, after list_leading; empty for regions

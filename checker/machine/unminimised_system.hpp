@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A compiled process whose components are not minimised, for the display of runs. Minimisation merges states of a
-// component that differ only in the names of hidden events, so a run of minimised components may show a hidden step by
-// the name that it has in another state.
+// component that differ only in the names of hidden events, so a run of minimised components may show a hidden step
+// with the name of a hidden event in another state.
 #pragma once
 
 #include <memory>
