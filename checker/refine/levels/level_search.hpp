@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // Statistics of this rank. The processor time for each level: to expand it, and to enter the rows found.
+    // Statistics of this rank. For each level, the processor time to expand the level and to enter the rows found.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
     /// Number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] std::uint64_t peak_bytes() const { return peak_bytes_; }
 
 private:
-    /// A fault at the end of a row's runs, or an event that is forbidden after them.
+    /// A fault of a row, or an event that is forbidden in the row.
     struct Fault {
         Words row;
         ViolationKind kind = ViolationKind::trace;
@@ -120,7 +120,7 @@ private:
     SharedWork work_;
     RowBatches batches_;
     SentRows sent_;
-    lts::StateStore no_rows_;  // passed to an expander whose rows are stored elsewhere
+    lts::StateStore no_rows_;  // always empty; the expander needs a store, but the rows are in `store_`
     std::optional<Expander> expander_;
     Expansion expansion_;
     std::vector<lts::Word> block_;    // rows read from the store

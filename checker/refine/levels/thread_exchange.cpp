@@ -280,7 +280,7 @@ public:
             throw diagnostics::LimitReached(fmt::format("program {}: {}", programs_.rank(), limit.what()));
         }
     }
-    /// Executes the caller's part, then waits for the end of all.
+    /// Executes the part of the caller's thread, and then waits until all threads have ended.
     void finish_all() {
         run_as_rank(0);
         others_->join();
