@@ -110,7 +110,7 @@ void PackedProcesses::forget_if_large() {
     loaded_.reset();
 }
 
-/// The script is not loaded if a limit stopped the previous attempt.
+/// Loads the script unless it is loaded. It may be not loaded because a limit stopped the previous attempt.
 void PackedProcesses::load_if_needed() {
     if (direct_ == nullptr) load_script();
 }
