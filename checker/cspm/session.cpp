@@ -546,8 +546,8 @@ struct Session::Impl {
         return ask_of(both, assertion, in, limits, earlier);
     }
 
-    /// The assertion with compressed parts. No value if it does not hold, if compression makes the parts hardly
-    /// smaller, or if a limit is reached.
+    /// Decides the assertion with compressed parts. Returns no value if it does not hold, if compression removes too
+    /// few states of the parts, or if a limit is reached.
     std::optional<refine::Verdict> ask_of_parts(const Decl& assertion, refine::Model in, refine::Limits limits) {
         constexpr double least_shrinkage = 16;
         limits.progress = {};

@@ -49,8 +49,8 @@ struct Skeleton {
 ///
 /// The function also looks for parallel operators after prefixes, because a process may perform events before it starts
 /// its components, or switch between modes. This fails if the prefixes never lead back to an earlier term, as in
-/// COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B). Then the function does not look behind any prefix of the term, and
-/// a subterm that begins with an event becomes one component.
+/// COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B). Then the function does not look for parallel operators after any
+/// prefix of the term, and a subterm that begins with an event becomes one component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,
                                                   diagnostics::Pollable& budget);

@@ -51,7 +51,8 @@ struct Assignment {
 /// "If these participants perform these events, the region performs this one."
 struct Rule {
     Event event;
-    /// The name of a hidden event; tau: the name is that of the participant's tau; otherwise the event.
+    /// The displayed name of the event. If the rule hides an event, this is the hidden event. If it is tau, the
+    /// displayed name is that of the participant's tau. Otherwise it is the event itself.
     Event revealed;
     std::uint32_t place;                               ///< index of the event in the region's alphabet
     std::uint32_t level;                               ///< level of the event in the region's priorities, or no_level

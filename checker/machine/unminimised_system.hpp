@@ -15,8 +15,8 @@ namespace robochart::machine {
 /// Maps the states of a component to those of a smaller one.
 class StateMap {
 public:
-    /// Maps the states to those of the component that results from removing all events that `minimised` does not have,
-    /// and minimising. No value if `minimised` is not this component. Polls the budget.
+    /// Removes all events that `minimised` does not have, minimises the result, and maps the states to the states of
+    /// this smaller component. No value if `minimised` is not this component. Polls the budget.
     static std::optional<StateMap> make(const Component& component, const Component& minimised,
                                         diagnostics::Pollable& budget);
     /// The state of the smaller component. The argument must be the off state, or reachable without removed events.
@@ -29,7 +29,7 @@ private:
     Local off_;
 };
 
-/// A process compiled with the components before their minimisation.
+/// A compiled process whose components have not been minimised.
 class UnminimisedSystem final : public lts::FinerSystem {
 public:
     /// `maps`: for each slot, from the components of `combined` to those of `minimised`.

@@ -28,7 +28,7 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-/// The work for one run, including nested ones.
+/// The work spent on one run, including the runs of compressed operands in it.
 struct Work {
     std::size_t looked_at = 0;
     std::size_t parts = 0;

@@ -23,7 +23,7 @@ enum class OpGroup : std::uint8_t {
     compression       ///< the steps of a machine that is computed from the operand
 };
 
-/// The operands whose transitions are needed for the transitions of the operator.
+/// The operands that can perform steps from the start, so that their transitions determine those of the operator.
 enum class Running : std::uint8_t { none, first, all };
 
 /// The table of the store to which the payload of a term refers. `none` if the payload is something else, or if there

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules of a compiled process as relations on sets of states. A variable represents a component. A rule changes few
-// variables, so it is a list of links, one for each component that takes part. A rule has a guard that represents the
-// priorities: the set of states in which they do not prevent the rule (docs/search.md, "Decision diagrams").
+// The rules of a compiled process as relations on sets of states. Each variable represents the state of one component.
+// Most rules change few variables, so a rule is represented by a list of links, one for each component that takes part
+// in it. A rule has a guard that represents the priorities: the set of states in which they do not prevent the rule
+// (docs/search.md, "Decision diagrams").
 #pragma once
 
 #include <cstdint>

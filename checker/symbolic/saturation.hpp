@@ -2,7 +2,7 @@
 // The reachable states by saturation (Ciardo, Luettgen and Siminiceanu, "Saturation: an efficient iteration strategy
 // for symbolic state-space generation", TACAS 2001): a node is saturated if no step that depends only on its level and
 // lower levels adds a tuple to its set. Nodes are saturated from the lowest level up. A step is fired at its highest
-// level, and the nodes below that the step makes are saturated at once.
+// level. The nodes that it creates below this level are saturated immediately.
 #pragma once
 
 #include <deque>

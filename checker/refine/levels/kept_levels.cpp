@@ -65,7 +65,7 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
                 if (level < levels && mine(row)) unsure(level, row);
             }
         });
-        // Statistics are summed over ranks, so the first rank can store those of all.
+        // The statistics are sums over all ranks, so the first rank can store them for all ranks.
         record.expanded.resize(levels - 1);
         if (!same && where_.place.rank != 0) continue;
         for (std::size_t level = 0; level < record.expanded.size(); ++level) {

@@ -51,7 +51,7 @@ public:
     /// no violation.
     std::optional<LevelFinding> first_divergence();
 
-    // Statistics of all ranks. If a violation was found, they cover the levels up to that of the violation.
+    // Statistics of all ranks. If a violation was found, they cover all levels up to the level of the violation.
     [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }

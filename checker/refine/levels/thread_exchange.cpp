@@ -36,7 +36,7 @@ public:
           from_programs_(programs.ranks()) {}
     /// Returns the exchange of a thread; threads are counted from 0.
     [[nodiscard]] std::unique_ptr<Exchange> exchange(unsigned thread);
-    /// All other threads that wait now or later throw RankLost.
+    /// Makes all other threads that wait now or later throw RankLost.
     void leave_meeting();
 
 private:

@@ -15,8 +15,8 @@ namespace robochart::refine {
 
 /// A query about a system.
 struct SearchQuestion {
-    /// Searches for a violation in a system. If `known` is given, the whole system has this violation, and the search
-    /// is for a shortest one.
+    /// Searches for a violation in a system. If `known` is given, it is a violation of the whole system, and the
+    /// function searches for a shortest one.
     std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&, const Violation* known)>
         search;
     /// Whether a state has the same answer as its images if automorphisms exchange these events. Called with exchanges

@@ -246,8 +246,8 @@ private:
     Paths paths_;
 };
 
-/// A violation in the system before minimisation. Both are null if there is no such system, or if the run was not found
-/// there: hidden steps then have the names that the minimised components give.
+/// A violation in the system before minimisation. Both members are null if there is no such system, or if the run was
+/// not found in it. Hidden steps then have the names that the minimised components give.
 struct FinerForm {
     std::shared_ptr<lts::FinerSystem> system;
     std::optional<Violation> violation;
