@@ -315,7 +315,7 @@ void Compiler::compress_parts(TermId term, diagnostics::Pollable& budget) {
 
 /// Makes a component of the part: its quotient under branching bisimilarity that respects divergence, which is a
 /// congruence for all operators above it (bisimulation.hpp). Returns false if the part has too many states, if all
-/// parts so far have too many states, or if the part is already one component.
+/// parts so far have too many states together, or if the part is already one component.
 bool Compiler::compress_part(TermId term, diagnostics::Pollable& budget) {
     if (const auto known = parts_.find(term); known != parts_.end()) return known->second;
     if (states_of_parts_ > bounds_.part_states || components_.contains(term)) return false;

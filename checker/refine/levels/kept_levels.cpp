@@ -23,8 +23,8 @@ KeptLevels::KeptLevels(KeptWhere where)
 
 /// If a rank was killed while it closed a level or rolled back, it has another number of levels than the other ranks.
 /// The levels that all ranks have are complete, except for unsure rows. The reason is that a rank starts a level only
-/// when all ranks have closed the previous level. The last of them is expanded again, which finds the rows of later
-/// levels, including those that were unsure.
+/// when all ranks have closed the previous level. The last of these levels is expanded again. This finds the rows of
+/// later levels, including rows that were unsure.
 void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure) {
     const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
     // If only some ranks have written a checkpoint with a number, this number is not used again.

@@ -103,7 +103,7 @@ void TauElimination::repeat_rounds(const Waiting& waiting, const OnRow& on_targe
                 targets.begin(row);
                 system_.successors(state(row), targets);
             }
-            left[0] = done;  // there may be more of them
+            left[0] = done;  // if rows were processed, more may be waiting
         });
         batches_.exchange(exchange_);
         work_.execute_part([&] {

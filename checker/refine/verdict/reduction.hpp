@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Searches a system that has fewer states but the same answers (docs/search.md, "Confluent taus", "Deadlocks",
-// "Symmetry"). Their results are converted to shortest runs of the whole system.
+// "Symmetry"). A run that this search finds is converted to a shortest run of the whole system.
 #pragma once
 
 #include <functional>
