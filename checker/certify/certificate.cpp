@@ -19,7 +19,8 @@ namespace {
 using cspm::Assertion;
 using cspm::AssertionKind;
 
-/// The claim in the words of certificates. No value if there are no certificates for assertions of this kind.
+/// Returns the claim of the assertion in the words that a certificate uses. No value if there are no certificates for
+/// assertions of this kind.
 std::optional<std::string> claim_words(const Assertion& assertion) {
     const bool divergence =
         assertion.model == cspm::Model::none || assertion.model == cspm::Model::failures_divergences;

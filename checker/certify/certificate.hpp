@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Certificates of assertions that hold (docs/certificates.md). A certificate contains the claim and the compiled
-// processes of both sides, without reductions. A separate program, proved correct in Coq, finds the proof in it or
-// refuses it (checker/certify/certifier). Its result does not depend on the correctness of this code.
+// processes of both sides, without reductions. A separate program, proved correct in Coq, finds the proof in the
+// certificate or rejects the certificate (checker/certify/certifier). Its result does not depend on the correctness of
+// this code.
 #pragma once
 
 #include <cstddef>

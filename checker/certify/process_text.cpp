@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A component that is off has one more state than the component, without transitions.
+// The state "off" of a component is written as one more state of the component, without transitions.
 #include "checker/certify/process_text.hpp"
 
 #include <fmt/format.h>
@@ -105,8 +105,8 @@ void write_region(const machine::Supercombinator& process, std::size_t index, Wr
         std::vector<std::pair<std::uint32_t, Event>> requirements{requirement(rule.lead)};
         for (std::uint32_t i = rule.first_requirement; i < rule.end_requirement; ++i)
             requirements.push_back(requirement(region.requirements[i]));
-        // The certifier begins with the first requirement, and finds transitions of components faster than those of
-        // regions.
+        // The certifier begins with the first requirement. It finds the transitions of components faster than those of
+        // regions, so the requirements of regions come first.
         std::stable_partition(requirements.begin(), requirements.end(),
                               [&](const auto& one) { return region.participants[one.first].is_region; });
         const auto first = region.assignments.begin();

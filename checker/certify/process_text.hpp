@@ -19,8 +19,8 @@ struct ProcessText {
     std::size_t rules = 0;
 };
 
-/// A process that is not compiled is written as one component with all its states. A process with more states than this
-/// is refused.
+/// A process that is not compiled is written as one component with all its states. If it has more states than this,
+/// there is no text.
 inline constexpr std::size_t most_explicit_states = 200'000;
 
 /// The text in one line: a space replaces each group of control characters and the spaces after it.

@@ -22,7 +22,8 @@ constexpr std::size_t most_specification_states = 20'000;
 
 struct GivesUp {};
 
-/// The whole graph of a system that runs as terms; no value if it is large or cannot be evaluated as a whole.
+/// Returns the whole graph of a system that is not compiled. Returns no value if it is large, or if the evaluation of
+/// some state fails.
 std::optional<lts::Graph> explore_whole(lts::TransitionSystem& system, diagnostics::Pollable& budget,
                                         const std::optional<std::chrono::milliseconds>& longest) {
     const auto start = std::chrono::steady_clock::now();
@@ -108,8 +109,8 @@ QuestionKey key_of_packed(const Question& question, const Script& script, const 
 
 namespace {
 
-/// Whether `names` contains all events of the findings. It does not contain events of linked processes, because they
-/// belong to no channel.
+/// Whether `names` contains all events of the findings. It does not contain the events that a linked parallel creates
+/// for its links, because they belong to no channel.
 bool all_named(const refine::Findings& findings, const process::EventSet& named) {
     if (!findings.violation) return true;
     const auto known = [&](process::Event event) { return std::ranges::binary_search(named, event); };

@@ -32,9 +32,9 @@ struct QuestionKey {
     process::EventSet named;
 };
 
-/// No value if the process is not compiled, if the specification is neither compiled nor small, or if a complete visit
-/// of the specification fails or takes longer than `longest`. Without `longest`, the result does not depend on time.
-/// Polls the budget during the visit.
+/// Returns the key of a check on compiled processes. Returns no value in three cases: the process is not compiled; the
+/// specification is neither compiled nor small; or a complete visit of the specification fails or takes longer than
+/// `longest`. Without `longest`, the result does not depend on time. Polls the budget during the visit.
 [[nodiscard]] std::optional<QuestionKey> key_of(const Question&, diagnostics::Pollable& budget,
                                                 const std::optional<std::chrono::milliseconds>& longest);
 
@@ -44,7 +44,7 @@ struct QuestionKey {
 [[nodiscard]] QuestionKey key_of_packed(const Question&, const Script& script, const Decl& assertion,
                                         const process::EventSet& events);
 
-/// The time limit for exploring a specification if the answer only saves time.
+/// The time limit for exploring a specification if the key is needed only to save time.
 inline constexpr std::chrono::milliseconds longest_look{1000};
 
 /// The cache for answers, and the least size of a search whose answer is stored.
@@ -53,13 +53,13 @@ struct Memory {
     std::uint64_t fewest_states = 0;
 };
 
-/// Runs the check and uses the findings of an earlier run if the memory contains them. Stores the findings if the
-/// search was large enough. `ask` decides the check (check.hpp) with the known findings. Findings that are not
+/// Runs the check and uses the findings of an earlier run if the cache contains them. Stores the findings if the search
+/// was large enough. `ask` runs the check (check.hpp), given the findings of the earlier run. Findings that are not
 /// confirmed are not used.
 [[nodiscard]] refine::Verdict check_with_memory(const Question&, const QuestionKey&, const Memory&,
                                                 const std::function<refine::Verdict(refine::Earlier)>& ask);
-/// Runs a check on packed states. If rows are widened, the check runs again, and its findings have states of the new
-/// width. When the check has been answered, the findings are also stored under its original key.
+/// Runs a check on packed states. If its rows become wider, the check runs again, and the states in its findings have
+/// the new width. When the check has been answered, the findings are also stored under its original key.
 [[nodiscard]] refine::Verdict answer_of_width(const Question&, const QuestionKey&, const Memory&,
                                               const std::function<refine::Verdict(refine::Earlier)>& ask);
 

@@ -124,8 +124,8 @@ private:
     std::uint64_t most_states_;
 };
 
-/// The number of states after which an assertion is decided with compressed parts, before the other states are
-/// searched.
+/// When a search has found this many states, the assertion is tried with compressed parts before the search of the
+/// other states.
 constexpr std::uint64_t first_states = 500'000;
 
 /// Truncates a description to one line, without splitting characters.
@@ -183,7 +183,7 @@ struct Session::Impl {
     std::unique_ptr<lts::TransitionSystem> whole_system(process::TermId term, Span span,
                                                         diagnostics::Pollable& budget) {
         machine::Bounds bounds;
-        bounds.component_states *= 10;  // because they are not minimised
+        bounds.component_states *= 10;  // because the components are not minimised
         bounds.minimised_states = 0;
         bounds.region_states = 0;
         auto compiled = machine::Compiler(loaded.semantics, bounds).compile(term, budget);
@@ -443,7 +443,7 @@ struct Session::Impl {
         }
     }
 
-    /// Loading the script again must be cheap compared with the work done so far.
+    /// A switch loads the script again, so the work done so far must be much larger than the work of loading.
     [[nodiscard]] std::size_t most_terms(bool direct) const {
         constexpr std::size_t few = 5'000, many = 1'000'000;
         if (packing.from_terms) return *packing.from_terms;
@@ -517,7 +517,8 @@ struct Session::Impl {
         }
     }
 
-    /// The number of stored values and terms that use a small part of the memory, at a few hundred bytes for each.
+    /// Returns a number of stored values and terms that need only a small part of the memory. Each of them needs a few
+    /// hundred bytes.
     static std::size_t most_kept_in(std::uint64_t memory_bytes) {
         constexpr std::uint64_t fewest = 20'000, most = 400'000;
         return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
@@ -545,8 +546,8 @@ struct Session::Impl {
         return ask_of(both, assertion, in, limits, earlier);
     }
 
-    /// The assertion with compressed parts. No value if it does not hold, if compression makes the parts hardly
-    /// smaller, or if a limit is reached.
+    /// Decides the assertion with compressed parts. Returns no value if it does not hold, if compression removes too
+    /// few states of the parts, or if a limit is reached.
     std::optional<refine::Verdict> ask_of_parts(const Decl& assertion, refine::Model in, refine::Limits limits) {
         constexpr double least_shrinkage = 16;
         limits.progress = {};
@@ -580,7 +581,7 @@ struct Session::Impl {
             verdict.statistics.seconds = budget.seconds();
             return verdict;
         } catch (const process::Interrupted&) {
-            return std::nullopt;  // if it was a limit of the whole check, the next search meets it again
+            return std::nullopt;  // a limit of the whole check also ends the next search
         }
     }
 

@@ -29,7 +29,8 @@ struct AssertionResult {
     double compile_cpu_seconds = 0;  ///< processor time of all threads for this
 };
 
-/// When processes that stay terms are searched as packed states (docs/search.md). Answers do not depend on it.
+/// Decides when the search represents uncompiled processes by packed states instead of terms (docs/search.md). Answers
+/// do not depend on it.
 struct Packing {
     /// The number of terms after which a search switches to packed states. No value: 5,000, or more for long scripts,
     /// if steps can be computed without terms (packed/direct_steps.hpp); otherwise 1,000,000.
@@ -43,7 +44,8 @@ struct Packing {
 class Session {
 public:
     /// The budget is polled while the script is compiled, because instances copy their modules. With `whole_states`,
-    /// processes also have the arguments that they never read, for callers that show them.
+    /// calls in terms also contain the arguments that the called process never reads; a caller that displays states may
+    /// need them.
     explicit Session(Script script, diagnostics::Budget* budget = nullptr, bool whole_states = false);
     ~Session();
     Session(const Session&) = delete;
@@ -52,11 +54,11 @@ public:
     [[nodiscard]] const Script& script() const;
     /// The assertions of the script, in order (including those inside modules and timed sections).
     [[nodiscard]] std::vector<DeclPtr> assertions() const;
-    /// Decides one assertion. Throws evaluation errors; limits give inconclusive.
+    /// Decides one assertion. Throws evaluation errors. If a limit is reached, the verdict is inconclusive.
     [[nodiscard]] AssertionResult check(const Decl& assertion, const refine::Limits&);
 
-    /// Decides one assertion without compiling components. A compilation evaluates all states of a component, and fails
-    /// if one of them cannot be evaluated; here, only states that the search reaches are evaluated.
+    /// Decides one assertion without compiling components. Compilation evaluates all states of a component, and fails
+    /// if the evaluation of one of them fails. This function evaluates only states that the search reaches.
     [[nodiscard]] AssertionResult check_with_terms(const Decl& assertion, const refine::Limits&);
 
     /// Uses answers of earlier runs from this cache. Stores the answers of this run whose searches had at least
@@ -66,8 +68,9 @@ public:
     /// Sets when processes are packed; call it before the first check.
     void set_packing(const Packing& packing);
 
-    /// Reports calls of these functions during the evaluation of processes. The calls in a state are reported once, for
-    /// the first assertion that evaluates the state. So this function must be called before the first check.
+    /// Reports calls of these functions during the evaluation of processes. The calls during the evaluation of a state
+    /// are reported only once: for the first assertion that evaluates the state. So this function must be called before
+    /// the first check.
     void set_observer(CallObserver observer);
 
     /// Splits the run of a counterexample into the runs of its components. The loop of a divergence follows the trace.

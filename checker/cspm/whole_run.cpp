@@ -6,7 +6,8 @@
 namespace robochart::cspm {
 namespace {
 
-/// The position of the next omitted value: an underscore between two of `(`, `,` and `)`.
+/// The position of the next omitted value. It is shown as an underscore between two characters that are each `(`, `,`
+/// or `)`.
 std::size_t next_place(std::string_view description, std::size_t from) {
     for (std::size_t at = description.find('_', from); at != std::string_view::npos;
          at = description.find('_', at + 1)) {
@@ -18,7 +19,7 @@ std::size_t next_place(std::string_view description, std::size_t from) {
     return std::string_view::npos;
 }
 
-/// A reached state, and the index of its predecessor among those before the step.
+/// A reached state, and the index of its predecessor among the states before the step.
 struct Reached {
     process::Transition step;
     std::size_t from;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arguments that are never read are not part of a state, so a run does not contain their values. This file repeats the
-// run in the same script with all arguments, for display.
+// Arguments that are never read are not part of a state, so a run does not contain their values. For display, this file
+// repeats the run in a session of the same script in which states contain all arguments.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace robochart::cspm {
 
 /// Whether a description contains an omitted value: `Done(_,1)`.
 [[nodiscard]] bool leaves_values_out(std::string_view description);
-/// Whether the first description could be the second one with some values omitted.
+/// Whether the first description can result from the second one by omission of some values.
 [[nodiscard]] bool matches_description(std::string_view with_places, std::string_view with_values);
 
 /// A run of terms.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a block have the same signature: their events and the blocks of the targets, and for the branching
-// equivalence also those that are reached through taus inside the block (inert taus). If targets have moved to another
-// block, the signatures are recomputed and the block is split. Its largest part keeps the number of the block, so a
-// state moves at most log n times. Signatures are compared by hash first; parts are in the order of their first states.
+// The states of a block have the same signature. The signature of a state contains the events of its transitions with
+// the blocks of their targets. For the branching equivalence, it also contains the events and blocks that are reached
+// through taus inside the block (inert taus). If targets have moved to another block, the signatures are recomputed and
+// the block is split. Its largest part keeps the number of the block, so a state moves at most log n times. Signatures
+// are compared by hash first; parts are in the order of their first states.
 #include "checker/lts/bisimulation.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using Block = std::uint32_t;
 using Signature = std::vector<Edge>;  // targets are blocks; ascending
 using States = std::vector<StateIndex>;
 
-/// In a signature: the state can perform taus forever.
+/// A signature with this target means that the state can perform taus forever.
 constexpr StateIndex endless = no_state;
 
 /// States of one block that have the same signature.
@@ -61,7 +62,7 @@ private:
     std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;  // looked up only, so its order has no effect
 };
 
-/// Sorts edges that are ascending by event, without duplicates.
+/// Sorts edges that are already ascending by event, and removes duplicates.
 void sort_by_target(Signature& signature) {
     for (auto first = signature.begin(); first != signature.end();) {
         const auto last =

@@ -12,8 +12,8 @@
 namespace robochart::lts {
 namespace {
 
-/// Aldebaran's format marks a hidden step only by a word that readers know (mCRL2: `tau`, CADP: `i`), and our mark for
-/// termination is a word too. An underscore is appended to events with these names.
+/// In Aldebaran's format, a label that is a reserved word represents a hidden step (mCRL2: `tau`, CADP: `i`). This
+/// export also uses a word for termination. If an event has one of these names, an underscore is appended to it.
 class Labels {
 public:
     explicit Labels(const EventTable& events) : events_(events) {

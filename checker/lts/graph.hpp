@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explicit transition systems: compressed rows of edges. State 0 is the initial state.
+// Explicit transition systems, stored as compressed rows of edges. State 0 is the initial state.
 #pragma once
 
 #include <cassert>

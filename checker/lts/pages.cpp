@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21U;
 constexpr std::size_t cache_line = 64;
-/// Larger blocks are mapped from the system and returned to it at once; in the heap, other blocks could prevent that.
+/// Blocks above this size are mapped directly, so that they can be unmapped as soon as they are freed. The heap could
+/// not return them to the system while it contains other blocks.
 constexpr std::size_t large = std::size_t{1} << 17U;
 
 /// The page size depends on the machine.

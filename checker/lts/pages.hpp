@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Zeroed memory for large tables: huge pages if the system has them, allocated when they are touched. (A random look-up
-// in a table of 4 KiB pages also walks the page table, which takes 1.7 times as long.)
+// Allocates zeroed memory for large tables. It uses huge pages if the system has them. The system allocates a page when
+// it is first accessed. (A random look-up in a table of 4 KiB pages also walks the page table, which takes 1.7 times as
+// long.)
 #pragma once
 
 #include <cstddef>

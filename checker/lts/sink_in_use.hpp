@@ -8,7 +8,7 @@
 
 namespace robochart::lts {
 
-/// During its lifetime, the variable points to the sink that receives successors; afterwards it is null.
+/// Makes a variable point to the sink that receives successors. The destructor sets the variable to null.
 class SinkInUse {
 public:
     SinkInUse(SuccessorSink*& place, SuccessorSink& sink) : place_(place) {

@@ -36,8 +36,8 @@ public:
 
     /// The approximate memory in bytes that the states and their places in the table use.
     [[nodiscard]] std::uint64_t bytes() const;
-    /// The number of states that fit into this many bytes if each needs `more` additional bytes; at least a few, and at
-    /// most as many as there are numbers.
+    /// The number of states that fit into this many bytes if each state needs `more` additional bytes. The result is at
+    /// least a small number, and at most the number of valid state numbers.
     [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
 
     // To look up many states, call `hash` and `prefetch` for several of them, and look them up when their memory has
@@ -63,7 +63,7 @@ public:
     template <class Claims>
     Claim claim(StateView state, std::uint64_t hash, StateIndex number, Claims& claims) {
         assert(state.size() == width_);
-        // A claim must differ from the numbers of states and from that of a dropped one.
+        // A claim must differ from all numbers of states and from the number that marks a dropped state.
         assert(number >= first_claim && number != no_state && size_ <= first_claim);
         const auto same = [&](StateIndex index) {
             if (index < size_) return equals_state(row(index), state);

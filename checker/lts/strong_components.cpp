@@ -42,7 +42,7 @@ private:
         open_.push_back(vertex);
         targets_.clear();
         graph_.successors(vertex, targets_);
-        // Targets are taken from the end.
+        // The targets of the last vertex of the path are taken from the end of ahead_.
         for (auto target = targets_.rbegin(); target != targets_.rend(); ++target)
             if (!process_if_entered(*target)) ahead_.push_back(*target);
     }

@@ -11,7 +11,8 @@
 
 namespace robochart::lts {
 
-/// Vertices 0 .. size-1; `successors` appends those of a vertex to a list, the same in each call.
+/// A graph with the vertices 0 .. size-1. `successors` appends the successors of a vertex to a list. It must give the
+/// same successors in each call.
 struct GraphView {
     std::size_t size;
     std::function<void(StateIndex vertex, std::vector<StateIndex>& targets)> successors;

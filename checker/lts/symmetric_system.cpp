@@ -32,7 +32,7 @@ void SymmetricSystem::set_budget(diagnostics::Pollable& budget) {
 }
 
 void SymmetricSystem::successors(StateView state, SuccessorSink& sink) {
-    // The sink may ask for successors while it receives some.
+    // The sink may call successors() again while it receives successors.
     if (sink_ != nullptr) {
         const auto other = clone_for_thread();
         other->set_budget(*budget_);

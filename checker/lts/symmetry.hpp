@@ -17,8 +17,8 @@ namespace robochart::lts {
 /// A permutation of events: the pairs (event, image) in which both differ, ascending.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// One value of a replica inside a state, and its conversion to numbers that all replicas share. Two replicas are in
-/// the same state if these numbers are equal.
+/// One value of a replica inside a state, and the mapping from this value to numbers that all replicas share. Two
+/// replicas are in the same state if these numbers are equal.
 struct ReplicaPart {
     Field field;
     std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< common number by value
@@ -28,7 +28,7 @@ struct ReplicaPart {
 /// One of several equal parts of a system's states.
 struct Replica {
     std::vector<ReplicaPart> parts;  ///< the parts correspond to those of the first replica, in this order
-    EventPermutation exchange;       ///< the exchange of events when the first replica and this one are exchanged
+    EventPermutation exchange;       ///< how the exchange of the first replica and this one permutes events
 };
 
 /// Two or more replicas that can all be exchanged with each other.

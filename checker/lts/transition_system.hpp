@@ -57,8 +57,8 @@ public:
     /// Sets the budget that long work inside the system polls. It must outlive that work; `diagnostics::unlimited` ends
     /// its use.
     virtual void set_budget(diagnostics::Pollable& /*budget*/) {}
-    /// The same process in a slower semantics, which shares only the definitions with this system. Results of a search
-    /// are replayed in it before they are reported. Null if there is none.
+    /// Returns the same process in a slower, independent semantics, which shares only the definitions with this system.
+    /// Results of a search are replayed in it before they are reported. Null if there is none.
     [[nodiscard]] TransitionSystem* reference() const { return reference_.get(); }
     void set_reference(std::shared_ptr<TransitionSystem> reference) { reference_ = std::move(reference); }
     /// Returns the same process with fewer states. If only taus are followed, its initial state is branching bisimilar
@@ -71,16 +71,16 @@ public:
     /// it may have one or none. Polls the budget.
     [[nodiscard]] virtual bool excludes_tau_cycles(diagnostics::Pollable& /*budget*/) const { return false; }
     /// Whether the rules of the process show that no state has a tau, two transitions with the same event, or tick
-    /// beside another event. If not, there may be such states or none. Polls the budget.
+    /// together with another event. If not, there may be such states or none. Polls the budget.
     [[nodiscard]] virtual bool excludes_choices(diagnostics::Pollable& /*budget*/) const { return false; }
-    /// Returns a system with the same states, but with only some of the transitions, among them all that are on cycles
-    /// of taus. Null if the rules exclude no tau. Polls the budget.
+    /// Returns a system with the same states that has all transitions on cycles of taus, but not all other transitions.
+    /// Null if the rules exclude no tau. Polls the budget.
     [[nodiscard]] virtual std::unique_ptr<TransitionSystem> make_cycle_system(diagnostics::Pollable& /*budget*/) const {
         return nullptr;
     }
     /// Returns the same process before its parts were minimised, or null if that is not known or too large. It is
     /// strongly bisimilar to this system, and its transitions have the names of hidden events that the process gives
-    /// them: a state of a minimised part has the names of one of the states that it represents. For the display of
+    /// them: a state of a minimised part has the names of one of the states that it represents. It is used to display
     /// runs. Polls the budget.
     [[nodiscard]] virtual std::unique_ptr<FinerSystem> make_finer_system(diagnostics::Pollable& /*budget*/) const;
     /// Returns sets of equal parts of the states that can be exchanged. Each exchange is an automorphism of the system

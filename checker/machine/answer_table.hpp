@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cache of the results of confluence proofs. The key is a query and the states of the components in it. Open
 // addressing with linear probing (Knuth, The Art of Computer Programming 3, section 6.4): a search makes several
-// queries for each state, and one look-up usually reads one line of memory.
+// queries for each state, and a look-up usually reads only one cache line.
 #pragma once
 
 #include <cassert>

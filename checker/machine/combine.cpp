@@ -19,7 +19,7 @@ using process::tau;
 using process::Term;
 using process::tick;
 
-/// Puts the components below a node into their first states, or turns them off.
+/// An action that puts the components below a node into their first states, or turns them off.
 struct Action {
     NodeId node;
     bool start;
@@ -106,8 +106,8 @@ void Combiner::charge(std::size_t vectors) {
     charge_work(vectors);
 }
 
-/// Adds a number of parts, actions and assignments to the work. With deeply nested operators, a rule can contain one of
-/// them for each operator.
+/// Charges the work for parts, actions and assignments. Their number matters, because a rule of deeply nested operators
+/// can contain one of them for each operator.
 void Combiner::charge_work(std::size_t steps) const {
     constexpr std::size_t worth = 20;  // allowed work for each rule
     constexpr std::size_t between_polls = 1024;
@@ -496,7 +496,7 @@ void Combiner::finish_region(Region& region, Vectors vectors, const std::vector<
     assert(next == vectors.end());  // each vector has become a rule
 }
 
-/// Large ones first.
+/// Sorts the ranges, large ones first.
 void Combiner::list_operands() {
     std::vector<SlotRange>& operands = result_.operands;
     for (const Node& node : skeleton_.nodes)

@@ -85,9 +85,9 @@ private:
     ExplicitMachine found_;
 };
 
-/// Prefixes up to this number are split without a test of whether this pays off.
+/// If at most this many prefixes must be split, the compiler does not test whether splitting pays off.
 constexpr std::size_t few_prefixes = 16;
-/// A process with fewer states that needs many components becomes one component.
+/// A process with fewer states than this becomes one component if it would need many components.
 constexpr std::size_t few_states = 1000;
 
 /// Returns the machine without the names of hidden events, which compressions ignore.
@@ -120,7 +120,7 @@ std::vector<std::vector<bool>> used_events(const Supercombinator& combined) {
     return used;
 }
 
-/// Counts the calls of a function that are under way.
+/// Counts the active calls of a recursive function.
 class DepthGuard {
 public:
     explicit DepthGuard(std::size_t& depth) : depth_(depth) { ++depth_; }
@@ -171,8 +171,8 @@ std::vector<TermId> hiding_operands(const Skeleton& skeleton) {
 Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bounds)
     : semantics_(semantics), bounds_(bounds) {}
 
-/// The machine of a compression is minimal already: no two of its states are branching bisimilar, and so no two are
-/// strongly bisimilar.
+/// The machine that results from a compression is already minimal: no two of its states are branching bisimilar, and so
+/// no two of them are strongly bisimilar.
 ComponentPtr Compiler::explore_component(TermId term, diagnostics::Pollable& budget) {
     Exploration exploration(semantics_, bounds_.component_states, stage_.states);
     stage_.component = term;
@@ -314,8 +314,8 @@ void Compiler::compress_parts(TermId term, diagnostics::Pollable& budget) {
 }
 
 /// Makes a component of the part: its quotient under branching bisimilarity that respects divergence, which is a
-/// congruence for all operators above it (bisimulation.hpp). Returns false if the part has too many states, or the
-/// parts before it have, or if it is one component already.
+/// congruence for all operators above it (bisimulation.hpp). Returns false if the part has too many states, if all
+/// parts so far have too many states together, or if the part is already one component.
 bool Compiler::compress_part(TermId term, diagnostics::Pollable& budget) {
     if (const auto known = parts_.find(term); known != parts_.end()) return known->second;
     if (states_of_parts_ > bounds_.part_states || components_.contains(term)) return false;

@@ -34,24 +34,25 @@ struct Bounds {
     /// Whether the operands of parallel operators that hide events are compressed before they are combined (inductive
     /// compression; docs/search.md, "Compressed parts"). Preserves T, F and FD, but not the steps of a run.
     bool compress_parts = false;
-    /// With `compress_parts`: the most states of all parts together.
+    /// With `compress_parts`: the maximal number of states of all parts together.
     std::size_t part_states = 200'000;
 };
 
-/// Compiles terms of one store. Compiles processes. It stores their components, so that equal terms are explored once.
+/// Compiles processes, which are terms of one store. It stores the components of these processes, so that equal terms
+/// are explored only once.
 class Compiler {
 public:
     explicit Compiler(process::OperationalSemantics& semantics, const Bounds& bounds = {});
 
-    /// Returns the compiled process. Returns null in these cases. The process has no parallel operator, or one is
-    /// reached only after many events and the process has few states. A component has too many states. A component
-    /// cannot be explored separately, because of an evaluation error that the whole process may never reach. There are
-    /// too many rules. The compiler must outlive the finer systems of the result. Polls the budget and passes on
-    /// process::Interrupted.
+    /// Returns the compiled process, or null in four cases: the process has no parallel operator, or it has few states
+    /// and reaches a parallel operator only after many events; a component has too many states; a component cannot be
+    /// explored separately, because it contains an evaluation error that the whole process may never reach; or there
+    /// are too many rules. The compiler must outlive every system that make_finer_system of the result returns. Polls
+    /// the budget and passes on process::Interrupted.
     [[nodiscard]] std::unique_ptr<SupercombinatorSystem> compile(TermId term, diagnostics::Pollable& budget);
     /// Uses the components that another compiler of the same terms has explored, but not its compiled processes.
     void add_components_of(const Compiler& other);
-    /// Compresses the parts of the process, as compile() would before it combines them. Only with
+    /// Compresses the parts of the process in the same way as compile() does before it combines them. Only with
     /// Bounds::compress_parts. Polls the budget.
     void compress_parts(TermId term, diagnostics::Pollable& budget);
     /// Whether a part of some compiled process was compressed (Bounds::compress_parts).

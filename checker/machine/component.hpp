@@ -31,7 +31,7 @@ public:
     };
     using Edges = std::span<const Edge>;
 
-    /// An edge during the construction of the machine. It contains the event and not the index of the event.
+    /// An edge while the machine is built. It contains the event itself and not its index.
     struct RawEdge {
         Event event;
         Event revealed;

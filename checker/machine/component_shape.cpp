@@ -32,7 +32,7 @@ public:
         states_.front() = 2;
     }
 
-    /// Repeats until no round distinguishes more states or events.
+    /// Refines the colours in rounds until a round distinguishes no more states or events than the round before it.
     void run() {
         std::size_t edges = 1;
         for (Local state = 0; state < component_.size(); ++state) edges += component_.edges(state).size();

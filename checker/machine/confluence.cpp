@@ -17,7 +17,7 @@ constexpr std::size_t most_together = 500;
 /// Maximal number of components that a proof may track in addition to the rule's parts.
 constexpr std::size_t most_beside = 4;
 
-/// Answers that are not the number of another query.
+/// The answers in the table that are not the number of another query.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t yes = no - 1;
 
@@ -176,8 +176,8 @@ bool known_well(const ProofRecord::Sum& sum) {
     return work(sum) >= enough;
 }
 
-/// Whether proofs pay off. A followed tau removes at most one state. It also saves memory, so a proof may take more
-/// work than a state.
+/// Whether the saved work exceeds the work of the proofs. A followed tau removes at most one state. It also saves
+/// memory, so a proof may take more work than a state.
 bool worth_it(const ProofRecord::Sum& sum, double work_of_a_state) {
     constexpr double most_for_a_state = 2;
     return sum.proofs > 0 &&
@@ -287,7 +287,7 @@ void Confluence::store_answer(std::uint32_t number, std::uint64_t key, std::uint
 }
 
 /// The states of the tracked components that other rules can reach while the rule can fire. The rule is confluent
-/// either in all of them or in none (the greatest set that condition 3 allows).
+/// either in all of these states or in none of them: they are the greatest set that condition 3 allows.
 class Confluence::Closure {
 public:
     explicit Closure(const Confluence& all) : all_(all) {}
@@ -394,9 +394,10 @@ std::uint32_t Confluence::find_answer(std::uint32_t number, Locals state) {
 }
 
 /// The answer depends only on the states of the tracked components, and so does the next query. If a proof fails, a
-/// proof that begins with a state on the path to the failure fails at the same state. The reason is that the first
-/// state in which a condition fails is searched breadth first, and no shorter path leads to it. So all states on the
-/// path have the same answer. They have no next query if this one is due to a rule that comes before them.
+/// proof that begins with a state on the path to the failure fails at the same state. The reason is that the search for
+/// this state is breadth first, so no shorter path leads to a state in which a condition fails. So all states on the
+/// path have the same answer. One of the rules of the failed proof determines the next query. A state on the path gets
+/// no next query if this rule comes before the state.
 std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here, Locals state) {
     if (tracked_[number].asking == nullptr) {
         Asking& asking = asking_[tracked_[number].slots];
@@ -414,7 +415,7 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
         return yes;
     }
     const Next next = find_larger_tracked_set(number, closure.blamed_rules());
-    // Each query tracks more components than the one before, so the proof comes to an end.
+    // This terminates, because each query tracks more components than the previous one.
     assert(next.number == no || tracked_[next.number].slots.size() > tracked_[number].slots.size());
     if (next.number != no) ++tracked_[number].next[next.number];
     for (std::size_t i = 0; i < closure.led_on().size(); ++i)
@@ -533,7 +534,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
     assert(next.states.size() == next.by.size() * state.size());
 }
 
-/// Whether the component stays in this state in all ways to perform its part.
+/// Whether all edges for this part lead from the state back to the same state.
 bool Confluence::stays_unchanged(const Part& part, Local local) const {
     if (part.assigned || !part.event) return false;
     const Component::Edges edges = component(part.slot).edges(local, *part.event);

@@ -25,16 +25,17 @@ namespace robochart::machine {
 
 /// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// A plan replaces queries that seldom decide, so that proofs skip them. It maps the slots of a rule's parts and the
-/// slots that a query tracks to the slots to track instead. If these are empty, the proof is assumed to fail.
+/// A plan lists the queries that proofs skip, because their proofs seldom succeed. The key of an entry consists of the
+/// slots of a rule's parts and the slots that the skipped query tracks. The value contains the slots that are tracked
+/// instead. If the value is empty, the proof is assumed to fail.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
-/// Records the costs and results of proofs. They are summed over rules with the same components, because each value of
-/// a channel has a rule.
+/// Records the costs and results of proofs. They are summed over all rules with the same components, because one
+/// channel causes many such rules, one for each value.
 class ProofRecord {
 public:
-    /// The costs and results of proofs that track the same components. `next`: the sets that were tracked after a
-    /// failure.
+    /// The costs and results of proofs that track the same components. `next`: how often each other set of components
+    /// was tracked after a failed proof.
     struct Sum {
         std::uint64_t proofs = 0;  ///< number of successful proofs
         std::uint64_t looked = 0;  ///< number of states examined by proofs
@@ -59,8 +60,8 @@ private:
 /// 1).
 [[nodiscard]] bool is_candidate(const WholeRule& rule, lts::Followed followed);
 
-/// Proves steps confluent by their rule and the current states of the components in it, and caches the results. The
-/// answers do not depend on earlier queries.
+/// Proves that steps are confluent, and caches the results. A proof depends only on the rule of the step and on the
+/// current states of the components in the query. The answers do not depend on earlier queries.
 class Confluence {
 public:
     /// `plan`: a plan for a system with the same rules. The results depend on it.
@@ -82,9 +83,9 @@ private:
     using RuleNumber = std::uint32_t;
     /// The states of all components. Only the states of tracked components are read.
     using Locals = std::span<const Local>;
-    /// The rules in which tracked components perform an event, each rule once. A rule is listed at one of these
-    /// components, by the index of the component and by the event. The rule can fire only if that component can perform
-    /// the event. The rules of an event are listed when a proof first reads a state with this event.
+    /// The rules in which tracked components perform an event. Each rule is listed once: under one of these components
+    /// and the event that the rule requires of it. So a proof examines the rule only if that component can perform the
+    /// event. The list of an event is computed when a proof first reads a state with this event.
     using Asking = std::vector<std::unordered_map<std::uint32_t, std::vector<RuleNumber>>>;
     /// A query: a rule and the components whose current states its proofs read, with the statistics of these proofs.
     struct Tracked {
@@ -92,7 +93,7 @@ private:
         Slots slots;                         ///< ascending: the rule's parts, and further components
         std::vector<std::uint64_t> weights;  ///< weight of each component's state in keys
         std::vector<char> has;               ///< for each slot: whether it is in `slots`
-        Asking* asking = nullptr;            ///< for the slots; null before the first proof
+        Asking* asking = nullptr;            ///< the rules for these slots; null before the first proof
         std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
         std::map<std::uint32_t, std::uint64_t> next;  ///< how often each other query followed a failed proof
     };

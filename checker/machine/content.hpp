@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The content of a compiled process: the data on which its transitions depend, independent of the session that compiled
-// it. Equal content means equal searches with equal packed states. The terms of states are not included.
+// it. If two compiled processes have equal content, their searches are equal and have equal packed states. The content
+// does not include the terms of states.
 #pragma once
 
 #include "base/cache/digest.hpp"
@@ -9,8 +10,8 @@
 
 namespace robochart::machine {
 
-/// Numbers events by their indices in an ascending list. Sessions that number events differently, but in the same
-/// order, then compute the same content.
+/// Numbers events by their indices in an ascending list. Two sessions may give the events different numbers. They still
+/// compute the same content if the order of the numbers is the same.
 class EventPlaces {
 public:
     /// `named`: ascending.

@@ -67,8 +67,9 @@ std::optional<lts::EventPermutation> Exchange::find_exchanged_events(diagnostics
     return events;
 }
 
-/// Condition 1: the numbers of states and events are an isomorphism of the components. Fields of the same width can
-/// contain the states of both. For a component that is never turned off, "off" is not a state.
+/// Condition 1: the mapping of equally numbered states and events is an isomorphism of the components. The fields of
+/// both components have the same width, so each can contain the states of the other. For a component that is never
+/// turned off, "off" is not a state.
 bool Exchange::maps_component(std::uint32_t slot, diagnostics::Pollable& budget) {
     const std::uint32_t image = this->image_of_slot(slot);
     const Component& from = *combined_.components[slot];

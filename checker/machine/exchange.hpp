@@ -14,8 +14,9 @@
 
 namespace robochart::machine {
 
-/// Exchanges the components of two ranges of slots, one by one. Every other component keeps its place and state. The
-/// numbers of states and events are those of the shapes.
+/// Exchanges the components of two ranges of slots: the first with the first, the second with the second, and so on.
+/// All other components stay unchanged. The shapes number the states and events of the components, and equal numbers
+/// are mapped to each other.
 class Exchange {
 public:
     /// `shapes`: by slot, for the slots in both ranges. The ranges are disjoint and have the same length.
@@ -28,7 +29,7 @@ public:
 
 private:
     using Places = std::vector<std::uint32_t>;  ///< by index in an alphabet: the index of the image
-    /// The requirements and assignments of a rule, without its event, each ascending.
+    /// A rule without its event: its requirements and its assignments, both ascending.
     using Body = std::vector<std::uint32_t>;
     using EventsByBody = std::map<Body, std::vector<std::uint32_t>>;
 

@@ -12,8 +12,9 @@ namespace robochart::machine {
 namespace {
 
 /// Returns the maximal length of a sequence of followed steps. The sequence may end at any of its states, which then
-/// represents the states before it. If all steps are followed, sequences with all steps of all components end in
-/// cycles, which are worth finding: no deadlock can be reached from them.
+/// represents the states before it. If steps with any event are followed, a sequence should be long enough to reach a
+/// cycle that contains all steps of all components. Such cycles are worth finding, because no deadlock can be reached
+/// from them.
 std::size_t most_steps(lts::Followed followed, std::size_t components) {
     constexpr std::size_t enough = 1000, for_each_component = 16;
     return followed == lts::Followed::taus ? enough : enough + for_each_component * components;
@@ -22,8 +23,9 @@ std::size_t most_steps(lts::Followed followed, std::size_t components) {
 /// useful proofs are removed.
 constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
 constexpr std::size_t pilot_found = 200'000;              // number of found states
-/// After so many states from which steps are followed, no further round begins: the estimate is good enough, and a
-/// round with long sequences of steps can cost more than the search, which often ends at a violation near the root.
+/// No further round begins after steps have been followed from this many states. The estimate is then good enough. A
+/// further round with long sequences of steps can cost more than the search itself, because the search often ends at a
+/// violation near the initial state.
 constexpr std::size_t pilot_followed = 20'000;
 /// A round ends early if its proofs take more work than `round` plus `step` for each state from which they follow a
 /// step. Proofs about locks and schedulers often examine thousands of states and fail.
@@ -31,7 +33,7 @@ struct Allowance {
     double round, step;
 };
 constexpr Allowance large_allowance{60'000, 2'000};  // the most that a pilot search gets
-/// A process with at least so many states gets the large allowance if a smaller one has shown no gain.
+/// A process with at least this many states gets the large allowance if the first pilot search has shown no gain.
 constexpr std::size_t states_for_large_allowance = 10'000;
 
 /// The allowance of the first pilot search. It is small compared with the search of a small process, and for a process
@@ -42,13 +44,14 @@ Allowance first_allowance(const Supercombinator& combined) {
     for (const ComponentPtr& component : combined.components) edges += static_cast<double>(component->edge_count());
     return {std::clamp(of_an_edge * edges, least_of_a_round, large_allowance.round), of_a_step};
 }
-/// A reduced search may take this many times the work of a full search, because it saves memory. The first round that
-/// has expanded enough states decides.
+/// A reduced search may take this many times the work of a full search, because it saves memory. The first round after
+/// which enough states have been expanded decides whether this holds.
 constexpr double most_work = 1.5;
 constexpr std::size_t enough_to_judge = 1000;
 
-/// Searches some states of a system. It takes the state found last first, so that the states are spread over the whole
-/// system. The order of a state's successors varies but depends only on the system.
+/// Searches some states of a system. It expands the most recently found state first (depth first), so that it does not
+/// only visit states near the initial state. The order in which it takes the successors changes from state to state,
+/// but is the same in every run.
 class Pilot final : private lts::SuccessorSink {
 public:
     explicit Pilot(std::size_t width) : found_(width), followed_(width) {}
@@ -148,7 +151,7 @@ private:
         return true;
     }
 
-    /// A round with the same plan as the round before it uses the answers that are already known.
+    /// If the plan has not changed since the previous round, the round reuses the cached answers.
     void begin_round() {
         if (reduced_) return;
         auto whole = std::make_unique<SupercombinatorSystem>(combined_, terms_);
@@ -275,7 +278,7 @@ bool ReducedSystem::pass_followed_step(lts::StateView state) {
     return true;
 }
 
-/// A cycle of the reduced system is a cycle of the process whose followed taus are left out.
+/// Each cycle of the reduced system is a cycle of the process without the followed taus.
 std::unique_ptr<lts::TransitionSystem> ReducedSystem::make_cycle_system(diagnostics::Pollable& budget) const {
     std::unique_ptr<lts::TransitionSystem> whole = whole_->make_cycle_system(budget);
     if (!whole || followed_ != lts::Followed::taus) return nullptr;
@@ -319,15 +322,15 @@ std::size_t ReducedSystem::follow_all_steps() {
     return most_steps_;
 }
 
-/// Goes from the beginning of the run to the first visit of the least state of the cycle, which contains the current
-/// state.
+/// The current state is on the cycle. Repeats the run from its beginning up to the first visit of the least state of
+/// this cycle.
 std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     least_ = locals_;
     for (std::size_t i = 0; i < length; ++i) {
         follow_step();
         least_ = std::min(least_, locals_);
     }
-    assert(locals_ == seen_);  // once around the cycle
+    assert(locals_ == seen_);  // the cycle has been followed once
     locals_ = begin_;
     std::size_t steps = 0;
     for (; locals_ != least_; ++steps) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A compiled process without the states from which confluent steps lead on (docs/search.md, "Confluent taus",
+// A compiled process without the states from which a confluent step is followed (docs/search.md, "Confluent taus",
 // "Deadlocks").
 #pragma once
 
@@ -13,8 +13,9 @@
 
 namespace robochart::machine {
 
-/// The states are those of the process. Targets of transitions are replaced by their representatives. If all steps are
-/// followed and one leads on from a state, this step is the only transition of the state. It is passed as tau.
+/// The states are those of the process. Targets of transitions are replaced by their representatives. If steps with any
+/// event are followed and a state has such a step, this step is the only transition of the state, and its event is
+/// reported as tau.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
     /// `plan`: the plan for its proofs (Confluence).
@@ -39,7 +40,8 @@ public:
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
     /// The work of the proofs so far (Confluence).
     [[nodiscard]] double work_of_proofs() const { return confluence_.total_work(); }
-    /// From now on, stores the states from which steps are followed. Used for estimates, because following costs more.
+    /// After this call, the system stores the states from which it follows steps. This makes following slower, so it is
+    /// used only to estimate the benefit of the reduction.
     void store_followed_states(lts::StateStore& states) { followed_states_ = &states; }
     /// The compiled process that this system reduces.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }

@@ -20,7 +20,7 @@ using NodeId = std::uint32_t;
 struct Node {
     enum class Kind {
         leaf,       ///< a component, explored from `term`
-        gate,       ///< a component made for an operator: one state that offers the operator's own first events
+        gate,       ///< a component added for an operator: one state that offers the operator's own first events
         operation,  ///< an operator over children
         again,      ///< a return of control to the node `again`
     };
@@ -47,10 +47,10 @@ struct Skeleton {
 /// Compressed terms in `left_out` are replaced by their operands. No value if there is no parallel operator to split.
 /// May evaluate definitions and throw their exceptions. Polls the budget.
 ///
-/// Events before a parallel operator are followed, because a process may perform events before it starts its
-/// components, or switch between modes. If this never returns to an earlier term, as in COUNT(n) = up -> COUNT(n + 1)
-/// [] go -> (A ||| B), events are not followed anywhere in the term. A subterm that begins with an event is then one
-/// component.
+/// The function also looks for parallel operators after prefixes, because a process may perform events before it starts
+/// its components, or switch between modes. This fails if the prefixes never lead back to an earlier term, as in
+/// COUNT(n) = up -> COUNT(n + 1) [] go -> (A ||| B). Then the function does not look for parallel operators after any
+/// prefix of the term, and a subterm that begins with an event becomes one component.
 [[nodiscard]] std::optional<Skeleton> skeleton_of(process::TermStore& terms, TermId term,
                                                   const std::set<TermId>& leaves, const std::set<TermId>& left_out,
                                                   diagnostics::Pollable& budget);

@@ -14,8 +14,9 @@ using process::tau;
 namespace {
 
 /// The graph of one component: a vertex for each of its states and for "off", and an edge for every way in which a
-/// rule that is left changes the state of the component. If a rule sets the state and requires no event of the
-/// component, it may do so in every state. Such edges lead through one more vertex, so that their number is linear.
+/// remaining rule changes the state of the component. A rule that sets the state without an event of the component may
+/// do so in every state. One more vertex represents "any state": every state has an edge to it, and the edges of such
+/// rules start there. So the number of edges is linear.
 class LocalGraph {
 public:
     LocalGraph(const Component& component, const std::vector<const Part*>& parts)
@@ -35,9 +36,9 @@ public:
         find_performed_on_cycles();
     }
 
-    /// Whether some edge by this part lies on a cycle.
+    /// Whether some edge that this part of a rule causes lies on a cycle.
     [[nodiscard]] bool is_on_cycle(const Part& part) const {
-        if (!part.event) return true;  // in the state that the rule sets, it leads back to this state
+        if (!part.event) return true;  // the rule can fire again in the state that it sets, and sets it again
         if (!part.assigned) return on_cycle_[*part.event] != 0;
         const lts::StateIndex target = vertex_of(*part.assigned);
         for (Local local = 0; local < component_.size(); ++local)
@@ -91,7 +92,7 @@ private:
     std::vector<char> on_cycle_;                           // by event: whether performing it may lie on a cycle
 };
 
-/// Removes rules until every part of every rule that is left lies on a cycle of its component's graph.
+/// Removes rules until every part of every remaining rule lies on a cycle of its component's graph.
 class CycleRules {
 public:
     CycleRules(const Supercombinator& combined, const WholeRules& rules, diagnostics::Pollable& budget)
@@ -138,7 +139,7 @@ private:
     const WholeRules& rules_;
     diagnostics::Pollable& budget_;
     std::vector<bool> left_;                           // by rule
-    std::vector<std::vector<std::uint32_t>> of_slot_;  // by slot: the rules with a part there that are left
+    std::vector<std::vector<std::uint32_t>> of_slot_;  // by slot: the remaining rules with a part there
 };
 
 /// Whether all transitions of a state with the event lead to one state.

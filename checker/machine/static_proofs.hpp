@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facts about all states of a compiled process that follow from its rules and components, without a search
-// (docs/search.md, "Static proofs", contains the statements and the proofs).
+// Proves facts about all states of a compiled process from its rules and components, without a search (docs/search.md,
+// "Static proofs", contains the statements and the proofs).
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ namespace robochart::machine {
 [[nodiscard]] std::vector<bool> rules_on_tau_cycles(const Supercombinator& combined, const WholeRules& rules,
                                                     diagnostics::Pollable& budget);
 
-/// Whether the rules show that no state has a tau, two transitions with the same event, or tick beside another event.
+/// Whether the rules show that no state has a tau, two transitions with the same event, or tick together with another
+/// event.
 [[nodiscard]] bool exclude_choices(const Supercombinator& combined, const WholeRules& rules);
 
 }  // namespace robochart::machine

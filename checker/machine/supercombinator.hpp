@@ -25,7 +25,7 @@ struct Participant {
     std::uint32_t index = 0;  ///< slot, or region
 };
 
-/// The edges of a component with events of rules in which the component is the first participant.
+/// The edges of a component that can fire rules in which the component is the first participant.
 struct Leading {
     std::vector<std::uint32_t> first;  ///< by state, one more at the end
     std::vector<Component::Edge> edges;
@@ -51,7 +51,8 @@ struct Assignment {
 /// "If these participants perform these events, the region performs this one."
 struct Rule {
     Event event;
-    /// The name of a hidden event; tau: the name is that of the participant's tau; otherwise the event.
+    /// The displayed name of the event. If the rule hides an event, this is the hidden event. If it is tau, the
+    /// displayed name is that of the participant's tau. Otherwise it is the event itself.
     Event revealed;
     std::uint32_t place;                               ///< index of the event in the region's alphabet
     std::uint32_t level;                               ///< level of the event in the region's priorities, or no_level
@@ -60,9 +61,9 @@ struct Rule {
     std::uint32_t first_assignment, end_assignment;    ///< several rules may share these assignments
 };
 
-/// The rules between two prioritise operators. They are separate because operators above a prioritise see only what it
-/// allows. A rule begins with the participant that can perform its event in the fewest states, so that rules that
-/// cannot fire are seldom examined.
+/// The rules of the operators between one prioritise and the next. Each region has separate rules, because the
+/// operators above a prioritise must see only the events that it allows. A rule begins with the participant that can
+/// perform its event in the fewest states, so that rules that cannot fire are seldom examined.
 struct Region {
     std::vector<Participant> participants;
     std::vector<Leading> leading;                        ///< by participant, after list_leading; empty for regions

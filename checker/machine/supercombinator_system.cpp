@@ -45,7 +45,8 @@ public:
     Firing(SupercombinatorSystem& system, std::uint32_t region)
         : system_(system), number_(region), region_(system.combined_->regions[region]), base_(system.changes_.size()) {}
 
-    /// Fires the rules whose events are first in outer rules, and stores the results in the region's list of moves.
+    /// Fires the rules with events that outer rules require of their first participant. Stores the results in the
+    /// region's list of moves.
     void list_leading(const std::vector<std::uint32_t>& first_rule_around) {
         around_ = &first_rule_around;
         enumerate();
@@ -228,7 +229,8 @@ std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
 }
 
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // If the same system is both sides of a refinement, the sink asks for successors while it receives some.
+    // If one system object is both sides of a refinement, the sink calls this function again while it receives
+    // successors.
     if (busy_) {
         const std::unique_ptr<SupercombinatorSystem> another = make_copy();
         another->budget_ = budget_;
@@ -247,7 +249,7 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
 void SupercombinatorSystem::pass_successors(lts::StateView state, lts::SuccessorSink& sink) {
     unpack(state);
     ++state_number_;
-    changes_.clear();  // not empty if a sink has thrown an exception
+    changes_.clear();  // it still has elements if a sink has thrown an exception in the previous call
     for (Moves& moves : moves_) {
         moves.list.clear();
         moves.changes.clear();

@@ -50,7 +50,7 @@ private:
         Event revealed;
         std::uint32_t first_change, end_change;
     };
-    /// A part of a region's moves, computed in the state with that number.
+    /// A range of a region's moves, computed in the state with this number.
     struct Range {
         std::uint64_t state = 0;
         std::size_t from = 0, to = 0;
@@ -59,7 +59,7 @@ private:
     struct Moves {
         std::vector<Move> list;
         std::vector<Assignment> changes;
-        Range leading;                ///< moves that are first in outer rules
+        Range leading;                ///< moves by events that outer rules require of their first participant
         std::vector<Range> by_event;  ///< moves requested by event
         std::uint64_t state = 0;      ///< number of the state for which `best` is valid
         std::uint32_t best = 0;       ///< the first level that has a move, or no_level

@@ -16,11 +16,11 @@ using diagnostics::splitmix64_mixed;
 constexpr std::size_t largest_component = 20'000;  // number of states
 constexpr std::size_t most_rules = 200'000;
 constexpr std::size_t most_exchanges = 500;  // number of verifications
-/// The number of rules and states that may be examined for proposals that turn out to be wrong. After that, no more
-/// proposals are tried.
+/// When this many rules and states have been examined for proposals that turned out to be wrong, no more proposals are
+/// tried.
 constexpr std::size_t most_in_vain = 200'000;
 
-/// Counts how often another budget is polled.
+/// Forwards polls to another budget and counts them.
 class PollCounter final : public diagnostics::Pollable {
 public:
     explicit PollCounter(diagnostics::Pollable& budget) : budget_(budget) {}

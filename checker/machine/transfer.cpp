@@ -174,7 +174,7 @@ Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slo
     return field;
 }
 
-/// Returns the slot of a field. All fields of a value are equal, so any slot of such a component is suitable.
+/// Returns a slot with this field. If several slots have equal fields, any of them is suitable.
 std::uint32_t slot_of(const Field& field, const Supercombinator& process) {
     const auto same = [&](const Field& other) {
         return other.word == field.word && other.shift == field.shift && other.mask == field.mask;

@@ -13,7 +13,8 @@ namespace robochart::machine {
 
 void write(const Supercombinator& process, lts::ByteWriter& out);
 /// Reads a process with the same transitions and packed states. `meaning` is a term that all its states represent.
-/// Throws BadBytes for malformed bytes. Every process that is returned can be searched, even if the bytes were changed.
+/// Throws BadBytes for malformed bytes. The function checks the bytes, so every process that it returns can be searched
+/// safely, even if the bytes were changed.
 [[nodiscard]] Supercombinator read_supercombinator(lts::ByteReader& in, TermId meaning);
 
 /// Writes a compiled process, its reduced form, or one of these with symmetry. Returns false for other systems; the

@@ -28,7 +28,7 @@ std::optional<StateMap> StateMap::make(const Component& component, const Compone
                                        diagnostics::Pollable& budget) {
     const auto size = static_cast<Local>(component.size());
     std::vector<Local> images(size, 0);
-    if (size == minimised.size()) {  // minimisation keeps the numbers of states if it merges none
+    if (size == minimised.size()) {  // minimisation has merged no states, so their numbers are unchanged
         std::iota(images.begin(), images.end(), 0U);
         return StateMap(std::move(images), size);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A compiled process whose components are not minimised, for the display of runs. Minimisation merges states of a
-// component that differ only in the names of hidden events, so a run of minimised components may show a hidden step by
-// the name that it has in another state.
+// component that differ only in the names of hidden events, so a run of minimised components may show a hidden step
+// with the name of a hidden event in another state.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@ namespace robochart::machine {
 /// Maps the states of a component to those of a smaller one.
 class StateMap {
 public:
-    /// Maps the states to those of the component that results from removing all events that `minimised` does not have,
-    /// and minimising. No value if `minimised` is not this component. Polls the budget.
+    /// Removes all events that `minimised` does not have, minimises the result, and maps the states to the states of
+    /// this smaller component. No value if `minimised` is not this component. Polls the budget.
     static std::optional<StateMap> make(const Component& component, const Component& minimised,
                                         diagnostics::Pollable& budget);
     /// The state of the smaller component. The argument must be the off state, or reachable without removed events.
@@ -29,7 +29,7 @@ private:
     Local off_;
 };
 
-/// A process compiled with the components before their minimisation.
+/// A compiled process whose components have not been minimised.
 class UnminimisedSystem final : public lts::FinerSystem {
 public:
     /// `maps`: for each slot, from the components of `combined` to those of `minimised`.

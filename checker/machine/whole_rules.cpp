@@ -46,7 +46,8 @@ private:
         std::optional<std::uint32_t> event;
         Local value;
     };
-    /// A rule of a region in terms of components, with changes in order.
+    /// A rule of a region in which the events of inner regions are replaced by changes of components. The changes are
+    /// in the order in which they apply.
     struct Changes {
         Event event = process::tau;
         std::uint32_t place = 0;

@@ -12,12 +12,12 @@
 
 namespace robochart::machine {
 
-/// The part of one slot in a rule of the whole process.
+/// What a rule of the whole process does with the component in one slot.
 struct Part {
     std::uint32_t slot = 0;
     std::optional<std::uint32_t> event;  ///< the event that the component performs, by its index in the component's
                                          ///< alphabet
-    std::optional<Local> assigned;       ///< the state into which the rule puts it, independently of its event
+    std::optional<Local> assigned;  ///< the state that the rule assigns to the component, independently of its event
 };
 
 /// A rule of a region through which a rule of the whole process passes, with the level of its event there.
@@ -40,13 +40,13 @@ struct WholeRule {
     [[nodiscard]] const Part* find_part(std::uint32_t slot) const;
 };
 
-/// All rules, and the rules to which a component's part in a transition can belong.
+/// All rules, with indexes of the rules in which a component performs an event, and of those that assign its state.
 struct WholeRules {
     std::vector<WholeRule> rules;
     std::vector<std::vector<std::vector<std::uint32_t>>> asking;  ///< by slot and event
     std::vector<std::vector<std::uint32_t>> assigning;            ///< by slot
-    /// For each slot, the rules that events of its component can prevent, because the component is below one of their
-    /// regions.
+    /// For each slot, the rules that events of its component can prevent. The component is below a region that can
+    /// prevent these rules.
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 

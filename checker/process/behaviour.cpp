@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A part of a process passes through segments: a sequential component runs, or an operator stays in place while its
-// operands move. A segment ends when its operator is resolved in favour of an operand that had not run.
+// operands move. A segment ends when its operator is resolved and an operand that had not run before continues.
 #include "checker/process/behaviour.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-/// The work for one run, including nested ones.
+/// The work spent on one run, including the runs of compressed operands in it.
 struct Work {
     std::size_t looked_at = 0;
     std::size_t parts = 0;
@@ -92,7 +92,7 @@ private:
         Behaviour behaviour;
         TermId end;
         std::size_t next;      ///< the step after the segment
-        bool goes_on = false;  ///< another segment follows, even if it is empty
+        bool goes_on = false;  ///< whether another segment follows, which may be empty
     };
 
     Behaviour begin(TermId initial) {
@@ -191,7 +191,7 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
         if (step.transition.event != tau) events.push_back(step.transition.event);
         if (step.transition.event != tau) shown.push_back(step.index);
     }
-    add_offer(segment.behaviour, segment.end);  // only for a machine, because all its states are known
+    add_offer(segment.behaviour, segment.end);  // only for a machine: its transitions are already known
     const TermId operand = term.children.front();
     const auto inside = run_inside(semantics_, operand, events, segment.behaviour, work_);
     if (!inside) return segment;

@@ -24,15 +24,15 @@ struct Behaviour {
     EventSet offered;             ///< the offer in the last state: visible events and tick
     bool stable = true;           ///< the last state has no tau
     bool own_run = false;         ///< the operand of a compression: its trace is that of a separate run
-    bool left = false;            ///< it ended before the whole process: another part replaced it, or it terminated
+    bool left = false;  ///< the part ended before the whole process: another part replaced it, or it terminated
     std::vector<Behaviour> parts;
     TermId initial{};             ///< the part's initial term
     std::vector<TermId> reached;  ///< for every step in which it took part: the part's next term
     std::size_t begins = 0;       ///< the first step in which it is active
     std::size_t ends = std::numeric_limits<std::size_t>::max();  ///< the first step after it was left
     /// The operand of a compression has a separate run. For each step of that run, this is the step of the whole
-    /// process in which it is visible. If it is not visible, this is the next step of the whole process, or the last
-    /// one if there is no next step.
+    /// process in which its event is visible. If its event is not visible, this is the next step of the whole process,
+    /// or the last step if there is no next one.
     std::vector<std::size_t> shown_by;
 };
 

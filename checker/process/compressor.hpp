@@ -33,9 +33,9 @@ public:
 class Compressor {
 public:
     virtual ~Compressor() = default;
-    /// Explores the operand with a faster engine than its terms. The result may be a machine with fewer states if the
-    /// compression gives the same result for it. No value if there is no such engine for the operand. Throws
-    /// TooManyStates. Polls the budget.
+    /// Explores the operand with an engine that is faster than the firing rules on its terms. The result may be a
+    /// machine with fewer states if the compression gives the same result for it. No value if there is no such engine
+    /// for the operand. Throws TooManyStates. Polls the budget.
     virtual std::optional<Machine> explore(TermId /*operand*/, Compression /*kind*/,
                                            diagnostics::Pollable& /*budget*/) {
         return std::nullopt;

@@ -16,7 +16,7 @@ struct Derivation {
     std::vector<std::pair<std::size_t, Transition>> moves;  ///< operand, and its transition
     /// The operand that continues alone if the step resolves the operator.
     std::optional<std::size_t> survivor;
-    bool starts = false;  ///< whether the remaining operand starts with this step
+    bool starts = false;  ///< whether the operand that continues alone starts with this step
 };
 
 /// The name in CSPM.

@@ -21,12 +21,13 @@ public:
 /// Throws SemanticsError for `deter` and the watchdogs, which are not compressions in this sense.
 void refuse_unsupported(const Term& compressed);
 
-/// Derives a term's transitions from those of its operands.
+/// Derives the transitions of a term from the transitions of its operands.
 class FiringRules {
 public:
     FiringRules(TermStore& terms, const KnownTransitions& known);
 
-    /// Returns an operand whose transitions are needed next and are not known. No value if `transitions` can be called.
+    /// Returns an operand whose transitions must be computed before those of this term. No value if all of them are
+    /// known, so that `transitions` can be called.
     std::optional<TermId> missing_operand(TermId);
     /// Returns the transitions, sorted by event and without duplicates.
     std::vector<Transition> transitions(TermId);
@@ -64,7 +65,8 @@ private:
 
     [[nodiscard]] bool can_perform(TermId, Event) const;
     [[nodiscard]] std::span<const Transition> by_event(TermId, Event) const;
-    /// Returns the operand that determines the behaviour of chase: the end of its first taus, or a state on a tau loop.
+    /// Returns the term that determines the behaviour of chase. The function follows the first tau of the operand, and
+    /// of each term after it, until a term has no tau or is on a loop of taus.
     [[nodiscard]] TermId end_of_chase(TermId operand) const;
     TermId with_operand(const Term&, std::size_t position, TermId operand);
     void synchronise_all(const Term&, const std::vector<std::size_t>& participants, List&);

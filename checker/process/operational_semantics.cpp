@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memoised transitions of terms. Dependencies are computed with an explicit stack, so that deep terms use the heap and
-// not the machine stack, and recursion without an event is detected.
+// Computes and caches the transitions of terms. The terms on which a term depends are on an explicit stack. So deep
+// terms use the heap and not the call stack, and recursion without an event is detected.
 #include "checker/process/operational_semantics.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operational semantics of process terms, with which all other engines are compared. Firing rules after Roscoe,
-// Understanding Concurrent Systems (2010), chapter 9, with FDR's treatment of termination: tick is an event of the
-// semantics, parallel operators synchronise it in order to terminate, and nothing follows it.
+// The operational semantics of process terms. The results of all other engines are compared with it. The firing rules
+// follow Roscoe, Understanding Concurrent Systems (2010), chapter 9, with FDR's treatment of termination: tick is an
+// event of the semantics, parallel operators synchronise it in order to terminate, and nothing follows it.
 #pragma once
 
 #include <cstdint>
@@ -42,8 +42,8 @@ class OperationalSemantics {
 public:
     /// With a compressor, a compressed term is explored completely when its transitions are first needed, and behaves
     /// as the machine that the compressor returns. Without a compressor, or if the operand has too many states, the
-    /// term behaves as its operand. Use one object for each store, because only the object that created the states of
-    /// machines knows these terms.
+    /// term behaves as its operand. Use only one object for each store. Each state of a machine is a term, and only the
+    /// object that created this term knows its transitions.
     explicit OperationalSemantics(TermStore& terms, Compressor* compressor = nullptr);
     ~OperationalSemantics();
     OperationalSemantics(const OperationalSemantics&) = delete;

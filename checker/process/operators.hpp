@@ -23,10 +23,11 @@ enum class OpGroup : std::uint8_t {
     compression       ///< the steps of a machine that is computed from the operand
 };
 
-/// The operands whose transitions are needed for the transitions of the operator.
+/// The operands that can perform steps from the start, so that their transitions determine those of the operator.
 enum class Running : std::uint8_t { none, first, all };
 
-/// The table of the store to which the payload of a term refers; `none` also for payloads of other kinds.
+/// The table of the store to which the payload of a term refers. `none` if the payload is something else, or if there
+/// is none.
 enum class Payload : std::uint8_t { none, set, renaming, order };
 
 /// The properties of an operator.
@@ -89,7 +90,8 @@ struct OpProperties {
     return {OpGroup::leaf, Running::none, varies, Payload::none};
 }
 
-/// Returns how many of the operands run from the start. The others start when an operand hands over to them.
+/// Returns how many of the operands run from the start. The others start when a running operand ends and they replace
+/// it.
 [[nodiscard]] constexpr std::size_t running_operands(Op op, std::size_t operands) {
     switch (properties_of(op).running) {
         case Running::none:

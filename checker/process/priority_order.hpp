@@ -15,7 +15,7 @@ inline constexpr std::uint32_t no_level = 0xffffffffU;
 /// (no_level).
 [[nodiscard]] std::vector<std::uint32_t> levels_of(const PriorityOrder& order);
 
-/// The reason why events and pairs are not an order that prioritisepo accepts.
+/// The reason why prioritisepo does not accept the events and pairs as an order.
 struct OrderFault {
     enum class Kind {
         missing,      ///< the event is in a pair or maximal, but not among the prioritised events

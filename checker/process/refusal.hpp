@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work on processes that may be refused: a process that cannot be evaluated, or that is too large to be explored.
+// Handles work that fails because the process cannot be evaluated or is too large to be explored. Such a process is
+// called refused.
 #pragma once
 
 #include <exception>

@@ -52,7 +52,7 @@ enum class Op : std::uint8_t {
     rename,            ///< one child; set / renaming
     prioritise,        ///< one child; order
     prioritise_order,  ///< one child; payload: the pairs (higher, lower) of priority_order, stored as a renaming
-    chase,             ///< one child: every tau is followed at once, the first one if there are several
+    chase,             ///< one child: taus are followed immediately, the first one if there are several
     compress,          ///< one child; payload: Compression. Meaning: the child's, in the models that the compression
                        ///< preserves
     machine,           ///< a state of a compressed machine; children: a term that it represents, the compressed term,

@@ -42,13 +42,13 @@ void write(const RowKeeping& rows, ByteWriter& out) {
 }
 
 std::chrono::milliseconds read_time(ByteReader& in) {
-    constexpr std::uint64_t most_milliseconds = std::uint64_t{1} << 42U;  // the clock can represent them
+    constexpr std::uint64_t most_milliseconds = std::uint64_t{1} << 42U;  // the clock can represent this duration
     const std::uint64_t time = in.read_number();
     if (time > most_milliseconds) throw BadBytes("a time is too long");
     return std::chrono::milliseconds(time);
 }
 
-/// The clocks of machines differ, so the remaining time is sent.
+/// The remaining time is sent and not the time of the deadline, because the clocks of two machines differ.
 void write_deadline(const refine::Limits& limits, ByteWriter& out) {
     out.write_number(limits.deadline ? 1 : 0);
     if (!limits.deadline) return;

@@ -19,7 +19,8 @@ ServedRanks::~ServedRanks() {
     try {
         end();
     } catch (const std::exception&) {
-        // If others are lost, they need no end. A destructor cannot report that memory is exhausted.
+        // Errors are ignored: other ranks that are lost need no message that the work has ended, and a destructor
+        // cannot report a lack of memory.
     }
 }
 

@@ -28,8 +28,8 @@ public:
     /// A process that stays a term is searched by one thread of the first program only.
     std::optional<refine::Violation> search(lts::TransitionSystem& system, const refine::LevelQuestion& question,
                                             refine::Budget& budget, refine::Statistics& statistics) override;
-    /// Whether an error has ended a search at this rank only. The others wait for it: no further search is possible,
-    /// and they do not end by themselves.
+    /// Whether an error has ended a search at this rank only. The other ranks then still wait for this rank: no further
+    /// search is possible, and the other programs do not end by themselves.
     [[nodiscard]] bool others_wait() const { return others_wait_; }
 
 private:

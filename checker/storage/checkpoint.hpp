@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A checkpoint of a search consists of the files with the levels, and of the other data that the search needs to
 // continue. Each rank writes a text file that ends with a checksum, after all its files are on the disk. Checkpoints
-// are numbered. A number is complete if all ranks have written their checkpoints. The previous checkpoint is kept until
-// then. So a search that is killed at any moment can continue from the newest complete checkpoint.
+// are numbered. A checkpoint number is complete when all ranks have written their checkpoints with this number. Until
+// then, the previous checkpoint is kept. So a search that is killed at any moment can continue from the newest complete
+// checkpoint.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,7 @@ struct Place {
 struct SavedFile {
     std::string name;          ///< name in the folder; "": there is no file
     std::uint64_t blocks = 0;  ///< number of valid blocks
-    RowFile::Check check{};    ///< check of the file
+    RowFile::Check check{};    ///< the check at the end of the file (RowFile)
 };
 
 /// The statistics of expanding a level at one rank.
@@ -37,11 +38,11 @@ struct SavedFigures {
 struct Checkpoint {
     std::uint64_t number = 0;
     Place place;
-    std::uint32_t levels = 0;            ///< number of closed levels
-    std::vector<SavedFile> files;        ///< files with the rows of the levels, in the order of levels
-    SavedFile marks;                     ///< rows of level 0
-    SavedFile unsure;                    ///< rows followed by their levels; they may be duplicates of rows in earlier
-                                         ///< levels
+    std::uint32_t levels = 0;      ///< number of closed levels
+    std::vector<SavedFile> files;  ///< files with the rows of the levels, in the order of levels
+    SavedFile marks;               ///< rows of level 0
+    SavedFile unsure;              ///< rows followed by their levels; each may be a duplicate of a row in an earlier
+                                   ///< levels
     std::vector<SavedFigures> expanded;  ///< by level
 };
 

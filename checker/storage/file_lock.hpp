@@ -10,7 +10,7 @@
 
 namespace robochart::storage {
 
-/// The access that other processes may have at the same time.
+/// The kind of a lock: which locks other processes may have on the file at the same time.
 enum class Lock {
     shared,    ///< shared locks
     exclusive  ///< no access

@@ -134,8 +134,8 @@ std::uint32_t LevelFiles::give_up(std::uint32_t count) {
     return given;
 }
 
-/// Truncates a file that no checkpoint names, even if it was finished, and the file can grow again. A file that a
-/// checkpoint names is kept, but some of its blocks are no longer valid.
+/// If no checkpoint names the file, truncates it; more rows can then be appended, even if it was finished before. A
+/// file that a checkpoint names is kept, but some of its blocks are no longer valid.
 void LevelFiles::forget_from(std::uint32_t level) {
     if (level >= levels_.size()) return;
     for (std::size_t i = level; i < levels_.size(); ++i) {

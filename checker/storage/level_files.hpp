@@ -15,7 +15,7 @@
 
 namespace robochart::storage {
 
-/// The folder of the files of a rank.
+/// Where a rank stores its files.
 struct FolderOf {
     std::string folder;  ///< must exist
     RowKind kind;
@@ -57,7 +57,7 @@ public:
     using WantsBlock = std::function<bool(std::span<const Word> first, std::span<const Word> next)>;
     void each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit);
 
-    /// Closes finished files until they are read again. Otherwise one of them stays open.
+    /// Closes the finished file that is open, if there is one. It is opened again when it is read.
     void close_finished_files();
 
     /// Passes rows piece by piece. The rows of each piece are ascending, without duplicates.
@@ -71,7 +71,7 @@ public:
     /// Writes a checkpoint of all levels. Removes this rank's checkpoints that are older than the newest complete one.
     /// Throws CannotWrite; then the previous one stays valid, and the call can be repeated.
     void checkpoint(const Beside& beside);
-    /// The next checkpoint gets a number above this one.
+    /// After this call, the numbers of new checkpoints are greater than this one.
     void number_from(std::uint64_t number) { number_ = number; }
 
     /// Reads the rows of a checkpoint's file in addition to the levels; `levels`: each row is followed by its level.

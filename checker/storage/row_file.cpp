@@ -131,8 +131,8 @@ void RowFile::append(std::uint32_t level, std::span<const Word> rows) {
     }
 }
 
-/// Removes data after the last valid block, such as an incomplete block or the end mark. The file may be finished, and
-/// then closed or open for reading.
+/// Removes data after the last valid block, such as an incomplete block or the end mark. If the file is finished, it
+/// may be closed or open only for reading, so it is opened again for writing.
 void RowFile::remove_blocks_from(std::size_t blocks) {
     assert(blocks <= blocks_.size());
     if (finished_) {
@@ -219,7 +219,7 @@ void RowFile::close_until_read() {
     if (finished_) file_ = diagnostics::Descriptor();
 }
 
-/// If another file now has this name, the checks of its blocks do not match.
+/// If another file has replaced this one, its blocks are detected, because their checks do not match.
 void RowFile::open_to_read() const {
     file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     if (!file_.is_open()) cannot_open(path_, errno);

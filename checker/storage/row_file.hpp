@@ -27,13 +27,13 @@
 
 namespace robochart::storage {
 
-/// The kind of the rows in a file: their width, and a digest of the search that has found them.
+/// Identifies the rows of a file by their width and a digest of the search that has found them.
 struct RowKind {
     std::size_t width = 0;
     diagnostics::Digest search{};
 };
 
-/// Returns the kind of such rows followed by their levels as another word.
+/// The kind of rows that consist of a row of this kind and its level as an additional word.
 [[nodiscard]] RowKind with_level(RowKind kind);
 
 /// Receives some rows.
@@ -61,9 +61,9 @@ public:
     /// Removes the blocks from this number on. The file must have been created by this object, and nothing may refer to
     /// it. It is then no longer finished.
     void remove_blocks_from(std::size_t blocks);
-    /// Completes the file: nothing more is appended, and its contents are on the disk. Throws CannotWrite and then
-    /// leaves the file unchanged. If the contents could not be written to the disk, the file can be read, but neither
-    /// finished nor extended.
+    /// Completes the file: writes its end and waits until its contents are on the disk. Afterwards no rows can be
+    /// appended. If this throws CannotWrite, the file is unchanged. If the system could not write the contents to the
+    /// disk, the file can still be read, but neither finished nor extended.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
     /// Closes a finished file until it is read again, because few files can be open at a time.
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
     [[nodiscard]] std::uint64_t rows() const { return rows_; }
-    /// Current size of the file in bytes.
+    /// The current size of the file in bytes.
     [[nodiscard]] std::uint64_t size() const { return size_; }
     /// The first row of a block, stored in memory.
     [[nodiscard]] std::span<const Word> first_row(std::size_t block) const {

@@ -12,7 +12,7 @@
 namespace robochart::storage {
 namespace {
 
-/// The limit on merged runs, because each of them has a block in memory.
+/// The maximal number of runs that are merged at once. There is a limit because each of them needs a block in memory.
 constexpr std::size_t most_runs = 64;
 
 }  // namespace
@@ -73,7 +73,7 @@ void SortedRuns::add(std::span<const Word> rows) {
 void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
     if (runs_.size() >= most_runs) merge_into_one();
     if (!file_) {
-        ::unlink(path_.c_str());  // from a run that was killed before the following lines
+        ::unlink(path_.c_str());  // an earlier program may have been killed here
         file_.emplace(RowFile::create(path_, kind_));
         ::unlink(path_.c_str());
     }
@@ -131,7 +131,8 @@ void SortedRuns::merge(const TakeRows& take) const {
                 take(rows);
                 rows.clear();
             }
-            // Each run is ascending, and the least row of all readers comes first.
+            // Rows are passed in ascending order, because each run is ascending and the reader with the least row is
+            // always first.
             assert(last.empty() ||
                    std::lexicographical_compare(last.begin(), last.end(), first.row(), first.row() + width));
             last.assign(first.row(), first.row() + width);

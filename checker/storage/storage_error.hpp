@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors with files of a search.
+// The exceptions for files of a search that cannot be read or written.
 #pragma once
 
 #include <stdexcept>
@@ -16,8 +16,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Thrown if a file cannot be written, because the disk is full or the folder cannot be used. It is handled like other
-/// limits. Data that were written before are unchanged.
+/// Thrown if a file cannot be written, because the disk is full or the folder cannot be used. It is a LimitReached and
+/// is handled like other limits. Data that were written before are unchanged.
 class CannotWrite : public diagnostics::LimitReached {
 public:
     using diagnostics::LimitReached::LimitReached;

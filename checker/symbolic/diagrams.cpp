@@ -78,7 +78,7 @@ bool Diagrams::equals(Node node, Level level, const Entry* entries, std::size_t 
                       [](const Entry& a, const Entry& b) { return a.value == b.value && a.child == b.child; });
 }
 
-/// Returns the place in the table where the node is or belongs.
+/// Returns the index in the hash table at which the node is stored, or at which it must be inserted.
 Node& Diagrams::place_of(Level level, const Entry* entries, std::size_t count) {
     const std::size_t mask = table_.size() - 1;
     std::size_t place = hash_of(level, entries, count) & mask;
@@ -124,7 +124,7 @@ Node Diagrams::insert_node(Level level, std::size_t begun) {
     return node;
 }
 
-/// Makes space for a node: collects nodes, or enlarges the tables.
+/// Makes space for a new node by a garbage collection or by larger tables.
 void Diagrams::make_space() {
     if (space_.always_collect || node_bytes() >= next_collection_) {
         collect();
@@ -148,7 +148,7 @@ std::size_t Diagrams::all_bytes() const {
     return node_bytes() + table_.size() * sizeof(Node) + results_.size() * sizeof(Result);
 }
 
-/// Stores up to 16 results for each node, in at most a half of the memory.
+/// The result cache has up to 16 entries for each node, and uses at most half of the memory.
 void Diagrams::grow_results() {
     const std::size_t size = std::min(8 * table_.size(), space_.most_results);
     if (size <= results_.size() || size * sizeof(Result) > space_.bytes / 2) return;
@@ -193,7 +193,8 @@ std::vector<bool> Diagrams::mark() const {
     return marked;
 }
 
-/// Mark and sweep. Nodes keep their numbers. Stored results are dropped, since they may name nodes that are gone.
+/// Mark and sweep. Nodes keep their numbers. The result cache is cleared, because its entries may refer to nodes that
+/// have been freed.
 void Diagrams::collect() {
     ++collections_;
     const std::vector<bool> marked = mark();

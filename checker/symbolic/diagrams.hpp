@@ -23,7 +23,7 @@ using Value = std::uint32_t;
 inline constexpr Node nothing = 0;
 inline constexpr Node everything = 1;
 
-/// Thrown if the nodes in use do not fit into the memory that they may take.
+/// Thrown if the nodes in use need more memory than the limit allows.
 class OutOfSpace : public std::runtime_error {
 public:
     OutOfSpace() : std::runtime_error("decision diagrams have no more memory") {}
@@ -37,8 +37,9 @@ struct Space {
     bool always_collect = false;                           ///< for tests: collects before every new node
 };
 
-/// The nodes, and operations on sets. Nodes that nothing keeps may be collected when a node is made. An operation keeps
-/// its arguments only through the caller, so a caller keeps each node that it uses after a later operation.
+/// Creates nodes and computes with the sets that they represent. The creation of a node may start a garbage collection,
+/// which frees all nodes that are not kept. Operations do not keep their results. So the caller must keep each node
+/// that it still needs after the next operation (keep_always, Kept).
 class Diagrams {
 public:
     struct Entry {
@@ -74,27 +75,29 @@ public:
     /// Whether the set contains the tuple; `values` by level, the first element is unused.
     [[nodiscard]] bool contains(Node set, const std::vector<Value>& values) const;
 
-    /// The set of the least tuple of a set that is not empty. The caller keeps the set.
+    /// Returns the set that contains only the least tuple of this set, which must not be empty. The caller must keep
+    /// the given set during the call.
     [[nodiscard]] Node least_tuple(Node set);
 
-    /// Begins a node, whose entries are then pushed. Nodes may be nested. Entries that were pushed are kept.
+    /// Begins a node; the caller then pushes its entries. Another node may be begun and ended before this one is ended.
+    /// The garbage collection keeps entries that have been pushed.
     [[nodiscard]] std::size_t begin_node() const { return building_.size(); }
     void push(Value value, Node child) {
         if (child != nothing) building_.push_back({value, child});
     }
     /// The child of the last entry that was pushed.
     [[nodiscard]] Node& last_child() { return building_.back().child; }
-    /// Ends the node that was begun with this result, and returns it.
+    /// Ends a node and returns it. `begun` is the result of begin_node for this node.
     [[nodiscard]] Node end_node(Level level, std::size_t begun);
 
     [[nodiscard]] Node unite(Level level, Node a, Node b);
     [[nodiscard]] Node intersect(Level level, Node a, Node b);
     /// The tuples of `a` that are not in `b`.
     [[nodiscard]] Node subtract(Level level, Node a, Node b);
-    /// Returns the set of this level whose tuples have their lower part in the set of a lower level.
+    /// Converts a set to a higher level: returns all tuples of this level whose lower variables form a tuple of `node`.
     [[nodiscard]] Node lift(Node node, Level level);
 
-    /// Looks up and stores results of operations.
+    /// The cache of the results of operations.
     [[nodiscard]] bool find_result(Operation operation, Level level, Node a, std::uint32_t b, Node c,
                                    Node& result) const;
     void store_result(Operation operation, Level level, Node a, std::uint32_t b, Node c, Node result);
@@ -104,10 +107,11 @@ public:
         always_.push_back(node);
         return node;
     }
-    /// Sets the function that lists further nodes to keep.
+    /// Sets a function that the garbage collection calls to get further nodes that it must keep.
     void set_users(std::function<void(std::vector<Node>&)> list_used) { list_used_ = std::move(list_used); }
 
-    /// Keeps a node while the object exists. Objects must end in the reverse order of their beginnings.
+    /// Keeps a node during the lifetime of the object. The objects must be destroyed in the reverse order of their
+    /// creation.
     class Kept {
     public:
         Kept(Diagrams& diagrams, Node node) : diagrams_(diagrams), place_(diagrams.kept_.size()) {
@@ -128,7 +132,7 @@ public:
     [[nodiscard]] long double count_tuples(Node set) const;
     /// The number of nodes of a set.
     [[nodiscard]] std::size_t count_nodes(Node set) const;
-    /// The number of nodes that were made so far, with those that were collected.
+    /// The number of nodes that have been created so far, including those that have been collected.
     [[nodiscard]] std::uint64_t made() const { return made_; }
     [[nodiscard]] std::uint64_t collections() const { return collections_; }
 

@@ -22,7 +22,8 @@ Product::Product(const refine::NormalTable& table, const std::vector<machine::Wh
     }
 }
 
-/// From each node that allows the event to the next one, unless the specification diverges there.
+/// Relates each node that allows the event to the node after the event, unless the specification diverges in the
+/// latter.
 LocalRelation Product::relation_of(Event event) const {
     std::vector<std::pair<Value, Value>> pairs;
     for (Value node = 0; node < table_.nodes.size(); ++node) {
@@ -84,8 +85,8 @@ Node Product::refusing(Node pairs) {
     return diagrams_.end_node(top, begun);
 }
 
-/// The states whose acceptance includes none of these. A state with tick has the acceptance that contains only tick,
-/// whatever else it offers; a stable state accepts what it offers.
+/// Returns the states whose acceptance includes none of `acceptances`. A state with tick has the acceptance that
+/// contains only tick, whatever else it offers; a stable state accepts what it offers.
 Node Product::refusing(const std::vector<EventSet>& acceptances, Node states, Node stable, Node without_tick) {
     const Level level = diagrams_.levels() - 1;
     const bool may_only_tick = std::ranges::any_of(
@@ -96,7 +97,7 @@ Node Product::refusing(const std::vector<EventSet>& acceptances, Node states, No
     return diagrams_.unite(level, ticking.get(), others.get());
 }
 
-/// The states of this set in which some event of the acceptance is not possible. The caller keeps the set.
+/// Returns the states of this set in which some event of the acceptance is not possible. The caller must keep the set.
 Node Product::lacking(const EventSet& acceptance, Node states) {
     const Level level = diagrams_.levels() - 1;
     Diagrams::Kept sum(diagrams_, nothing);

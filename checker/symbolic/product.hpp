@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refinement as a question about a set of pairs: a node of the specification's normal form, and a state of the
-// implementation (Roscoe, "Understanding Concurrent Systems", 16.1). The node is the highest variable. An event that
-// can change the node is a relation on the node and on the variables of the event's rule; all other events leave the
-// node as it is (docs/search.md, "Decision diagrams").
+// Decides refinement by the set of reachable pairs. A pair consists of a node of the specification's normal form and a
+// state of the implementation (Roscoe, "Understanding Concurrent Systems", 16.1). The node is the highest variable. An
+// event that can change the node is a relation on the node and on the variables of the event's rule; all other events
+// leave the node as it is (docs/search.md, "Decision diagrams").
 #pragma once
 
 #include <map>
@@ -15,13 +15,13 @@ namespace robochart::symbolic {
 
 class Product {
 public:
-    /// The level of the node is the highest one of the diagrams; all others belong to the variables of `relations`. The
-    /// rules are those of its steps. Polls the budget.
+    /// The highest level of the diagrams represents the node; all other levels belong to the variables of `relations`.
+    /// `rules` are the rules that the steps of `relations` represent, in the same order. Polls the budget.
     Product(const refine::NormalTable& table, const std::vector<machine::WholeRule>& rules, Relations& relations,
             Diagrams& diagrams, diagnostics::Pollable& budget);
 
-    /// The steps between pairs. Events that the node does not allow are left out, and so are events after which the
-    /// specification diverges.
+    /// The steps between pairs. A pair has no step with an event that its node does not allow, and none with an event
+    /// after which the specification diverges.
     [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
     /// The pairs of this set whose state has an event that the node does not allow.
     [[nodiscard]] Node forbidden(Node pairs);

@@ -89,7 +89,7 @@ Level Relations::level_of(const Step& step) const {
     return std::max(level_of(step.chain), highest_level(step.guard));
 }
 
-/// A component performs the event, if the part has one, and then the rule sets its state, if the part says so.
+/// If the part has an event, the component performs it. If the part assigns a state, the component then has this state.
 std::uint32_t Relations::relation_of(const Part& part) {
     constexpr std::uint32_t none = 0xffffffffU;
     const auto key = std::tuple(part.slot, part.event.value_or(none), part.assigned.value_or(none));
@@ -135,7 +135,7 @@ Step Relations::extend(const Step& step, Level level, const LocalRelation& relat
     return {chain_from({level, number, step.chain}), step.guard};
 }
 
-/// The states in which the regions that can prevent the rule, except one, do not.
+/// Returns the states in which no region prevents the rule. The region `except` is ignored.
 Node Relations::guard_of(const WholeRule& rule, std::optional<std::uint32_t> except) {
     Diagrams::Kept guard(diagrams_, everything);
     for (const Passage& passage : rule.prevented) {
@@ -149,9 +149,9 @@ Node Relations::guard_of(const WholeRule& rule, std::optional<std::uint32_t> exc
     return strip(guard.get());
 }
 
-/// The states in which the region has no event of a level before `level`. A rule of the region is possible if the
-/// priorities of inner regions do not prevent it. Its own level does not matter: if the region prevents it, there is
-/// another rule of a level before it.
+/// Returns the states in which no rule of the region with a level before `level` is possible. Only the priorities of
+/// inner regions are considered when this decides whether a rule is possible. The priorities of the region itself can
+/// be ignored: if they prevent a rule, another rule of a still lower level is possible.
 Node Relations::region_guard(std::uint32_t region, std::uint32_t level) {
     if (const auto known = guards_.find({region, level}); known != guards_.end()) return known->second;
     std::vector<Step> better;
@@ -176,7 +176,8 @@ Node Relations::strip(Node guard) const {
     return guard;
 }
 
-/// Steps of low levels come first, so that each is applied to a set of its own level only.
+/// The steps are applied in the order of their levels, the lowest first. So each step is applied to a set that has only
+/// the level of the step.
 Node Relations::none_possible(std::vector<Step> steps) {
     std::ranges::sort(steps, [&](const Step& a, const Step& b) {
         const Level level_a = level_of(a), level_b = level_of(b);
@@ -196,7 +197,7 @@ Node Relations::none_possible(std::vector<Step> steps) {
     return strip(result.get());
 }
 
-/// The states in which the step is not possible.
+/// Returns the states of this set in which the step is not possible.
 Node Relations::disable(Level level, Node states, Chain chain, Node guard) {
     if (states == nothing || guard == nothing) return states;
     if (chain == no_link && guard == everything) return nothing;
@@ -217,7 +218,7 @@ Node Relations::disable(Level level, Node states, Chain chain, Node guard) {
     return result;
 }
 
-/// The states from which the step can lead into `states`.
+/// Returns the states from which the step can lead into `states`.
 Node Relations::precede(Level level, Node states, Chain chain, Node guard) {
     if (states == nothing || guard == nothing) return nothing;
     if (chain == no_link && guard == everything) return states;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules of a compiled process as relations on sets of states. A variable represents a component. A rule changes few
-// variables, so it is a list of links, one for each component that takes part. Priorities are guards: the set of states
-// in which they do not prevent the rule (docs/search.md, "Decision diagrams").
+// The rules of a compiled process as relations on sets of states. Each variable represents the state of one component.
+// Most rules change few variables, so a rule is represented by a list of links, one for each component that takes part
+// in it. A rule has a guard that represents the priorities: the set of states in which they do not prevent the rule
+// (docs/search.md, "Decision diagrams").
 #pragma once
 
 #include <cstdint>
@@ -36,7 +37,7 @@ private:
     std::vector<std::size_t> first_;  // by source: place of its first target; one more at the end
 };
 
-/// A list of links, by the number of the first; `no_link` ends it. Equal lists have equal numbers.
+/// The number of the first link of a list of links; `no_link` is the empty list. Equal lists have equal numbers.
 using Chain = std::uint32_t;
 inline constexpr Chain no_link = 0xffffffffU;
 
@@ -47,7 +48,7 @@ struct Link {
     Chain next = no_link;
 };
 
-/// A rule: it changes the variables of the chain in the states of the guard.
+/// A rule. It is possible only in states of the guard. Each link of the chain changes one variable.
 struct Step {
     Chain chain = no_link;
     Node guard = everything;  ///< a set whose level may be lower than that of the states
@@ -65,14 +66,15 @@ struct Variables {
 /// Returns the variables in the order of order_variables. Polls the budget.
 [[nodiscard]] Variables make_variables(const machine::Supercombinator& combined, const RegionRules& rules,
                                        diagnostics::Pollable& budget);
-/// Returns the variables in this order of slots, the lowest first. `rules` may assign values beyond those of
-/// components.
+/// Returns the variables in the given order of slots; the first slot gets the lowest level. `rules` may assign values
+/// beyond those of components.
 [[nodiscard]] Variables make_variables(const machine::Supercombinator& combined,
                                        const std::vector<std::uint32_t>& order);
 
 class Relations {
 public:
-    /// The diagrams may have further levels above those of the variables. Polls the budget.
+    /// `diagrams` may have more levels than there are variables; the additional ones must be the highest. Polls the
+    /// budget.
     Relations(const machine::Supercombinator& combined, const RegionRules& rules, const Variables& variables,
               Diagrams& diagrams, diagnostics::Pollable& budget);
 
@@ -89,16 +91,18 @@ public:
         if (guard <= everything || diagrams_.level_of(guard) < level) return guard;
         return diagrams_.child(guard, value);
     }
-    /// The step that also changes a variable above those of the step, by these pairs of values.
+    /// Returns a step that does the same and also changes the variable of `level` by `relation`. This level must be
+    /// above all variables that the given step changes.
     [[nodiscard]] Step extend(const Step& step, Level level, const LocalRelation& relation);
-    /// The states in which no one of these steps is possible, as a set of the highest level on which it depends.
+    /// Returns the set of states in which none of the steps is possible. The level of the set is the highest level on
+    /// which it depends.
     [[nodiscard]] Node none_possible(std::vector<Step> steps);
     /// The states from which the step can lead into the set.
     [[nodiscard]] Node before(Node states, const Step& step) {
         assert(level_of(step) <= diagrams_.levels());
         return precede(diagrams_.levels(), states, step.chain, step.guard);
     }
-    /// The local state that a value of a variable represents is the value; larger local states are the last value.
+    /// The value that represents a local state: the same number, but at most the last value of the variable.
     [[nodiscard]] Value value_of(std::uint32_t slot, machine::Local local) const;
 
 private:

@@ -69,7 +69,7 @@ void Saturation::clear(Level level) {
     rows_[level].values.clear();
 }
 
-/// Adds tuples to a child. The caller keeps `more`. Returns whether this has changed the child.
+/// Adds tuples to a child. The caller must keep `more`. Returns whether this has changed the child.
 bool Saturation::add(Level level, Value value, Node more) {
     Row& row = rows_[level];
     const Node before = row.children[value];
@@ -91,7 +91,7 @@ Node Saturation::pack(Level level) {
     return diagrams_.end_node(level, begun);
 }
 
-/// Saturates the row of a level, whose children are saturated.
+/// Saturates the row of a level. Its children must already be saturated.
 Node Saturation::saturate(Level level) {
     const Diagrams::Kept before(diagrams_, pack(level));
     Node result = nothing;
@@ -126,7 +126,7 @@ void Saturation::fire_steps(Level level, Value value, std::deque<Value>& queue) 
     }
 }
 
-/// The saturated set of the states that the rest of a step reaches.
+/// Applies the lower part of a step to a set, and returns the saturated set of the states that it reaches.
 Node Saturation::fire(Level level, Node states, Chain chain, Node guard) {
     if (states == nothing || guard == nothing) return nothing;
     if (chain == no_link && guard == everything) return states;

@@ -2,7 +2,7 @@
 // The reachable states by saturation (Ciardo, Luettgen and Siminiceanu, "Saturation: an efficient iteration strategy
 // for symbolic state-space generation", TACAS 2001): a node is saturated if no step that depends only on its level and
 // lower levels adds a tuple to its set. Nodes are saturated from the lowest level up. A step is fired at its highest
-// level, and the nodes below that the step makes are saturated at once.
+// level. The nodes that it creates below this level are saturated immediately.
 #pragma once
 
 #include <deque>
@@ -21,8 +21,8 @@ public:
     Saturation(const Saturation&) = delete;
     Saturation& operator=(const Saturation&) = delete;
 
-    /// The states that the steps reach from a state; `initial` by level, the first element is unused. The caller keeps
-    /// the result.
+    /// Returns the states that the steps reach from the initial state. `initial` contains its values by level; the
+    /// first element is unused. The caller must keep the result.
     [[nodiscard]] Node reachable(const std::vector<Value>& initial);
 
 private:
@@ -32,7 +32,7 @@ private:
         std::vector<Value> values;  ///< those whose child is not `nothing`, in any order
         std::vector<bool> waits;    ///< by value: in the queue of saturate
     };
-    /// Steps of one highest level that differ only in what they do there.
+    /// Steps with the same highest level that differ only in their relation on this level.
     struct TopSteps {
         LocalRelation local;
         Chain rest = no_link;

@@ -27,7 +27,8 @@ using refine::RunStep;
 using refine::Violation;
 using refine::ViolationKind;
 
-/// Operations recurse once or twice for each level, and the stack of a thread bounds the recursion.
+/// The operations on diagrams recurse once or twice for each level, so the stack of a thread limits the number of
+/// levels.
 constexpr std::size_t most_levels = 4'000;
 
 /// Thrown if the stage has used its time.
@@ -53,7 +54,7 @@ public:
         if (now() > end_) throw OutOfTime();
     }
 
-    /// Shortens the time to a part of what is left, while the object exists.
+    /// During the lifetime of the object, only this part of the remaining time may be used.
     class Part {
     public:
         Part(StageBudget& budget, double part) : budget_(budget), end_(budget.end_) {
@@ -80,7 +81,7 @@ private:
     std::uint32_t polls_ = 0;
 };
 
-/// The exploration of one process, or of its pairs with the nodes of a specification.
+/// Explores one process, or the pairs of its states with the nodes of a specification.
 class Exploration {
 public:
     /// `table`: the specification; null for a question without one.
@@ -123,7 +124,7 @@ public:
     }
 
 private:
-    /// A state, and the node of the specification after the same events; 0 without a specification.
+    /// A state, and the node of the specification after the same events. The node is 0 if there is no specification.
     struct Place {
         Value node = 0;
         std::vector<lts::Word> state;
@@ -154,7 +155,8 @@ private:
         return values;
     }
 
-    /// States of which some of these steps lead into the set. The caller keeps the set and the result.
+    /// Returns the states from which some of these steps leads into the set. The caller must keep the set and the
+    /// result.
     Node before(Node states, const std::vector<Step>& steps) {
         Diagrams::Kept sum(diagrams_, nothing);
         for (const Step& step : steps) {
@@ -164,8 +166,8 @@ private:
         return sum.get();
     }
 
-    /// The fault with the shortest run. Among runs to equally near pairs, a refusal comes before a forbidden event, as
-    /// in the search of states.
+    /// The fault with the shortest run. If a refusal and a forbidden event are at pairs with runs of equal length, the
+    /// refusal is returned, as in the explicit search.
     std::optional<Violation> find_fault(refine::Model model) {
         const bool with_refusals = model != refine::Model::traces;
         const Node refusing = diagrams_.keep_always(with_refusals ? product_->refusing(reached_) : nothing);
@@ -196,8 +198,9 @@ private:
         return Violation{ViolationKind::deadlock, path.run, {}, {}, path.shortest};
     }
 
-    /// A state diverges iff it is in the greatest set of reachable states each of which has a tau into the set. Only
-    /// the rules that may lie on a cycle of taus matter for whether the set is empty.
+    /// Consider the greatest set of reachable states in which each state has a tau to a state of the set. A state
+    /// diverges iff it is in this set. To decide whether the set is empty, it suffices to follow the taus that may lie
+    /// on a cycle.
     std::optional<Violation> find_divergence() {
         const std::vector<Step> taus = list_cycle_taus();
         const Level top = diagrams_.levels();
@@ -227,7 +230,8 @@ private:
         return taus;
     }
 
-    /// A shortest path if there is time for it, and otherwise some path. No value if it needs more than `most` steps.
+    /// Returns a shortest path if there is enough time to find it, and otherwise some path. Returns no value if a
+    /// shortest path has more than `most` steps.
     std::optional<Path> path_to(Node bad, std::size_t most = no_bound) {
         try {
             const StageBudget::Part part(own_, part_for_rings_);
@@ -238,7 +242,8 @@ private:
         }
     }
 
-    /// Backward from the bad states: the ring of number n contains the states that reach a bad one in at most n steps.
+    /// Searches backward from the bad states. Ring n contains the states from which at most n steps lead to a bad
+    /// state.
     std::optional<Path> shortest_path_to(Node bad, std::size_t most) {
         const Level top = diagrams_.levels();
         const std::vector<Value> first = values_of(initial());
@@ -256,13 +261,14 @@ private:
         return path;
     }
 
-    /// Backward from one of the bad states by one step after the other. A set contains the states of the set before it,
-    /// and those from which one step leads there. There are far fewer sets than in rings that wait for all steps.
+    /// Searches backward from one of the bad states. It applies the steps one after the other, each to the result of
+    /// the step before it. So each set contains the previous set and the states from which one step leads into it. This
+    /// needs far fewer rounds than rings, in which all steps are applied to the same set.
     Path some_path_to(Node bad) {
         const Level top = diagrams_.levels();
         const std::vector<Value> first = values_of(initial());
         std::vector<Node> sets{diagrams_.keep_always(diagrams_.least_tuple(bad))};
-        // The order of the steps changes its direction, because it may be that of the run or the opposite one.
+        // The direction of the order alternates. The steps of the run may occur in this order or in the opposite order.
         for (bool forward = true; !diagrams_.contains(sets.back(), first); forward = !forward) {
             const Node before_all = sets.back();
             for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -277,8 +283,8 @@ private:
         return walk_down(sets);
     }
 
-    /// Forward from the initial state by the transitions of the process. Each set contains those before it. A state
-    /// that is in a set, but not in the one before it, has a transition into the latter.
+    /// Follows transitions of the process forward from the initial state. Each set contains all earlier sets. A state
+    /// that is in a set but not in the previous set has a transition into the previous set.
     Path walk_down(const std::vector<Node>& sets) {
         Path path{{initial().state, {}}, 0};
         for (;;) {
@@ -292,13 +298,13 @@ private:
         }
     }
 
-    /// What an event does to the node.
+    /// Returns the node after the event, or that the node does not allow the event.
     Monitor::Advance advance(Value node, process::Event event) {
         if (!monitor_ || event == process::tau) return {Monitor::Effect::follow, node};
         return monitor_->advance(node, event);
     }
 
-    /// The first transition of the process from the place into the set.
+    /// Returns the first transition of the process that leads from the place into the set.
     RunStep step_into(Node set, const Place& place, bool by_tau = false) {
         for (const RunStep& step : refine::steps_from(system_, place.state, budget_)) {
             if (by_tau && step.event != process::tau) continue;
@@ -362,7 +368,7 @@ std::optional<NormalTable> specification_table(const refine::SymbolicQuestion& q
         refine::NormalForm normal(*question.specification, own);
         return refine::table_of(normal, question.model, most_nodes);
     } catch (const process::Interrupted&) {
-        budget.check();  // unless the limit is that of states
+        budget.check();  // throws unless only the smaller limit of states was reached
         return std::nullopt;
     } catch (const std::logic_error&) {
         throw;

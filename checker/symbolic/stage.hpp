@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Answers questions about compiled processes by decision diagrams: deadlock, divergence, and refinement in each model.
-// Nothing here is faster than a search of states in general: it decides networks of many parts whose rules join few
-// parts.
+// In general, this is not faster than an explicit search. It is faster for networks of many components in which each
+// rule involves few components.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace robochart::symbolic {
 
 /// The bounds of the stage, and settings for tests.
 struct StageOptions {
-    std::chrono::duration<double> delay{3};  ///< CPU time of the search of states before the stage
+    std::chrono::duration<double> delay{3};  ///< CPU time that the explicit search uses before the stage starts
     std::chrono::duration<double> share{3};  ///< CPU time of the stage
     double part_for_rings = 0.5;             ///< of the time left when a violation is known: for its shortest run
     Space space = {};                        ///< at most an eighth of the memory of the run

@@ -43,7 +43,7 @@ Value BuiltinFunctions::value(Builtin which, const TimedSection* timed) {
         default:
             break;
     }
-    // In a timed section, WAIT and timed_priority use the tock of the section.
+    // In a timed section, WAIT and timed_priority use the tock event of this section.
     Values items;
     if (timed != nullptr && (which == Builtin::wait || which == Builtin::timed_priority)) {
         items.push_back(domains_.head_value(timed->tock));
@@ -102,8 +102,8 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
     }
 }
 
-// Equal values must have equal texts, so sets are listed if possible; infinite values and values without a unique text
-// are rejected.
+// Equal values must have equal texts. So sets are written as lists of elements if possible, and infinite values and
+// values without a unique text are rejected.
 Value BuiltinFunctions::with_text(Value value, Span span) {
     switch (value->kind) {
         case Kind::process:

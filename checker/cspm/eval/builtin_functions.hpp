@@ -8,7 +8,7 @@
 
 namespace robochart::cspm {
 
-/// Computes with evaluated arguments. This class has no state.
+/// Calls predefined functions with evaluated arguments. This class has no state.
 class BuiltinFunctions {
 public:
     BuiltinFunctions(const Program& program, ValueStore& store, process::EventTable& events, process::TermStore& terms,

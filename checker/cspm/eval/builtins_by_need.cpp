@@ -23,7 +23,7 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
     if (!takes_by_need(which)) {
         if ((which == Builtin::inter || which == Builtin::diff) && arguments.size() == 2) {
             const Value first = values_.share_value(values_.evaluated_value(arguments[0]));
-            if (first->kind == Kind::set && first->items.empty()) return first;  // holds for every second argument
+            if (first->kind == Kind::set && first->items.empty()) return first;  // the second set does not matter
             arguments[0] = first;
         }
         for (Value& argument : arguments) argument = values_.share_value(values_.evaluate_in_place(argument));

@@ -16,8 +16,8 @@ namespace robochart::cspm {
 
 class Evaluator;
 
-/// Owns the comprehensions that compute the remaining elements of streams. Errors are thrown by `Work::fail` with the
-/// given place.
+/// Owns the comprehensions that compute the remaining elements of streams. Functions throw errors by `Work::fail` with
+/// the place that they receive as an argument.
 class ByNeed {
 public:
     /// The first element of a sequence, and the sequence of the remaining elements.
@@ -25,7 +25,7 @@ public:
         Value head;
         Value tail;
     };
-    /// The generators of a comprehension, beginning with a given one.
+    /// The clauses of a comprehension from index `clause` on.
     struct Comprehension {
         const Code* code;
         std::size_t clause;
@@ -69,7 +69,7 @@ public:
     // builtins_by_need.cpp
     /// Calls any built-in, and evaluates its arguments only as far as the built-in needs them.
     Value call(Value builtin, Values arguments, Span span);
-    /// A built-in of maps; keys are evaluated, their values may be unevaluated.
+    /// Calls a built-in for maps. The keys of maps are always evaluated; the values may be unevaluated.
     Value map_builtin(Builtin which, const Values& arguments, Span span);
     /// All elements of a sequence, evaluated.
     Values sequence(Value value, Span span);
@@ -88,7 +88,7 @@ private:
     Domains& domains_;
     BuiltinFunctions& builtins_;
     ValueText text_;
-    std::vector<Comprehension> streams_;  // comprehensions of sequences that are not written out
+    std::vector<Comprehension> streams_;  // the comprehensions that streams refer to by index
 };
 
 }  // namespace robochart::cspm

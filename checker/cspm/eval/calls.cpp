@@ -186,7 +186,7 @@ Value Evaluator::global_constant(Global& global) {
             return component_value(source.function.clauses.at(0), whole, global.component_slot, global.function.span);
         }
         case GlobalKind::datatype:
-            break;  // has been evaluated meanwhile
+            break;  // global_value handles datatypes
         case GlobalKind::subtype:
             return domains_.subtype_set(global);
         case GlobalKind::nametype: {

@@ -67,7 +67,7 @@ struct Code {
     Value constant = nullptr;
     std::vector<const Code*> args;
     std::vector<FieldCode> fields;
-    std::vector<ClauseCode> clauses;  ///< prefix: the clauses of `[] e : S @ e -> P`, if its events are those of a set
+    std::vector<ClauseCode> clauses;  ///< prefix that represents `[] e : S @ e -> P`: the clauses `e : S`
     std::vector<std::pair<const Code*, const Code*>> links;
     std::vector<ClauseCode> link_clauses;  ///< replicated linked parallel: clauses of the links
     Unit* unit = nullptr;                  ///< prefix
@@ -100,7 +100,7 @@ struct Function {
 /// A let's declarations; a member is a function, a constant, or a part of a constant that is a pattern.
 struct Member {
     Function function;
-    int component_of = -1;  ///< a constant member that a pattern matches
+    int component_of = -1;  ///< a part: the index of the constant member that contains it
     int component_slot = -1;
 };
 struct Group {
@@ -132,7 +132,7 @@ struct Global {
     std::vector<std::pair<int, const Code*>> subtype;  ///< head, fields
     Value known = nullptr;
     Value lazily = nullptr;          ///< the value if one of its parts cannot be evaluated...
-    std::uint64_t lazily_entry = 0;  ///< ...valid while this query is answered
+    std::uint64_t lazily_entry = 0;  ///< ...valid only during the query with this number
     bool running = false;
 };
 

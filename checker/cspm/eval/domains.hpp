@@ -16,8 +16,8 @@
 
 namespace robochart::cspm {
 
-/// Computes with evaluated values. It evaluates only the types in declarations, on first use. Caches elements of sets,
-/// extensions, productions and events.
+/// Computes with values that are already evaluated. The only expressions that it evaluates are the types in
+/// declarations, on first use. Caches elements of sets, extensions, productions and events.
 class Domains {
 public:
     /// Evaluates a type expression of a declaration.
@@ -42,7 +42,7 @@ public:
     /// Equality of sets with different representations.
     bool are_equal_sets(Value a, Value b, Span span);
     Value explicit_set(Value set, Span span);
-    /// The number of elements; largest_size if there are more; no value if the set is infinite.
+    /// The number of elements, at most largest_size. No value if the set is infinite.
     std::optional<std::uint64_t> size_of(Value set, Span span);
     bool has_size(Value set, std::size_t size);
     bool can_be_listed(Value set, Span span);

@@ -117,7 +117,7 @@ Value Evaluator::evaluate_in_place(Value& value) {
     return value;
 }
 
-// Evaluates an argument at once if that is cheap and cannot fail; otherwise returns a thunk.
+// Evaluates an argument at once if the evaluation is cheap and cannot fail. Otherwise returns a thunk.
 Value Evaluator::delay_argument(const Code& code, Frame& frame) {
     if (code.constant != nullptr) return code.constant;
     if (code.kind == ExprKind::name && code.reference == Reference::local)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluates code to values. The results are those of FDR's lazy evaluator: parts of tuples, sequences and maps that are
-// never needed may have no value. They are nevertheless evaluated at once, within a limit on work, and stay unevaluated
-// only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
+// never needed may have no value. This evaluator nevertheless tries to evaluate them at once, within a limit on work.
+// They stay unevaluated only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
 //
 // Every class uses only the classes that this list names before it. ValueStore owns the values. Work owns the call
 // stack and the step counter. ProcessShape decides which expressions are obviously processes. Domains owns the elements
 // of sets, the fields of dotted values and the events. ProcessTerms owns the terms of calls and prefixes.
-// BuiltinFunctions computes with evaluated arguments. Evaluator implements everything that needs evaluation:
-// expressions, calls, patterns. ByNeed takes sequences and maps apart on demand; ProcessEvaluator evaluates processes.
-// These two and Evaluator call each other, since parts of a sequence may be unevaluated, a value may be a process, and
-// a process contains values.
+// BuiltinFunctions computes with evaluated arguments. Evaluator evaluates expressions and calls, and matches patterns.
+// ByNeed takes sequences and maps apart on demand; ProcessEvaluator evaluates processes. These two classes and
+// Evaluator call each other, because parts of a sequence may be unevaluated, a value may be a process, and a process
+// contains values.
 #pragma once
 
 #include <functional>
@@ -45,7 +45,7 @@ public:
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
 
-    // Entry points; they must only be called from outside.
+    // Entry points. Only code outside the evaluator may call them.
     /// Evaluations poll the budget, which must outlive them.
     void set_budget(diagnostics::Pollable& budget) {
         store_.set_budget(budget);
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
     [[nodiscard]] process::EventSet event_set(const Code& code, const Unit& unit);
-    /// All events of the script's channels; none if there are more than `most`.
+    /// Returns all events of the script's channels. Returns no value if there are more than `most`.
     [[nodiscard]] std::optional<process::EventSet> all_events(std::uint64_t most);
     [[nodiscard]] std::vector<process::Event> trace(const Code& code, const Unit& unit);
     /// `term` with events prioritised as by `:[tau priority]`.

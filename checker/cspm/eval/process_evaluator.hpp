@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates expressions that denote processes. They are built lazily: calls and prefixes become terms by name
-// (process_terms.hpp), and are evaluated only when the search needs their transitions (process/term.hpp, Definitions).
+// Evaluates expressions that denote processes. Processes are built lazily: the term of a call or prefix contains only
+// its name and its values (process_terms.hpp). It is evaluated only when the search needs its transitions
+// (process/term.hpp, Definitions).
 #pragma once
 
 #include <functional>

@@ -10,7 +10,7 @@ namespace robochart::cspm {
 
 bool ProcessShape::makes_process(const Function& function) {
     if (function.process >= 0) return function.process == 1;
-    function.process = 0;  // a recursion without another branch is not obviously a process
+    function.process = 0;  // so a recursion without another branch counts as no process
     ++open_;
     const bool result = std::ranges::any_of(
         function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides by the form of an expression whether it denotes a process. Such a call or constant becomes a term by name
-// everywhere, so that a process passed as an argument is not evaluated.
+// Decides by the form of an expression whether it denotes a process. A call or constant that denotes a process is not
+// evaluated: it becomes a term that contains only its name and arguments, even if it is passed as an argument.
 #pragma once
 
 #include "checker/cspm/eval/code.hpp"
 
 namespace robochart::cspm {
 
-/// Stores only the depth of the current query; answers are stored in the functions.
+/// Answers are cached in the functions (Function::process). The object itself stores only the depth of the current
+/// query.
 class ProcessShape {
 public:
     explicit ProcessShape(const Program& program) : program_(program) {}

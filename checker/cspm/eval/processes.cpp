@@ -65,7 +65,8 @@ TermId ProcessEvaluator::process(const Code& code, Frame& frame) {
     return processes_.term_of(values_.eval(code, frame), code.span);
 }
 
-// A constant that occurs as a process becomes a term by name. It is not evaluated, so recursion stays finite.
+// A constant that denotes a process becomes a term that contains only its name. It is not evaluated, so that recursion
+// ends.
 TermId ProcessEvaluator::process_name(const Code& code, Frame& frame) {
     if (code.reference == Reference::member) {
         const auto& group = static_cast<const GroupObject&>(*frame[static_cast<std::size_t>(code.slot)]);
@@ -93,8 +94,8 @@ TermId ProcessEvaluator::process_apply(const Code& code, Frame& frame) {
         for (std::size_t i = 1; i < code.args.size(); ++i)
             arguments.push_back(values_.share_value(values_.eval(*code.args[i], frame)));
     } catch (const EvaluationError&) {
-        // A call of a process is named by its arguments, so they must have values. Other functions may not need all of
-        // their arguments.
+        // The term of a process call contains the values of its arguments, so they must be evaluated. Other functions
+        // may not need all of their arguments.
         if (shape_.makes_process(definition)) throw;
         return processes_.term_of(values_.eval_apply(code, frame), code.span);
     }

@@ -107,7 +107,7 @@ std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
             const Running running(global.running);
             std::uint64_t sum = 0;
             for (const int head : global.heads) {
-                // it is being declared
+                // the constructor is still being declared
                 if (program_.heads[static_cast<std::size_t>(head)].running) return std::nullopt;
                 std::uint64_t product = 1;
                 bool endless = false;
@@ -271,7 +271,7 @@ bool Domains::member_of(Value value, Value set, Span span) {
             return value->kind == Kind::integer && value->number >= set->number;
         case Kind::processes:
             return value->kind == Kind::process;
-        case Kind::datatype: {  // constructors have checked their fields
+        case Kind::datatype: {  // the fields were checked when the value was constructed
             const bool named = value->kind == Kind::dot && !value->items.empty() && value->items[0]->kind == Kind::head;
             if (!named || !is_complete(value)) return false;
             return program_.heads[static_cast<std::size_t>(value->items[0]->number)].type == set->number;

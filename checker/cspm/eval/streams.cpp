@@ -4,7 +4,8 @@
 //
 // A stream has two items: a sequence of known elements and the sequence from which it continues. Without a
 // comprehension the stream continues with the second sequence itself. With a comprehension the second sequence is the
-// source of a generator, and the values of the surrounding variables follow it. `number` distinguishes the cases.
+// source of a generator, and the values of the surrounding variables follow it. `number` shows which of the two cases
+// applies.
 #include <algorithm>
 
 #include "checker/cspm/eval/by_need.hpp"
@@ -125,7 +126,7 @@ Value ByNeed::share_stream(Value value) {
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
-/// The element is evaluated only when it is compared, so it is not evaluated for an empty sequence.
+/// The element is evaluated only when it is compared. So it is not evaluated if the sequence is empty.
 bool ByNeed::contains_element(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
         const std::optional<Cut> cut = split_first(sequence, span);

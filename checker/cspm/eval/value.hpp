@@ -50,7 +50,7 @@ enum class Kind : std::uint8_t {
 struct Object {
     Kind kind = Kind::integer;
     bool shared = false;  ///< hash-consed: contains only shared objects, lives as long as the store
-    /// Shared objects: true if the position in a set depends on the order in which processes were created.
+    /// Shared objects: true if the order of this value and others depends on the order in which processes were created.
     bool made = false;
     std::uint32_t id = 0;
     std::int64_t number = 0;
@@ -80,7 +80,7 @@ struct Thunk : Object {
 [[nodiscard]] bool is_set(Value value);
 /// Whether the value is a sequence whose elements are not all stored.
 [[nodiscard]] bool is_stream(Value value);
-/// Whether a sequence is obviously infinite; thunks are not evaluated for the answer.
+/// Whether a sequence is obviously infinite. The function evaluates no thunks.
 [[nodiscard]] bool is_infinite(Value sequence);
 /// Total structural order of shared values.
 [[nodiscard]] int compare(Value a, Value b);
@@ -92,10 +92,10 @@ public:
 
     /// Long work polls the budget, which must outlive it.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
-    /// `listed` lists a set if possible. Parts of values are listed because equal values must be one object:
-    /// `(Set({1}), 1)` and `({{}, {1}}, 1)` are equal.
+    /// Sets the function that converts a set to its list of elements, if possible. The store applies it to sets that
+    /// are parts of values, because equal values must be one object: `(Set({1}), 1)` and `({{}, {1}}, 1)` are equal.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
-    /// Returns the value in the form that it has as a part of another value.
+    /// Returns the value in the form in which other values contain it: a set as a list of its elements, if possible.
     [[nodiscard]] Value form_as_part(Value value) const;
 
     [[nodiscard]] Value integer(std::int64_t number);
@@ -122,7 +122,7 @@ public:
     [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
     /// Deletes all temporary objects; none may be in use.
     void delete_temporaries();
-    /// Whether the order of the elements of some set is the order in which processes were created.
+    /// Whether the order of the elements of some set depends on the order in which processes were created.
     [[nodiscard]] bool orders_processes() const { return orders_processes_; }
     /// The number of values that live as long as the store.
     [[nodiscard]] std::size_t size() const { return index_.size(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work of an evaluation: its call stack, the number of steps, the limits of speculation.
+// Tracks the work of an evaluation: the call stack, the number of steps, and the limits of speculation.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class Work {
 public:
     /// Maximal number of steps for one query of the search.
     static constexpr std::uint64_t max_steps = 2'000'000'000;
-    /// The number of bytes that an evaluation may use of an ordinary stack.
+    /// The number of bytes of an ordinary thread's stack that an evaluation may use.
     static constexpr std::size_t small_stack_bytes = std::size_t{1} << 17U;
 
     Work(const Program& program, ValueStore& store) : text_(program), store_(store) {}
@@ -62,7 +62,7 @@ private:
     ValueStore& store_;
     std::vector<Activation> activations_;
     const char* stack_base_ = nullptr;
-    std::size_t stack_bytes_ = 0;  // from there
+    std::size_t stack_bytes_ = 0;  // the limit, counted from `stack_base_`
     std::uint64_t steps_ = 0;
     std::uint64_t promised_until_ = no_end;  // number of steps after which no more values are evaluated early...
     std::uint64_t given_up_at_ = no_end;     // number of steps after which evaluations in progress are abandoned
@@ -100,7 +100,7 @@ private:
     std::size_t calls_;
 };
 
-/// One entry of the CSPM call stack, during its lifetime.
+/// Adds an entry to the CSPM call stack during the lifetime of the object.
 class Work::Calling {
 public:
     Calling(Work& work, const Function& function, const Values& arguments, Span span) : work_(work) {
@@ -115,7 +115,7 @@ private:
     Work& work_;
 };
 
-/// The work limit for a value that may not be needed. Nested objects share the limit of the outermost one.
+/// Limits the work on a value that may not be needed. Nested objects share the limit of the outermost one.
 class Work::Speculation {
 public:
     explicit Speculation(Work& work) : work_(work), outermost_(work.given_up_at_ == no_end) {
@@ -136,8 +136,8 @@ private:
     bool outermost_;
 };
 
-/// Marks a thunk as being evaluated during its lifetime. The mark is removed even if an error ends the evaluation. A
-/// second evaluation then fails with the original error instead of reporting a value that is defined by itself.
+/// Marks a thunk as being evaluated during its lifetime. The mark is removed even if an error ends the evaluation. So
+/// if an evaluation has failed, another attempt reports the same error, and not that the value is defined by itself.
 class Running {
 public:
     explicit Running(bool& flag) : flag_(flag) { flag_ = true; }

@@ -12,8 +12,8 @@
 
 namespace robochart::cspm {
 
-/// Owns the code of a script, its values and its terms. If the same script is loaded again and the same expressions are
-/// compiled in the same order, definitions have the same numbers.
+/// Owns the code of a script, its values and its terms. Definitions get the same numbers whenever the same script is
+/// loaded and the same expressions are compiled in the same order.
 class LoadedScript {
 public:
     /// Polls the budget while it compiles the script. `whole_states`: see Session.

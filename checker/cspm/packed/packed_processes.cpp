@@ -110,7 +110,7 @@ void PackedProcesses::forget_if_large() {
     loaded_.reset();
 }
 
-/// The script is not loaded if a limit stopped the previous attempt.
+/// Loads the script if it is not loaded, which happens if a limit has stopped the previous attempt.
 void PackedProcesses::load_if_needed() {
     if (direct_ == nullptr) load_script();
 }

@@ -34,14 +34,14 @@ public:
     /// Adds a process, which is one side of an assertion, and returns its number.
     [[nodiscard]] std::size_t add(const ExprPtr& expr, const Decl& assertion);
 
-    /// After this call, rows are the same in every run. A part that has no number yet then causes NotPacked, because
-    /// new numbers depend on the order of use.
+    /// After this call, no part gets a new number, because such a number would depend on the order in which the search
+    /// uses the parts. A part without a number causes NotPacked. So rows are the same in every run.
     void fix_parts() { parts_.fix_numbers(); }
 
     // The following functions throw EvaluationError, and NotPacked if a state has no packed form.
     [[nodiscard]] Bytes initial(std::size_t side);
     /// Writes the steps of the state to `out`, ordered by event. Events have the numbers of the search. `span`: the
-    /// place of errors that no definition causes.
+    /// place of errors whose definition is unknown.
     void steps(std::span<const std::uint8_t> state, Span span, PackedSteps& out);
     /// The operands of a state that is an external choice; empty for other states. `span` as in `steps`.
     [[nodiscard]] std::vector<Bytes> choice_operands(std::span<const std::uint8_t> state, Span span);
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] process::EventTable& events() const { return events_; }
     /// Evaluations poll the budget, which must outlive them.
     void set_budget(diagnostics::Pollable& budget);
-    /// Whether the steps of the first states can be computed without terms.
+    /// Examines the first states of the process. Returns whether their steps can be computed without terms.
     [[nodiscard]] bool is_direct(std::size_t side);
     /// The number of times that the script has been loaded.
     [[nodiscard]] std::size_t load_count() const { return loads_; }

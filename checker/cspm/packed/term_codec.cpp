@@ -39,7 +39,7 @@ private:
     unsigned& depth_;
 };
 
-/// Whether values of this kind are written with a number.
+/// Whether the encoding of values of this kind contains a number.
 bool has_number(Kind kind) {
     switch (kind) {
         case Kind::tuple:

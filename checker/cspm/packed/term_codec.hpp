@@ -4,8 +4,9 @@
 // so zeros may follow it in a row.
 //
 // A call is encoded as its definition and arguments, a prefix as its place in the script and the values that it uses.
-// Other operators are written before their operands. The resolver numbers definitions and places, so the numbers are
-// the same whenever the same script is loaded. Sets of events and renamings are written as numbers (packed_parts.hpp).
+// Other operators are written before their operands. The numbers of definitions and places come from the resolver, so
+// they are the same whenever the same script is loaded. Sets of events and renamings are written as numbers
+// (packed_parts.hpp).
 #pragma once
 
 #include <vector>

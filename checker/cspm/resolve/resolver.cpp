@@ -155,7 +155,7 @@ void Resolver::clause_of(Function& function, const Decl& decl, Unit* parent, con
         fail("the clauses of '" + function.name + "' take different numbers of arguments", decl.span);
     }
     function.groups = groups;
-    // The body of a constant does not see the variables of the constant's own pattern.
+    // In the body of a constant, the variables of the constant's own pattern are not in scope.
     if (decl.kind == DeclKind::value) scope_ = outer_scope;
     clause.body = compile(decl.body);
     scope_ = outer_scope;

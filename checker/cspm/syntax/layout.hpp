@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text with places at which a line may end, and the selection of the places at which it does. A group that does not fit
-// breaks at all its places (Oppen 1980, with consistent breaking).
+// A text with places at which a line may end, and an algorithm that selects the places at which lines end. A group that
+// does not fit breaks at all its places (Oppen 1980, with consistent breaking).
 #pragma once
 
 #include <cstdint>

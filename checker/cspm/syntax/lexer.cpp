@@ -255,7 +255,8 @@ private:
         return tokens_.back().kind == Tok::l_brace && line_end_;
     }
 
-    // Reads the rest of the line after `print`. The line ends there, even if the next line could continue it.
+    // Reads the rest of the line after `print`. The statement ends with its line, even if the next line could continue
+    // it.
     void read_print_line(std::size_t from) {
         emit_token(Tok::print, from, after);
         const std::string_view whole = text_;
@@ -415,8 +416,8 @@ private:
     }
 
     diagnostics::Diagnostics& diagnostics_;
-    bool line_end_ = false;        // a line end was skipped since the last token,
-    std::size_t line_end_at_ = 0;  // position of the first of them
+    bool line_end_ = false;        // a line end was skipped after the last token
+    std::size_t line_end_at_ = 0;  // position of the first skipped line end
     bool soaking_ = true;          // line ends after the last token are ignored
     bool blank_before_ = false;    // white space precedes the token
     std::vector<Token> tokens_;

@@ -79,8 +79,8 @@ private:
     [[noreturn]] void fail(std::string_view expected);
     /// Returns the opening bracket that matches the expected closing bracket, or null if there is none.
     [[nodiscard]] const Token* open_bracket(std::string_view expected) const;
-    /// Throws the error with advice about the probable meaning. `about` is the part of the text to which the advice
-    /// refers.
+    /// Throws the error, with advice that depends on what the user probably meant. `about` is the part of the text to
+    /// which the advice refers.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[nodiscard]] Span span_since(Span from) const;

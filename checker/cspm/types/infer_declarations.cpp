@@ -94,7 +94,7 @@ void Inference::check_datatypes_with(const Group& group, ListKind kind) {
     try {
         try_group(group, kind);
         done = true;
-    } catch (const TypeFault&) {  // tried again below
+    } catch (const TypeFault&) {  // the group is checked again below
     } catch (...) {
         store_.recording(--attempts_ > 0);
         throw;

@@ -116,7 +116,7 @@ public:
     void lower_level(TypeId variable, std::uint32_t level);
     /// Lowers the variables of a type to at most this level; returns whether `sought` occurs in it.
     bool lower_and_find(TypeId type, TypeId sought, std::uint32_t level);
-    /// Variables of a type above the current level, sorted.
+    /// The variables of a type whose level is above the current level, sorted.
     [[nodiscard]] std::vector<TypeId> open_variables(TypeId type);
 
     // groups of declarations
@@ -139,7 +139,7 @@ public:
     [[nodiscard]] bool is_comparable(std::uint32_t number) const { return datatypes_[number].comparable; }
     void set_comparable(std::uint32_t number, bool value) { datatypes_[number].comparable = value; }
 
-    /// Counts recursion on types; bounded.
+    /// Counts the depth of the recursion on a type, and throws TypeOverflow if it is too large.
     class Depth {
     public:
         explicit Depth(TypeStore& store) : store_(store) {

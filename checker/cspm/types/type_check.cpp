@@ -111,7 +111,7 @@ std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostic
             types::Inference(*resolved, store, diagnostics).run();
             result = named_types(*resolved, store);
             if (table != nullptr) *table = NameTableMaker(store).run(*resolved);
-        } catch (const types::TypeOverflow&) {  // has been reported at its place
+        } catch (const types::TypeOverflow&) {  // the error has already been reported at its place
         }
     });
     return result;

@@ -251,7 +251,7 @@ TypeId Unifier::type_to_display(TypeId type) {
     failing_ = true;
     try {
         type = evaluate_dots(type);
-    } catch (const TypeFault&) {  // printed as it is
+    } catch (const TypeFault&) {  // the type is printed without evaluation
     }
     failing_ = false;
     return type;

@@ -17,7 +17,7 @@ using lts::Word;
 
 namespace {
 
-// Shares of the memory in sixteenths: the filter, the open level, the rows put aside.
+// The filter, the open level and the rows put aside get these sixteenths of the memory.
 constexpr std::uint64_t filter_part = 13, open_part = 2, aside_part = 1;
 constexpr Level no_level = std::numeric_limits<Level>::max();
 
@@ -61,7 +61,7 @@ RowStore::Found DiskRowStore::enter_row(StateView row, std::uint64_t hash) {
     ++met_;
     if (open_->find(row, hash) != lts::no_state) return Found::again;
     if (levels() > 0 && filter_.may_have(hash)) {
-        aside_.add(row, hash, levels());  // the first level in which it is put aside counts
+        aside_.add(row, hash, levels());  // if it was put aside before, it keeps its earlier level
         return Found::unsure;
     }
     ++new_;
@@ -90,7 +90,7 @@ void DiskRowStore::write_open() {
     renew_open();
 }
 
-/// A store that was full is likely to become full again, so its table is allocated with full size.
+/// If the store was full, it is likely to become full again. So its new table is allocated with full size.
 void DiskRowStore::renew_open() {
     const bool full = open_->size() >= most_open_;
     open_ = new_store();
@@ -152,15 +152,15 @@ void DiskRowStore::fill_filter() {
 }
 
 /// The more work has been done since the last settling, the more is lost if a row was taken for a duplicate by mistake.
-/// The total loss is least if this work, times the probability of a mistake, equals the work of settling (Young, CACM
-/// 17(9), 1974). Rows put aside in files are settled when there are as many of them as of all other rows, so that they
-/// never need more space than these.
+/// The expected total loss is minimal if this work, multiplied by the probability of a mistake, equals the work of
+/// settling (Young, CACM 17(9), 1974). Rows put aside in files are settled when there are as many of them as of all
+/// other rows, so that they never need more space than these.
 bool DiskRowStore::wants_to_settle() const {
     if (late_->size() > 0) return true;
     if (aside_.empty()) return false;
     if (aside_.on_disk() && aside_.rows() >= kept_.files().rows()) return true;
     const auto settling = static_cast<double>(kept_.files().rows() + aside_.rows());
-    // Refilling the filter takes longer for each row than reading it.
+    // Adding a row to the filter takes longer than reading the row.
     const double lost = static_cast<double>(met_) * bounds_.reads_a_step + 6 * settling;
     const double in_error = filter_.capacity() == 0 ? 1.0 : std::min(1.0, static_cast<double>(new_) * filter_.error());
     return bounds_.reads_a_step > 0 && in_error * lost >= settling;
@@ -175,7 +175,7 @@ int compare_rows(const Word* a, const Word* b, std::size_t width) {
     return 0;
 }
 
-/// Ascending rows with their levels, which are compared with another ascending sequence.
+/// A sequence of ascending rows with their levels. It is compared with another ascending sequence.
 class Sought {
 public:
     Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
@@ -255,9 +255,9 @@ void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& 
     if (any) sought.remove_marked();
 }
 
-/// Handles rows that no level contains: they join the open level, or are late. Returns whether some have joined. Only
-/// late rows of the least level are stored, because the search rolls back to that level and finds the other rows again.
-/// If the search does not continue, rows of the open level are dropped.
+/// Handles rows that no level contains. Rows of the open level are added to it, or dropped if the search does not
+/// continue. Rows of a closed level are called late. Only the late rows of the least such level are stored, because the
+/// search rolls back to that level and finds the other rows again. Returns whether rows were added to the open level.
 bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     bool joined = false;
     for (std::size_t at = 0; at < rows.size(); at += width() + 1) {
@@ -278,7 +278,7 @@ bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     return joined;
 }
 
-/// Returns whether some rows have joined the open level. If `going_on` is false, the search has ended, and there is no
+/// Returns whether rows were added to the open level. If `going_on` is false, the search has ended, and there is no
 /// time for other work.
 bool DiskRowStore::settle_aside(bool going_on) {
     if (aside_.empty()) return false;
@@ -308,9 +308,9 @@ void DiskRowStore::forget_aside() {
 
 /// The filter is refilled. Otherwise it would report the rows of later levels as duplicates when they are found again.
 void DiskRowStore::roll_back_to(Level level) {
-    assert(late_->size() == 0 || level <= late_level_);  // the least of all ranks
+    assert(late_->size() == 0 || level <= late_level_);  // `level` is the least level of all ranks
     forget_aside();
-    if (level == levels()) return;  // the missing rows have joined it
+    if (level == levels()) return;  // the missing rows have been added to it
     ++figures_.rolled_back;
     empty_open();
     runs_.add([&](const storage::TakeRows& take) {

@@ -2,9 +2,9 @@
 // A store for more rows than fit into memory (docs/search.md, "Out of core"). All closed levels are in sorted files.
 // Memory contains rows of the open level, which are written as sorted runs when they need too much memory, and a filter
 // over all closed levels. A row that the filter rejects is new. A row that it accepts is almost certainly a duplicate:
-// it is put aside, in files if there are many such rows. From time to time, and before any verdict, the store reads all
-// levels and looks for the rows put aside. A row that is in no level was taken for a duplicate by mistake: it joins the
-// open level, or the search rolls back to its level.
+// it is put aside, in files if there are many such rows. From time to time, and before any verdict, the store settles
+// these rows: it reads all levels and looks for them. A row that is in no level was taken for a duplicate by mistake.
+// If it belongs to the open level, it is added to it; otherwise the search rolls back to the level of the row.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +31,10 @@ public:
         std::uint64_t peak_bytes = 0;
     };
     struct Bounds {
-        std::uint64_t most_bytes = 0;  ///< limit on the total memory, except for a block of each run during a merge
+        std::uint64_t most_bytes = 0;  ///< limit on the total memory; a merge also needs a block of each run
         unsigned filter_bits = 32;     ///< maximal number of bits for each row
-        /// The number of rows that can be read from files in the time that the search needs for one row. 0: rows are
-        /// settled only when this is unavoidable.
+        /// An estimate: in the time that the search needs for one row, this many rows can be read from files. If it is
+        /// 0, rows are settled only when this is unavoidable.
         unsigned reads_a_step = 10;
         std::function<void(const Figures&)> report;  ///< called at the end; may be empty
     };

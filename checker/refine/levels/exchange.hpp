@@ -14,8 +14,8 @@ namespace robochart::refine {
 
 using Words = std::vector<lts::Word>;
 
-/// Returns the rank, below `ranks`, that owns a row with this hash (lts::StateStore::hash). It is the same in every
-/// run. The hash is mixed again, so that the rows of a rank are spread over its table.
+/// Returns the number of the rank that owns a row with this hash (lts::StateStore::hash). The number is below `ranks`
+/// and is the same in every run. The hash is mixed again, so that the rows of a rank are spread over its table.
 [[nodiscard]] inline unsigned owner_of(std::uint64_t hash, unsigned ranks) {
     hash = (hash ^ hash >> 29U) * 0xBF58476D1CE4E5B9ULL;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
@@ -63,7 +63,8 @@ public:
     /// Memory use of messages in transit.
     [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 
-    /// Records that all ranks leave their current work together (SharedWork), until `begin_together`.
+    /// Records that all ranks leave their current work together (SharedWork). The next call of `begin_together` removes
+    /// this record.
     virtual void leave_together() { left_together_ = true; }
     virtual void begin_together() { left_together_ = false; }
     [[nodiscard]] virtual bool left_together() const { return left_together_; }
@@ -76,7 +77,7 @@ private:
     bool left_together_ = false;
 };
 
-/// A single rank.
+/// The exchange of a search that has only one rank.
 class LoneExchange final : public Exchange {
 public:
     [[nodiscard]] unsigned rank() const override { return 0; }

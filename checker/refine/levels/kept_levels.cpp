@@ -21,13 +21,13 @@ std::string path_of(const char* what, const KeptWhere& where) {
 KeptLevels::KeptLevels(KeptWhere where)
     : where_(std::move(where)), files_({where_.folder, where_.kind, where_.place}) {}
 
-/// A rank that was killed while it closed a level or rolled back has a different number of levels than others. The
-/// levels that all ranks have are complete, except for unsure rows, because a rank starts a level only when all have
-/// closed the one before. The last of them is expanded again, which finds the rows of later levels, including those
-/// that were unsure.
+/// If a rank was killed while it closed a level or rolled back, it has another number of levels than the other ranks.
+/// The levels that all ranks have are complete, except for unsure rows. The reason is that a rank starts a level only
+/// when all ranks have closed the previous level. The last of these levels is expanded again. This finds the rows of
+/// later levels, including rows that were unsure.
 void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure) {
     const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
-    // Numbers of checkpoints that only some ranks have used are not used again.
+    // If only some ranks have written a checkpoint with a number, this number is not used again.
     const std::uint64_t greatest = where_.from.greatest;
     if (found.empty()) {
         files_.number_from(greatest);
@@ -65,7 +65,7 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
                 if (level < levels && mine(row)) unsure(level, row);
             }
         });
-        // Statistics are summed over ranks, so the first rank can store those of all.
+        // The statistics are sums over all ranks, so the first rank can store them for all ranks.
         record.expanded.resize(levels - 1);
         if (!same && where_.place.rank != 0) continue;
         for (std::size_t level = 0; level < record.expanded.size(); ++level) {
@@ -75,8 +75,8 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
     }
 }
 
-/// There are statistics for every level except the last, so the number of levels in memory is limited by the size of
-/// the file.
+/// The checkpoint contains statistics for every level except the last one. So the size of its file limits the number of
+/// levels that are stored in memory.
 void KeptLevels::check(const storage::Checkpoint& found) const {
     if (found.levels > found.expanded.size() + 1)
         throw storage::BadFile(

@@ -40,7 +40,7 @@ class KeptLevels {
 public:
     explicit KeptLevels(KeptWhere where);
 
-    /// Receives a row that a run was unsure about, with its level if it is not a duplicate of an earlier one.
+    /// Receives an unsure row: it may be a duplicate of an earlier row. `level` is its level if it is not.
     using TakeUnsure = std::function<void(Level level, lts::StateView row)>;
     /// Continues from the checkpoint, if there is one: files() then contains the levels that all its ranks have closed,
     /// and the record describes these levels. `unsure` is called after the levels have been loaded. Throws

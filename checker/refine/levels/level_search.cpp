@@ -122,7 +122,8 @@ void LevelSearch::checkpoint(SharedWork& work) {
     work.sum({});
 }
 
-/// Holds Limits::undisturbed at the first rank, because only its program is killed if it continues after a limit.
+/// Holds Limits::undisturbed at the first rank. Only the program of this rank is killed if it runs on after a limit has
+/// been reached.
 std::shared_ptr<void> LevelSearch::hold_undisturbed() const {
     const auto& hold = budget_.limits().undisturbed;
     return hold && exchange_.rank() == 0 ? hold() : nullptr;
@@ -133,7 +134,8 @@ void LevelSearch::close_level_of_store() {
     store_.close_level();
 }
 
-/// A level may be expanded again after levels for which only taus were followed.
+/// Creates an expander unless the current one follows the required events. After a rollback, a level may have to be
+/// expanded with all events although a later level was expanded with taus alone.
 void LevelSearch::use_expander(bool taus_alone) {
     if (expander_ && taus_alone_ == taus_alone) return;
     taus_alone_ = taus_alone;
@@ -180,7 +182,7 @@ void LevelSearch::expand_level(Level level) {
         {
             const Timed timed(level_seconds_[level]);
             work_.execute_part([&] {
-                budget_.check();  // called after all waiting
+                budget_.check();  // comes after the rank has waited for others
                 expand_some(level, next);
             });
         }
@@ -208,8 +210,8 @@ void LevelSearch::expand_level(Level level) {
 
 void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     const std::size_t width = store_.width();
-    // Waiting rows take little memory compared with the store, and those of all threads of a program fit into one
-    // message.
+    // The rows that wait to be sent should take little memory compared with the store. The waiting rows of all threads
+    // of a program must fit into one message.
     const std::uint64_t most_waiting =
         std::clamp(store_.bytes() / 32, std::uint64_t{1} << 13U, std::uint64_t{1} << 26U);
     for (std::size_t done = 0; done < rows_a_round && !batches_.is_full(most_waiting);) {
@@ -254,8 +256,8 @@ void LevelSearch::expand(StateView row) {
     if (pair.forbidden) keep_least(forbidden_, {{row.begin(), row.end()}, ViolationKind::trace, *pair.forbidden});
 }
 
-/// Collects the rows of other ranks for sending and enters the rows of this rank. Whether a tau leads back depends on
-/// the level, so the target of a tau is sent each time.
+/// Collects the rows of other ranks for sending and enters the rows of this rank. The target of a tau is sent each
+/// time, even if it was sent before: whether the tau leads back depends on the current level.
 void LevelSearch::distribute_rows() {
     const unsigned ranks = exchange_.ranks();
     const unsigned self = exchange_.rank();
@@ -301,7 +303,7 @@ void LevelSearch::agree_on_totals(std::uint64_t waiting) {
     agreed_ = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8]};
 }
 
-/// Returns the least level in which some rank has missed a row.
+/// Returns the least level of a row that some rank has missed.
 std::optional<Level> LevelSearch::settle_unsure_rows() {
     std::optional<Level> wrong;
     work_.execute_part([&] { wrong = store_.settle_unsure_rows(); });
@@ -357,7 +359,7 @@ LevelFigures LevelSearch::figures_until(std::size_t levels) const {
     return sum;
 }
 
-/// Counts all levels up to this one, which has been expanded.
+/// Sets the statistics to those of all levels up to this one, which has been expanded.
 void LevelSearch::count_levels(Level last) {
     transitions_ = agreed_.transitions;
     chased_ = agreed_.chased;
@@ -506,7 +508,7 @@ LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
 }
 
 std::optional<LevelFinding> LevelSearch::first_divergence() {
-    checkpoint(work_);  // written now, because after a limit the ranks may have no time for it
+    checkpoint(work_);  // after a limit there may be no time for it
     TauElimination elimination(system_, store_, exchange_, budget_, work_, nodes_);
     const std::optional<TauCycle> cycle = elimination.least_cycle();
     if (!cycle) return std::nullopt;

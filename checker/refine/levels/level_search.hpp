@@ -51,13 +51,13 @@ public:
     /// no violation.
     std::optional<LevelFinding> first_divergence();
 
-    // Statistics of all ranks. If a violation was found, they cover the levels up to that of the violation.
+    // Statistics of all ranks. If a violation was found, they cover all levels up to the level of the violation.
     [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // Statistics of this rank. The processor time for each level: to expand it, and to enter the rows found.
+    // Statistics of this rank. For each level, the processor time to expand the level and to enter the rows found.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
     /// Number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }
@@ -65,7 +65,7 @@ public:
     [[nodiscard]] std::uint64_t peak_bytes() const { return peak_bytes_; }
 
 private:
-    /// A fault at the end of a row's runs, or an event that is forbidden after them.
+    /// A fault of a row, or an event that is forbidden in the row.
     struct Fault {
         Words row;
         ViolationKind kind = ViolationKind::trace;
@@ -120,7 +120,7 @@ private:
     SharedWork work_;
     RowBatches batches_;
     SentRows sent_;
-    lts::StateStore no_rows_;  // passed to an expander whose rows are stored elsewhere
+    lts::StateStore no_rows_;  // always empty; the expander needs a store, but the rows are in `store_`
     std::optional<Expander> expander_;
     Expansion expansion_;
     std::vector<lts::Word> block_;    // rows read from the store

@@ -12,7 +12,7 @@ namespace robochart::refine {
 namespace {
 
 constexpr std::size_t counts_size = sizeof(std::uint64_t);
-/// Fewer expected errors than this are negligible.
+/// If the expected number of errors is less than this, errors are negligible.
 constexpr double fewest_errors = 0.25;
 constexpr std::uint64_t full = std::uint64_t{1} << 63U;
 
@@ -23,7 +23,8 @@ RowFilter::RowFilter(unsigned most_bits, std::uint64_t most_bytes) : most_bits_(
     reset(0);
 }
 
-/// Stored values take whole bytes. The counts of a full bucket fill the rest of a word.
+/// The stored bits of a row take whole bytes. In a full bucket, the counts of rows in its parts take all bits of a word
+/// except the top one.
 void RowFilter::keep_bits(unsigned bits) {
     assert(bits >= 1 && bits <= 32);
     bytes_of_row_ = (bits + 7) / 8;
@@ -47,7 +48,7 @@ void RowFilter::reset(std::uint64_t rows) {
         const std::uint64_t needed = std::max(fewest, 2 * rows) * 20 / (std::uint64_t{places_} * 19) + 1;
         const std::uint64_t buckets = needed > most / 4 ? most : needed;
         const bool fits = buckets > 0 && space_in(buckets) >= rows + rows / 8 + 1;
-        // Fewer bits make a filter for more rows, which is refilled later.
+        // With fewer bits, the filter has space for more rows, so it must be refilled less often.
         const bool fewer = bytes_of_row_ > 1 && errors_with(8 * (bytes_of_row_ - 1), buckets) < fewest_errors;
         if (fits && !fewer) {
             buckets_ = buckets;
@@ -56,7 +57,7 @@ void RowFilter::reset(std::uint64_t rows) {
         if (bytes_of_row_ == 1) return;
     }
     capacity_ = space_in(buckets_);
-    // The filter reads the same number of bytes for each row.
+    // The filter always reads the same number of bytes for a row.
     memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));
 }
 

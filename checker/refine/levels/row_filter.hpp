@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A filter of rows: some bits of the hash of each row, in buckets of one cache line. It never rejects a row that was
-// added. The more rows there are, the fewer bits it stores of each, so that it never takes more memory than its limit.
+// added. If there are more rows, it stores fewer bits of each row, so that it never needs more memory than its limit.
 //
-// A bucket consists of parts; other bits of the hash select the part of a row, so that a look-up compares hardly one
-// row. The number of rows in each part is stored in unary (Pandey et al., Vector quotient filters, SIGMOD 2021).
+// A bucket consists of parts; other bits of the hash select the part of a row. So a look-up compares the row with few
+// other rows: with less than one on average, or with about eight if only 8 bits of each row are stored. The number of
+// rows in each part is stored in unary (Pandey et al., Vector quotient filters, SIGMOD 2021).
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,7 @@ private:
 
     void keep_bits(unsigned bits);
     [[nodiscard]] static double errors_with(unsigned bits, std::uint64_t buckets);
-    /// At most nineteen of twenty places are used: full buckets pass rows on to the next.
+    /// At most nineteen of twenty places are used. If a bucket is full, its further rows are stored in the next bucket.
     [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 19 / 20; }
     /// The upper half of the hash determines the bucket and, in the lower half of its product, the part; the stored
     /// bits are from the lower half of the hash.

@@ -65,8 +65,8 @@ public:
 
     /// Prefetches the memory that entering the row will read.
     virtual void prefetch(std::uint64_t /*hash*/) const {}
-    /// Enters a row into the open level if it is new. `hash` is lts::StateStore::hash(row). May throw LimitReached
-    /// (disk full, too many rows); closed levels are then unchanged.
+    /// Enters a row into the open level if it is new. `hash` is lts::StateStore::hash(row). Throws LimitReached if the
+    /// disk is full or there are too many rows; closed levels are then unchanged.
     virtual Found enter_row(lts::StateView row, std::uint64_t hash) = 0;
     /// Closes the open level and opens the next one, which is empty.
     virtual void close_level() = 0;
@@ -75,11 +75,11 @@ public:
     /// for sequential reading. Rows may be entered between calls.
     virtual std::size_t read(Level level, std::uint64_t first, std::size_t most, std::vector<lts::Word>& rows) = 0;
 
-    /// Whether there are enough unsure rows for settling to pay off.
+    /// Whether there are so many unsure rows that the store should settle them now.
     [[nodiscard]] virtual bool wants_to_settle() const { return false; }
-    /// Decides about all unsure rows by comparison with the closed levels. Returns the least level into which one of
-    /// them should have been entered; no value if all were found in a level before their own. The search calls it if a
-    /// rank wants it, and before any verdict.
+    /// Settles all unsure rows: compares them with the closed levels. Returns the least level into which one of them
+    /// should have been entered. Returns no value if each of them is in an earlier level than its own and so is a
+    /// duplicate. The search calls this function if a rank wants to settle its rows, and before any verdict.
     [[nodiscard]] virtual std::optional<Level> settle_unsure_rows() { return std::nullopt; }
     /// Opens `level` again, which is at most the open level, with its rows and with the settled rows that belong to it.
     /// Later levels and unsure rows are dropped. Rows that were unsure by mistake are stored exactly afterwards. Called

@@ -13,7 +13,7 @@ using lts::StateStore;
 using lts::StateView;
 using lts::Word;
 
-/// Each row is in the store, and a second time with its level while rows are passed on.
+/// Each row is in the store. While rows are passed on, there is also a copy of each row with its level.
 RowsAside::RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes)
     : most_(StateStore::most_in(bytes, kind.width, (kind.width + 1) * sizeof(Word))),
       store_(std::make_unique<StateStore>(kind.width)),
@@ -46,7 +46,7 @@ std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const
 void RowsAside::write() {
     if (unwritten_.empty()) {
         auto next = std::make_unique<StateStore>(width());
-        next->reserve(most_, {});  // it was full, and will be full again
+        next->reserve(most_, {});  // the old store was full, and the new one will be, too
         unwritten_ = with_levels(0, static_cast<StateIndex>(store_->size()));
         levels_.clear();
         store_ = std::move(next);

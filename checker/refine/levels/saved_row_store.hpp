@@ -39,7 +39,7 @@ private:
 
     KeptLevels kept_;
     std::unique_ptr<MemoryRowStore> rows_;
-    /// Rows that an earlier run, which did not have all rows in memory, has missed, sorted by their levels.
+    /// Rows that an earlier run has missed because it did not have all rows in memory, sorted by their levels.
     std::vector<std::pair<Level, std::vector<lts::Word>>> late_;
 };
 

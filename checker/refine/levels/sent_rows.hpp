@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Remembers the rows that a rank has sent recently, so that it does not send them again. Neighbouring rows often have
 // the same successors, and the owner stores every row that it receives. The table is small enough for the processor's
-// cache. It forgets rows, but never confuses two rows, because it compares whole rows.
+// cache. It forgets old rows, so a row may be sent again. It never takes a new row for a sent one, because it compares
+// whole rows.
 #pragma once
 
 #include <algorithm>

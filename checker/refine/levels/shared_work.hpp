@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs collective work. If one rank cannot do its part, all ranks leave the work together.
+// Runs work in which all ranks take part. If one rank cannot do its part, all ranks end the work together.
 #pragma once
 
 #include <cstdint>

@@ -103,7 +103,7 @@ void TauElimination::repeat_rounds(const Waiting& waiting, const OnRow& on_targe
                 targets.begin(row);
                 system_.successors(state(row), targets);
             }
-            left[0] = done;  // possibly more
+            left[0] = done;  // if rows were processed, more may be waiting
         });
         batches_.exchange(exchange_);
         work_.execute_part([&] {
@@ -135,7 +135,7 @@ void TauElimination::find_reached_rows() {
         });
 }
 
-/// Removes rows to which no tau leads, and repeats this for rows that have lost their last one.
+/// Removes all rows to which no tau of a remaining row leads, until there are no more such rows.
 void TauElimination::eliminate() {
     for (StateIndex row = 0; row < taus_to_.size(); ++row)
         if (taus_to_[row] == 0) dropped_.push_back(row);

@@ -36,7 +36,7 @@ public:
           from_programs_(programs.ranks()) {}
     /// Returns the exchange of a thread; threads are counted from 0.
     [[nodiscard]] std::unique_ptr<Exchange> exchange(unsigned thread);
-    /// All other threads that wait now or later throw RankLost.
+    /// Makes all other threads that wait now or later throw RankLost.
     void leave_meeting();
 
 private:
@@ -280,7 +280,7 @@ public:
             throw diagnostics::LimitReached(fmt::format("program {}: {}", programs_.rank(), limit.what()));
         }
     }
-    /// Executes the caller's part, then waits for the end of all.
+    /// Executes the part of the caller's thread, and then waits until all threads have ended.
     void finish_all() {
         run_as_rank(0);
         others_->join();

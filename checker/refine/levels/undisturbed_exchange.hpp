@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An exchange whose rank is not killed while it waits for others.
+// An exchange that prevents the program of its rank from being killed while the rank waits for other ranks.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 namespace robochart::refine {
 
 /// Forwards all calls to another exchange. During the calls it holds the object that Limits::undisturbed returns. If a
-/// limit has been reached meanwhile, it holds the object for the rest of its lifetime: until all ranks have learned of
-/// the limit and written their results.
+/// limit has been reached during a call, the exchange holds that object until it is destroyed. By then, all ranks have
+/// learned of the limit and written their results.
 class UndisturbedExchange final : public Exchange {
 public:
     /// `over`: whether a limit is reached. `real` must outlive the object.

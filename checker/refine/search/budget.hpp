@@ -46,8 +46,8 @@ public:
     [[nodiscard]] const Limits& limits() const { return limits_; }
     /// `source` fills in the statistics when progress is reported; may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
-    /// Calls the function once, when the program has used this much CPU time more. The function may throw an exception
-    /// to end the work that polls the budget.
+    /// Calls the function once, when the program has used this much more CPU time from now on. The function may throw
+    /// an exception to end the work that polls the budget.
     void call_after(std::chrono::duration<double> cpu_time, CallMoment moment, std::function<void()> function);
     void cancel_call();
     /// Called by a search while no thread of it uses its systems.

@@ -61,7 +61,7 @@ private:
     std::vector<std::uint8_t> by_tau_;
 };
 
-/// Number of rows that are computed before they are looked up: few enough to stay in the cache.
+/// This many rows are computed before they are looked up. They are few enough to stay in the cache.
 inline constexpr std::size_t rows_at_once = 256;
 
 /// Expands pairs.

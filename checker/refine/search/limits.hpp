@@ -40,15 +40,15 @@ struct Limits : diagnostics::Limits {
     /// Whether static proofs replace searches, and searches skip states by confluence and symmetry (docs/search.md).
     /// Verdicts do not depend on it.
     bool reduction = false;
-    bool first_of_two = false;  ///< another search follows if a limit ends this one, so no partial answer is looked for
+    bool first_of_two = false;  ///< another search follows if a limit ends this one, so partial answers are useless
     /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
     /// depend on it.
     LevelStrategy* by_levels = nullptr;
-    /// Decides questions that a search has not decided for some time, if `reduction` (verdict/symbolic_stage.hpp);
-    /// null: nothing does. Verdicts do not depend on it.
+    /// With `reduction`: decides questions that a search has not decided for some time (verdict/symbolic_stage.hpp). If
+    /// it is null, there is only the search. Verdicts do not depend on it.
     SymbolicStage* symbolic = nullptr;
-    /// Returns an object. During the lifetime of the object, a run that is to end is not killed. Several threads may
-    /// call the function. May be empty.
+    /// Returns an object. As long as the object exists, the program is not killed, even if a limit or an interrupt
+    /// should end it. Several threads may call the function. May be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
     /// Called a few times a second, by the thread that called the check.
     std::function<void(const Progress&)> progress;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t most_parts = 128;
 static_assert(most_parts * ProvisionalStates::most == lts::StateStore::most_claims);
-/// The least space for new states with which a parallel call pays off.
+/// With space for fewer new states than this, a parallel call does not pay off.
 constexpr std::uint64_t min_space = 4096;
 /// The maximal time between checks of the limits.
 constexpr std::chrono::milliseconds longest{20};
 
 }  // namespace
 
-/// The claims of one part, in the form that the store needs.
+/// The claims of one part, with the API that lts::StateStore needs.
 class ParallelLevel::Claiming {
 public:
     Claiming(std::vector<Part>& parts, std::size_t number) : parts_(parts), own_(parts[number]), number_(number) {}

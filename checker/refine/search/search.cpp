@@ -236,7 +236,8 @@ private:
     std::optional<Monitor::Node> node_;
 };
 
-/// If the search has visited everything, all targets are in the store. Otherwise, others are left out.
+/// If the search has visited all pairs, all targets are in the store. Otherwise, targets that are not in the store are
+/// left out.
 void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     budget_.charge();
     budget_.between_states();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of check.hpp. Each of them is a search with its monitor. Determinism and `has trace` have separate files.
+// The checks of check.hpp. Each check is a search with a monitor. Determinism and `has trace` have separate files.
 #include "checker/refine/verdict/check.hpp"
 
 #include <fmt/format.h>
@@ -33,8 +33,9 @@ std::string known_so_far(const Statistics& size) {
                        size.divergence_open ? ", divergence aside" : "");
 }
 
-/// Cycles of taus are looked for when all states are known. If a limit ended the search before, a second search decides
-/// whether there is a cycle among the first states. It may find one in a state space that has no end.
+/// The search looks for cycles of taus when it has found all states. If a limit ends it before that, a second search
+/// decides whether there is a cycle among the first states. So a divergence can be found even in an infinite state
+/// space.
 constexpr std::uint64_t first_states = 20'000;
 constexpr std::chrono::seconds for_first_states{1};
 
@@ -181,7 +182,7 @@ struct RefinementQuestion {
     NormalForm& normal;
     Model model;
     Search::Pairs pairs;
-    bool may_diverge;  ///< whether a divergence of the implementation matters and is not excluded
+    bool may_diverge;  ///< whether a divergence is a violation and is not excluded
 };
 
 /// Returns the first fault of the implementation's runs with respect to the normal form.
@@ -249,8 +250,8 @@ std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbi
     return first_fault(search, system, known, forbid_deadlock, forbid_divergence, budget, statistics);
 }
 
-/// If the rules exclude divergence, only the other part of the question is searched. A question about deadlocks alone
-/// does not depend on events, so all steps may be followed.
+/// If the rules exclude divergence, the search looks only for the other violations. If it looks only for deadlocks,
+/// events do not matter, so all confluent steps may be followed.
 std::optional<Violation> find_bad_state(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence,
                                         Budget& budget, Statistics& statistics) {
     const bool may_diverge = forbid_divergence && !is_tau_acyclic(system, budget);

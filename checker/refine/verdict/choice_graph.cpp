@@ -38,7 +38,7 @@ void sort_without_duplicates(std::vector<LazyGraph::Edge>& edges) {
                 edges.end());
 }
 
-/// Returns the minimal unions of one of the sets with one of the others.
+/// Returns the minimal ones among the unions of one of `sets` and one of `others`.
 std::vector<EventSet> unions(const std::vector<EventSet>& sets, const std::vector<EventSet>& others, Budget& budget) {
     std::vector<EventSet> result;
     for (const EventSet& one : sets)

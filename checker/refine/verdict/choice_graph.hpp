@@ -57,7 +57,7 @@ public:
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return graph_.state(index); }
 
 private:
-    /// A choice that is not resolved.
+    /// A whole choice: one whose taus are not followed, so that it is a single state.
     struct Whole {
         std::vector<std::vector<lts::StateIndex>> reached;  ///< by operand: itself and the states that its taus reach
         std::vector<Edge> operands;                         ///< taus to the operands

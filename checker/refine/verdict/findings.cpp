@@ -44,7 +44,7 @@ private:
     std::string bytes_;
 };
 
-/// The bytes are malformed.
+/// Thrown if the bytes are malformed.
 struct Damaged {};
 
 class Decoder {

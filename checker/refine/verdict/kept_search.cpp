@@ -96,7 +96,7 @@ KeptSearch::KeptSearch(KeptSettings settings, LevelStrategy& ranks) : settings_(
     look_at_folder();
     if (settings_.resume) read_questions();
     remove_left_over();
-    if (!settings_.resume) write_questions();  // from then on the folder is recognised as one of this program
+    if (!settings_.resume) write_questions();  // shows that the folder belongs to this program
     answers_.emplace(path("answers"), settings_.program, std::uint64_t{512} << 20U);
 }
 
@@ -145,7 +145,7 @@ void KeptSearch::remove_folder() {
     fs::remove(settings_.folder, ignored);  // removes the folder if it is empty
 }
 
-/// The files stay if they are needed to continue, unless no assertion was ever begun.
+/// Keeps the files if they are needed to continue. Removes the folder if no assertion was ever begun.
 KeptSearch::~KeptSearch() {
     if (!asked_.empty() || !earlier_.empty() || !answers_) return;
     remove_folder();
@@ -237,7 +237,8 @@ void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& dig
                         diagnostics::escape_for_display(question.text)));
 }
 
-/// If the answer of a decided assertion was not stored, its search is the only record of it.
+/// If the answer of a decided assertion could not be stored, its search is kept, because it is the only record of the
+/// answer.
 void KeptSearch::end_question(bool decided) {
     assert(!asked_.empty() && decided_ < asked_.size());
     if (decided) ++decided_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a system, numbered and expanded when they are needed.
+// The states of a system. A state gets a number and is expanded only when it is needed.
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& 
     return refusal(acceptances(node), offer);
 }
 
-/// References stay valid after their creation.
+/// The returned reference stays valid when this function is called again.
 const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
     if (node >= acceptances_.size()) acceptances_.resize(std::max<std::size_t>(node + 1U, 2 * acceptances_.size()));
     if (acceptances_[node] == nullptr) {

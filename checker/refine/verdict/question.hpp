@@ -13,7 +13,7 @@
 namespace robochart::refine {
 
 /// Runs the check. If a limit is reached or memory is exhausted, the verdict is inconclusive. Other exceptions are
-/// passed on. Long work inside the systems counts against the limits too.
+/// passed on. The limits also apply to long work inside the systems.
 [[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                              const std::function<void(Budget&, Verdict&)>& question);
 

@@ -124,8 +124,8 @@ std::optional<Violation> explore_backwards(lts::TransitionSystem& system, const 
     return Violation{ViolationKind::no_return, run_along(system, all, way), {}, {}};
 }
 
-/// Confirms in the whole system that no run from the end of the violation contains an event of the goal; only the first
-/// states after it are checked.
+/// Confirms in the whole system that no run from the end of the violation contains an event of the goal. It checks only
+/// a limited number of states after the violation.
 void confirm_no_return(lts::TransitionSystem& system, const process::EventSet& goal, const Violation& violation,
                        Budget& budget) {
     constexpr StateIndex most = 100'000;

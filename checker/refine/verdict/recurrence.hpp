@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether something can always happen again: AG EF in computation tree logic (Clarke, Emerson and Sistla, TOPLAS 8,
-// 1986), for an event instead of a condition on states.
+// Decides whether an event can always happen again: AG EF in computation tree logic (Clarke, Emerson and Sistla, TOPLAS
+// 8, 1986), for an event instead of a condition on states.
 #pragma once
 
 #include "checker/refine/verdict/verdict.hpp"
@@ -13,14 +13,15 @@ namespace robochart::refine {
 ///
 /// The algorithm explores all states, marks those in which an event of the goal is possible, and then marks backwards
 /// those that lead to marked states. Its time is linear in the number of states and transitions. With reduction, states
-/// from which confluent taus lead on are left out, and replicas are folded if every exchange maps the goal to itself.
-/// Both preserve the answer: a state and its representative are branching bisimilar, or images of each other
-/// (docs/search.md), so they have runs to the same events, or to their images.
+/// from which a confluent tau is followed are left out. If every exchange of replicas maps the goal to itself, one
+/// state represents all its images. Both reductions preserve the answer: a state and its representative are branching
+/// bisimilar, or images of each other (docs/search.md), so they have runs to the same events, or to their images.
 ///
 /// About fairness: consider a Markov chain on the same finite set of states in which each transition has positive
 /// probability. In this chain the events happen infinitely often with probability 1 if and only if they always can
-/// (Baier and Katoen, Principles of Model Checking, 2008, theorem 10.27). So "holds" answers this query as well.
-/// Without probabilities the answer only states what can happen.
+/// (Baier and Katoen, Principles of Model Checking, 2008, theorem 10.27). So for a finite process with such
+/// probabilities, "holds" also means that the events happen infinitely often with probability 1. Without probabilities
+/// the answer only states what can happen.
 [[nodiscard]] Verdict recurrent(lts::TransitionSystem&, const process::EventSet& goal, const Limits&);
 
 }  // namespace robochart::refine

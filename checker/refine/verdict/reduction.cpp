@@ -104,13 +104,13 @@ private:
     bool followed_ = false;  // the last search has followed confluent steps
 };
 
-/// Ends a search whose question the symbolic stage has decided.
+/// Thrown to end a search whose question the symbolic stage has decided.
 struct Decided {
     Findings findings;
 };
 
-/// Lets the symbolic stage try the question when the search has taken some time. The search goes on from where
-/// it was if the stage does not decide the question.
+/// Lets the symbolic stage try the question when the search has taken some time. If the stage does not decide the
+/// question, the search continues.
 std::optional<Violation> search_with_stage(lts::TransitionSystem& system, Budget& budget, Statistics& statistics,
                                            const SearchQuestion& question) {
     SymbolicStage* const stage = budget.limits().symbolic;

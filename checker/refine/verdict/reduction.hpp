@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches of a system with fewer states (docs/search.md, "Confluent taus", "Deadlocks", "Symmetry"). Their results are
-// converted to shortest runs of the whole system.
+// Searches a system that has fewer states but the same answers (docs/search.md, "Confluent taus", "Deadlocks",
+// "Symmetry"). A run that this search finds is converted to a shortest run of the whole system.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@ namespace robochart::refine {
 
 /// A query about a system.
 struct SearchQuestion {
-    /// Searches for a violation in a system. If `known` is given, the whole system has this violation, and the search
-    /// is for a shortest one.
+    /// Searches for a violation in a system. If `known` is given, it is a violation of the whole system, and the
+    /// function searches for a shortest one.
     std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&, const Violation* known)>
         search;
     /// Whether a state has the same answer as its images if automorphisms exchange these events. Called with exchanges
@@ -24,15 +24,16 @@ struct SearchQuestion {
     std::function<bool(const lts::EventPermutation&)> indifferent;
     /// Whether to search for a shortest run in the whole system after a run has been found in its reduced form.
     bool shortest = true;
-    /// The steps that the search may follow. If these are all steps, it looks only for states without transitions.
+    /// The confluent steps that the search may follow. If these are steps with any event, the search looks only for
+    /// states without transitions.
     lts::Followed followed = lts::Followed::taus;
-    /// The question in terms of sets of states, if it is one.
+    /// The same question for the symbolic stage. No value if the stage cannot decide this kind of question.
     std::optional<SymbolicQuestion> symbolic = std::nullopt;
 };
 
-/// Returns the result of the search in the reduced form of the system, if limits allow it and there is one, or
-/// otherwise in the system itself. The statistics are those of that search. In both cases the violation is one of the
-/// system. It is a shortest one unless a limit ends the search for it.
+/// Searches the reduced form of the system if the limits allow it and there is one, and otherwise the system itself.
+/// Returns the result. The statistics are those of that search. In both cases the violation is one of the system. It is
+/// a shortest one unless a limit ends the search for it.
 [[nodiscard]] std::optional<Violation> search_reduced(lts::TransitionSystem& system, Budget& budget,
                                                       Statistics& statistics, const SearchQuestion& question);
 

@@ -100,7 +100,7 @@ std::vector<Action> actions_of(const Run& run) {
     return actions;
 }
 
-/// Without their hidden events taus are not distinguished, and a sequence of taus would match most of a state space.
+/// Without their hidden events, all taus are equal, so a long sequence of taus would match runs to most of the states.
 std::vector<Action> revealed_actions_of(const Run& run) {
     std::vector<Action> actions;
     for (const RunStep& step : run.steps) actions.push_back({step.event, step.revealed});
@@ -246,8 +246,8 @@ private:
     Paths paths_;
 };
 
-/// A violation in the system before minimisation. Both are null if there is no such system, or if the run was not found
-/// there: hidden steps then have the names that the minimised components give.
+/// A violation in the system before minimisation. Both members are null if there is no such system, or if the run was
+/// not found in it. Hidden steps then have the names that the minimised components give.
 struct FinerForm {
     std::shared_ptr<lts::FinerSystem> system;
     std::optional<Violation> violation;
@@ -273,7 +273,7 @@ Violation found_in_reference(lts::TransitionSystem& system, lts::TransitionSyste
     return std::move(*again);
 }
 
-/// The violation if the reference has not found it in time.
+/// Returns the violation that is reported if the reference has not found one in time.
 Confirmed confirmed_by_system(lts::TransitionSystem& system, const Violation& violation, FinerForm finer,
                               const Limits& limits, const Judge& judge) {
     Budget own(limits);

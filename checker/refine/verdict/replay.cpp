@@ -118,7 +118,7 @@ public:
     }
 
 private:
-    /// An operand of the choice, which is the last of the open ones.
+    /// Creates the powerset of one operand of a choice. This choice is the last element of `open`.
     Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most, std::vector<State> open, State operand)
         : system_(system), budget_(budget), most_(most), open_(std::move(open)) {
         add_closure({std::move(operand)});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface to a search that represents sets of states and not states (checker/symbolic). It decides questions that
-// the search of states has not decided for some time (docs/search.md, "Decision diagrams").
+// The interface to a search that represents sets of states instead of single states (checker/symbolic). It decides
+// questions that the explicit search has not decided for some time (docs/search.md, "Decision diagrams").
 #pragma once
 
 #include <chrono>
@@ -29,7 +29,7 @@ public:
     SymbolicStage(const SymbolicStage&) = delete;
     SymbolicStage& operator=(const SymbolicStage&) = delete;
     virtual ~SymbolicStage() = default;
-    /// The CPU time of a search before the stage is tried.
+    /// The search tries the stage when it has used this much CPU time.
     [[nodiscard]] virtual std::chrono::duration<double> delay() const = 0;
     /// Returns the findings of a complete exploration. No other work may use the specification meanwhile. No value if
     /// the system has no rules, or if the stage reaches its bounds. A violation is a run of the system, which the
