@@ -333,7 +333,7 @@ struct Transition {
     std::optional<Communication> trigger;
     std::vector<ClockId> resets;
     ExprPtr guard;  ///< null: true. `condition else` is already the negation of the other conditions
-    /// The guard contains since or sinceEntry; the untimed semantics replaces these parts by true.
+    /// The guard contains since or sinceEntry; the untimed semantics uses a weaker guard (untimed_guards.hpp).
     bool guard_timed = false;
     ExprPtr deadline;
     ExprPtr probability;
