@@ -271,8 +271,8 @@ std::string Asserter::model_shifting(const ir::Property& property, Obligation& o
 }
 
 /// `X refines Y` is `Y [M= X`. `equals` is the refinement in both directions, and its negation means that one of them
-/// fails. In the tick-tock model, traces are compared after model shifting.
-/// A simulation has no `endexec` and no `terminate`, so they are hidden in what it is compared with.
+/// fails. In the tick-tock model, traces are compared after model shifting. A simulation has no `endexec` and no
+/// `terminate`, so these events are hidden in the process with which the simulation is compared.
 ExprPtr Asserter::compared(const ir::ComponentRef& ref, const ir::ComponentRef& other,
                            const ir::Property& property) const {
     const ExprPtr process = process_of(ref, property, "D__");

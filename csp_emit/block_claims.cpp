@@ -74,8 +74,8 @@ private:
         each_part(*expr, [&](const ExprPtr& part) { follow_names(part); });
     }
 
-    /// The names in an expression and in the definitions of these names. An event `e.out` does not stand for all of
-    /// `e`.
+    /// The names in an expression and in the definitions of these names. An event `e.out` does not represent all events
+    /// of `e`.
     void collect_names(const ExprPtr& expr, std::set<std::string>& result) const {
         if (!expr) return;
         if (expr->kind == ExprKind::dot && expr->args.size() > 1 && expr->args[0]->kind == ExprKind::name &&

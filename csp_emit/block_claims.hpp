@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The claims that CSP blocks make as assert lines, and errors in claims about processes of blocks that are visible
-// without a search.
+// Collects the claims that CSP blocks make as assert lines. Reports errors in claims about processes of blocks, if the
+// errors can be found without a search.
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@
 
 namespace robochart::csp_emit {
 
-/// Obligations for the assert lines among these declarations (which contain no other assertions), unchanged.
+/// One obligation for each assert line among these declarations; the lines are not changed. The declarations must not
+/// contain other assertions.
 [[nodiscard]] std::vector<Obligation> block_obligations(const Project&, const std::vector<cspm::DeclPtr>& decls);
 
 /// The declarations of the blocks of each assertion file, by its path.

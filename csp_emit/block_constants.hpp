@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks blocks Instantiations that give a constant more than one value. Such a block may name a constant in several
-// ways: `const_P_S_c` for the machine's own constant, and `const_P_C_ref_c` for each reference of a controller to the
-// machine. In every claim about a controller or a module, RoboTool sets the constant of the reference to the machine's
-// own constant. So if the block defines the machine's own constant, this definition determines the value.
+// Checks CSP blocks named Instantiations that give more than one value to a constant. Such a block may name a constant
+// in several ways: `const_P_S_c` for the machine's own constant, and `const_P_C_ref_c` for each reference of a
+// controller to the machine. In every claim about a controller or a module, RoboTool sets the constant of the reference
+// to the machine's own constant. So if the block defines the machine's own constant, this definition determines the
+// value.
 #pragma once
 
 #include <set>

@@ -141,7 +141,7 @@ std::vector<Obligation> core_properties(const Project& project, NameManager& nam
              CoreProperties(project, names, emitted, name, fmt::format("{} {}", kind, name)).make_obligations())
             result.push_back(std::move(obligation));
     };
-    // those of RoboSim differ: time passes only at the end of a cycle
+    // the required properties of RoboSim components differ, because time passes only at the end of a cycle
     for (const ir::Module& module : project.system.modules)
         if (!module.robosim) ask(module.package, module.name, "module");
     for (const ir::Controller& controller : project.system.controllers)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the shared IR to the CSP semantics, one CSPM syntax tree that FDR and our checker read. Names and alphabets
-// are RoboTool's (docs/semantics.md). The structure is our own: each machine is one sequential process whose parameters
-// are its variables and clocks.
+// Converts the shared IR to its CSP semantics: a CSPM syntax tree, which both FDR and our checker can read. Names and
+// alphabets are RoboTool's (docs/semantics.md). The structure is our own: each machine is one sequential process whose
+// parameters are its variables and clocks.
 #pragma once
 
 #include <string>

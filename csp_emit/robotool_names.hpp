@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds names in CSP blocks that RoboTool has or had and that this script does not declare.
+// Finds names in CSP blocks that scripts of RoboTool, of any version, declare and that this script does not declare.
 #pragma once
 
 #include <map>

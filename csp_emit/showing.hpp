@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The timed semantics with processes that show states and variables. Claims about them (claims/) read these events.
+// The timed semantics in which processes show facts about states and variables by events. Claims about states and
+// variables (claims/) read these events.
 //
-// Before any other step, a machine performs `shown__.b1.b2...` with the truth of each of its facts. The event stays
-// visible in all components around the machine. If a transition leaves a state and enters it again, the events show
-// that the state was left.
+// Before any other step, a machine performs `shown__.b1.b2...`. The Boolean bi states whether fact i of the machine is
+// true. The event stays visible in all components around the machine. If a transition leaves a state and enters it
+// again, the events show that the state was left.
 #pragma once
 
 #include "csp_emit/base/emission.hpp"

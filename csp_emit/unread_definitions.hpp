@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds definitions in blocks Instantiations that no other definition reads. If a block does not define a name, the
-// script contains the generated value, so a misspelt name would silently change verdicts. FDR stops at the missing name
-// if it reads RoboTool's script.
+// script contains the generated value, so a misspelt name would silently change verdicts. If FDR reads RoboTool's
+// script, it stops at the missing name.
 #pragma once
 
 #include <set>

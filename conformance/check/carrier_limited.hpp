@@ -10,8 +10,8 @@
 namespace robochart::conformance {
 
 /// If a value leaves its carrier while the steps of a state are evaluated, these steps are unknown. In this system,
-/// such a state only lets time pass, forever. So a search for what the model can still do before time passes reports no
-/// problem in such a state.
+/// such a state only lets time pass, forever. So a search for the steps that the model can perform before time passes
+/// does not report a problem in such a state.
 class CarrierLimited final : public lts::TransitionSystem {
 public:
     /// The system must outlive the object. `tock` is its event for the passing of time.
@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] std::size_t width() const override { return model_.width(); }
     void initial(std::span<lts::Word> state) override { model_.initial(state); }
-    /// Throws evaluation errors that carriers do not cause.
+    /// Throws an evaluation error if its cause is not that a value leaves its carrier.
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const lts::EventTable& events() const override { return model_.events(); }
     void set_budget(diagnostics::Pollable& budget) override { model_.set_budget(budget); }

@@ -18,8 +18,8 @@ struct ComparedNumbers {
     bool answer = false;
 };
 
-/// The comparison for a value of its type. No value if it computes in another way than with sums, differences and
-/// multiples.
+/// The comparison, computed for a value of its type. No value if the comparison contains operations other than sums,
+/// differences and multiples.
 [[nodiscard]] std::optional<ComparedNumbers> compare_on_robot(const ir::System& system,
                                                               const ir::ModelComparison& comparison,
                                                               const NumberSpace& space, const TriedValue& value);

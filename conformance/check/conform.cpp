@@ -116,7 +116,8 @@ void try_partial_readings(Result& result, lts::TransitionSystem& model, cspm::Se
 /// The text of an evaluation error.
 using FailureText = std::function<std::string(const cspm::EvaluationError&)>;
 
-/// If a value of the model leaves its carrier, only walks follow the model, each of them up to this point.
+/// If a value of the model leaves its carrier, the model is not searched. Instead, random walks follow it, each until a
+/// value leaves its carrier.
 Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
                      const rc_interface& code, const Options& options, const EventPlaces& places,
                      const FailureText& failure_text) {
@@ -189,7 +190,7 @@ void name_model_places(std::string& reason, std::vector<Cycle>& cycles, const cs
     for (Cycle& cycle : cycles) cycle.state = in_words(cycle.state);
 }
 
-/// Does the same for the parts of a result that concern the model, not the code.
+/// Replaces definitions in this way in the parts of a result that concern the model, not the code.
 void name_model_places(Result& result, const csp_emit::Provenance& provenance,
                        const diagnostics::SourceManager& sources) {
     for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})
@@ -221,7 +222,7 @@ void add_cycle_claims(Result& result, cspm::Session& session, const cspm::ExprPt
     }
 }
 
-/// The values represent all values only if the model does not choose between them.
+/// The explored values represent all values only if the model does not choose between values.
 void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
                     const Represented& represented, const Options& options) {
     if (represented.empty() || result.outcome != Outcome::conforms) return;
@@ -397,7 +398,7 @@ Result decide_for_all(Result least, const TimedModel& timed, const ir::Component
                             options, apart);
 }
 
-/// The component with its types of numbers, and the values that stand for all of them.
+/// The component with its types of numbers, and the model over the values that represent all numbers.
 struct ValueSearch {
     cpp_emit::Component component;
     std::vector<ir::MachineId> machines;
@@ -437,7 +438,7 @@ std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentR
     return numbers ? "the model does not only copy its numbers and compare them with constants" : "";
 }
 
-/// For each output and argument, the place of its tracked type.
+/// For each output and argument, the index of its tracked type.
 OutputTypes tracked_output_types(const ValueSearch& search) {
     OutputTypes result;
     for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(search.component)) {
@@ -464,8 +465,8 @@ Represented tracked_arguments(const OutputTypes& types) {
     return found ? result : Represented();
 }
 
-/// The comparisons of the code that do not have one answer in each region of the model's values. No value if one is not
-/// a form of whole or of real numbers.
+/// The comparisons of the code that divide a region of the model's values. No value if a comparison is not a form of
+/// whole numbers or of real numbers.
 std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, const ir::ValueModel& model) {
     const auto cuts = code.comparisons(model.scale);
     if (!cuts) return std::nullopt;
@@ -474,8 +475,8 @@ std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, cons
     return result;
 }
 
-/// If a search for all values does not decide, a search in the carriers follows. So the first one makes no random
-/// walks, and uses half of the remaining time.
+/// If a search for all values does not decide, a search in the carriers follows. So the search for all values makes no
+/// random walks, and uses only half of the remaining time.
 Options options_for_all_values(const Options& options) {
     Options result = options;
     result.walks.cycles = 0;
@@ -643,7 +644,7 @@ Result conform_in_carriers(const TimedModel& timed, const ir::ComponentRef& comp
 
 namespace {
 
-/// RoboSim: for the values of the carriers.
+/// Checks a RoboSim component for the values of the carriers.
 Result conform_robosim(const TimedModel& timed, const ir::ComponentRef& component, const Options& given,
                        diagnostics::Diagnostics& diagnostics) {
     const RenamedSystem& model = timed.model;
@@ -656,7 +657,8 @@ Result conform_robosim(const TimedModel& timed, const ir::ComponentRef& componen
 
 namespace {
 
-/// For all values if possible, and otherwise for the values of the carriers, or for a few that represent all.
+/// Checks the component for all values if possible, and otherwise for the values of the carriers, or for a few values
+/// that represent all.
 Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& component, const Options& options,
                          diagnostics::Diagnostics& diagnostics) {
     ForAllValues all = conform_for_all_values(timed, component, options, diagnostics);
@@ -664,7 +666,8 @@ Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& compon
     if (all.result && !differs) return std::move(*all.result);
     const std::optional<TimedModel> longer = with_longer_lists(timed);
     Result result = conform_in_carriers(longer ? *longer : timed, component, options, diagnostics);
-    // A difference between values of carriers is shown in numbers. One beyond the carriers is a difference, too.
+    // A difference that also occurs with values of the carriers is reported with their numbers. A difference that
+    // occurs only beyond the carriers is a difference, too.
     if (differs && result.outcome != Outcome::differs) return std::move(*all.result);
     if (result.represented.empty()) {
         result.not_for_all = std::move(all.reason);

@@ -37,8 +37,8 @@ struct TimedModel {
 struct ForAllValues {
     std::optional<Result> result;  ///< no value: the search did not decide
     std::string reason;            ///< why it did not decide; "": nothing to report
-    /// The code computes with values that the model only copies or compares with constants, or compares them with other
-    /// constants.
+    /// True if the code computes with values that the model only copies or compares with constants, or if the code
+    /// compares these values with other constants than the model.
     bool code_tests_values = false;
 };
 /// Checks code with tracked numbers (cpp_emit::Options::tracked_scale) for all values of ideal numbers
@@ -49,7 +49,7 @@ struct ForAllValues {
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,
                              diagnostics::Diagnostics&);
-/// Checks one component of a model whose other components are not checked.
+/// Checks one component if no other component of the model is checked, so that the timed semantics need not be shared.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                              const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

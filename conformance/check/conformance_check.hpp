@@ -11,13 +11,13 @@
 
 namespace robochart::conformance {
 
-/// Checks that M is schedulable: no reachable state of NF_c(M) is a timelock or a divergence. In this case `outcome` is
-/// `conforms`.
+/// Checks that M is schedulable: no reachable state of NF_c(M) is a timelock or a divergence. If M is schedulable,
+/// `outcome` is `conforms`.
 [[nodiscard]] Result check_schedulability(ModelGraph&, const Alphabet&, std::uint32_t cycle_length,
                                           const refine::Limits&);
 
-/// Checks NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError if model and code do not fit together, and
-/// std::length_error if there are too many valuations.
+/// Checks NF_c(M) [FD= L(code) for a schedulable M. Throws AlphabetError if the interfaces of model and code do not
+/// match, and std::length_error if there are too many valuations.
 [[nodiscard]] Result refined_by(ModelGraph&, const Alphabet&, const rc_interface& code, std::uint32_t cycle_length,
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
@@ -32,9 +32,9 @@ void report_not_schedulable(Result&, const refine::Counterexample& found, ModelG
 [[nodiscard]] Aside found_aside(const diagnostics::Rule&, std::string reason, const refine::Counterexample& found,
                                 const Alphabet&, std::uint32_t cycle_length);
 
-/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the code's, completed with carriers and with
-/// `component` set to the CSP prefix of M's events; `events` is the model's table. Components with many valuations of
-/// their inputs are searched by reading on demand, unless the relation is tick-tock.
+/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the interface of the code, to which the caller has
+/// added carriers and, in `component`, the CSP prefix of M's events. `events` is the event table of the model.
+/// Components with many valuations of their inputs are searched by reading on demand, unless the relation is tick-tock.
 [[nodiscard]] Result judge_component(lts::TransitionSystem& model, process::EventTable& events,
                                      const Interface& interface, const rc_interface& code, std::uint32_t cycle_length,
                                      const refine::Limits&, Relation = Relation::failures_divergences,

@@ -29,7 +29,7 @@ using claims::Monitor;
 using claims::MonitorState;
 using claims::Occurrence;
 
-/// Thrown if a claim cannot be decided; the text says why.
+/// Thrown if a claim cannot be decided; the text contains the reason.
 struct Undecided : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -46,7 +46,7 @@ public:
         for (const Output& output : interface.outputs) outputs_.push_back(find_output(output.name));
     }
 
-    /// True if the claim can speak of the input.
+    /// True if the claim can refer to the input.
     [[nodiscard]] bool knows(std::uint32_t input) const { return inputs_[input].has_value(); }
     [[nodiscard]] std::optional<Occurrence> raised(std::uint32_t input, std::uint32_t reading) const {
         if (!inputs_[input]) return std::nullopt;
@@ -108,7 +108,7 @@ private:
 /// Determines which facts of a claim hold in a state.
 using FactsOf = std::function<std::vector<FactValue>(lts::StateView)>;
 
-/// In the model: the active states of the definitions in which it is.
+/// For the model: evaluates facts with the active states of the definitions that the model executes in a state.
 FactsOf facts_of_model(const CheckedClaim& claim, const ClaimedModel& claimed, const CycleSystem& system) {
     return [&](lts::StateView state) {
         std::vector<FactValue> result;
@@ -142,7 +142,7 @@ std::string place_of(const ir::Node& node) {
     return result;
 }
 
-/// In the code of a single machine: the place in which the machine rests.
+/// For the code of a single machine: evaluates facts with the place in which the machine rests.
 class PlacesOfCode {
 public:
     PlacesOfCode(const CheckedClaim& claim, const ClaimedModel& claimed) {
@@ -193,7 +193,7 @@ private:
 
 // ---------------------------------------------------------------- the search
 
-/// What the monitor knows, and the inputs that have been read in a cycle that has not begun yet.
+/// The state of the monitor, and the inputs that have been read so far for a cycle that has not begun yet.
 struct Followed {
     MonitorState monitor;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> read;  ///< registers with their readings, ascending
@@ -269,7 +269,7 @@ private:
         nodes_.push_back({number_of_state, known->second, from, event});
     }
 
-    /// Adds the successors; the event that breaks the claim, if one does.
+    /// Adds the successors. Returns the event that violates the claim, if there is one.
     std::optional<process::Event> broken_from(std::size_t at) {
         const Node node = nodes_[at];
         Sink sink;
@@ -291,7 +291,7 @@ private:
             monitor_.observe(followed.monitor, event);
     }
 
-    /// The events of the claim among the inputs of a cycle, without what a declared order drops.
+    /// The events of the claim among the inputs of a cycle, without inputs that a declared order drops.
     [[nodiscard]] std::vector<Occurrence> raised_events(
         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& read) const {
         std::vector<bool> raised(alphabet_.interface().inputs.size());
@@ -405,7 +405,7 @@ private:
     bool asked_ = false;
 };
 
-/// Runs a search; a limit, or something that is not decided, becomes an inconclusive answer.
+/// Runs a search. If the search reaches a limit or cannot decide, the answer is inconclusive.
 template <class Search>
 CycleAnswer answer(const Search& search) {
     CycleAnswer result;

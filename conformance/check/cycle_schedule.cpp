@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// See cycle_schedule.hpp. A place is a state of M in a cycle with the inputs that M has received in it. A place with
-// fewer received inputs (and more outputs made) can do all that another with the same state of M can; only such places
-// are kept. In a place that waits for inputs that it has not received, time may pass, because their registers may be
-// empty.
+// See cycle_schedule.hpp. A place is a state of M in a cycle with the inputs that M has received in it. Consider two
+// places with the same state of M. If one of them has received only a subset of the inputs of the other, and has made
+// at least its outputs, it can do everything that the other can; only the first place is kept. In a place that waits
+// for inputs that it has not received, time may pass, because their registers may be empty.
 #include "conformance/check/cycle_schedule.hpp"
 
 #include <fmt/format.h>
@@ -192,7 +192,8 @@ private:
         return kind == Kind::tau || kind == Kind::terminate || (acting && kind == Kind::output);
     }
 
-    /// A loop of M without inputs and tocks, which any number of received inputs leaves possible.
+    /// Finds a loop of M without inputs and tocks. Whether the loop is possible does not depend on the inputs that M
+    /// has received.
     void find_loop(Result& result, bool acting) {
         std::unordered_map<ModelState, std::uint32_t> first;  // a place of each state; never iterated
         std::vector<ModelState> starts;

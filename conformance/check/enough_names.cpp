@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tries increasing numbers of names. The conditions are those of Lazić 1999 (a specification that is normalised,
-// without tests for equality) and, for specifications that choose between values, one value more than are live at a
-// time.
+// without tests for equality) and, for specifications that choose between values, a number of values that exceeds by
+// one the number of values that are live at the same time.
 #include "conformance/check/enough_names.hpp"
 
 #include <fmt/format.h>

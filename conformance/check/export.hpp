@@ -17,7 +17,7 @@ struct CheckedCode {
     const Alphabet& alphabet;
 };
 
-/// Explores the code and writes it in the requested format into `result`, or the reason why this is impossible.
+/// Explores the code and stores its text in the requested format in `result`. If this is impossible, stores the reason.
 void export_code(Result& result, const CheckedCode&, const Options&);
 
 }  // namespace robochart::conformance

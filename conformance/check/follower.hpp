@@ -21,7 +21,7 @@ struct Mismatch {
     Outcome outcome = Outcome::differs;
     std::string reason;
     std::string expected;
-    const diagnostics::Rule* rule = nullptr;  ///< not_schedulable
+    const diagnostics::Rule* rule = nullptr;  ///< only for the outcome not_schedulable
 };
 
 class Follower {
@@ -38,15 +38,15 @@ public:
     /// L(G) offers only this event (or, with `read`, all readings of a register). NF_c(M) must allow it, and must not
     /// require others. Returns no value and advances `node` if this holds.
     [[nodiscard]] std::optional<Mismatch> follow_event(Node& node, process::Event event, bool read);
-    /// Follows the end of a cycle, after its writes. If `cut` is true, the code made more outputs than the log
-    /// contains, and the rest is not checked.
+    /// Follows the end of a cycle, after its writes. If `cut` is true, the code made more outputs than the log can
+    /// hold, and the outputs that are not in the log are not checked.
     [[nodiscard]] std::optional<Mismatch> finish_cycle(Node& node, rc_result outcome, bool cut);
     /// Whether the code has terminated in the cycle that was finished last.
     [[nodiscard]] bool has_terminated() const { return over_; }
     /// With Frame::unread: a register whose reading affects the model in this node; no value if there is none.
     [[nodiscard]] std::optional<std::uint32_t> asked_register(Node node);
-    /// The steps of states of the model for which the function is true are unknown. Where the model may be in such a
-    /// state, the result is a mismatch with the outcome `inconclusive`.
+    /// Sets a function that is true for those states of the model whose steps are unknown. If the model may be in such
+    /// a state, the result is a mismatch with the outcome `inconclusive`.
     void end_where(std::function<bool(lts::StateView)> unknown) { unknown_ = std::move(unknown); }
 
 private:

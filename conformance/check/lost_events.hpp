@@ -10,7 +10,7 @@
 
 namespace robochart::conformance {
 
-/// Adds them to the result of code that conforms, all of whose states have been explored.
+/// Adds these events to the result. The code must conform, and all its states must have been explored.
 void add_lost_events(Result&, const ExploredCode& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

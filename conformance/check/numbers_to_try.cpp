@@ -81,7 +81,7 @@ double as_double(const TriedNumber& number) {
     return std::bit_cast<double>(number.bits);
 }
 
-/// The zero is positive.
+/// Zero is represented by the positive zero.
 TriedNumber itself(double number) {
     return {std::bit_cast<std::int64_t>(number + 0.0), std::nullopt};
 }
@@ -124,7 +124,8 @@ private:
         }
     }
 
-    /// Adds a value to its region, unless the code's number is known: it stands for one number of the model only.
+    /// Adds a value to its region, unless the code's number is already in use, because each number of the code
+    /// represents only one number of the model.
     void add(TriedValue value) {
         budget_.poll();
         for (std::size_t p = 0; p < value.size(); ++p) {
@@ -141,7 +142,7 @@ private:
             if (region.boundary) add_neighbours(std::vector(region.values));  // `add` changes the values of regions
     }
 
-    /// The next numbers on both sides of each number on which a condition has its boundary.
+    /// Adds the adjacent numbers on both sides of each number that lies on the boundary of a condition.
     void add_neighbours(const std::vector<TriedValue>& points) {
         for (const TriedValue& point : points) {
             for (std::size_t p = 0; p < point.size(); ++p) {

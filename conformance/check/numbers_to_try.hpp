@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses the numbers with which code over the types of deployment is run (docs/conformance.md, "Numbers on the
-// robot"): those at the boundaries of the regions in which all conditions have one answer, and random ones.
+// robot"): numbers at the boundaries of the regions in which no condition changes its answer, and random numbers.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ using TriedValue = std::vector<TriedNumber>;
 
 /// A set of values for which all conditions and comparisons have the same answers.
 struct TriedRegion {
-    bool boundary = false;            ///< the form of a condition is 0 in it
-    std::vector<std::size_t> places;  ///< the explored values in it
+    bool boundary = false;            ///< the linear form of some condition is 0 in this region
+    std::vector<std::size_t> places;  ///< the explored values in this region, by index
     std::vector<TriedValue> values;   ///< first those of the places, in their order
 };
 
@@ -34,24 +34,25 @@ struct TriedRegion {
 struct NumberSpace {
     std::vector<ir::NumberPart> parts;
     std::vector<ir::Cut> cuts;
-    std::int64_t scale = 1;  ///< units of one; a power of ten
+    std::int64_t scale = 1;  ///< the number of units that represent 1; a power of ten
 };
-/// The space of the type with this number in the model.
+/// The numbers and conditions of a type. `type` is the index of the type in ValueModel::types.
 [[nodiscard]] NumberSpace number_space(const ir::System& system, const ir::ValueModel& model, std::size_t type);
 
 /// The exact sign of the form of a cut: -1, 0 or 1. The value consists of finite numbers.
 [[nodiscard]] int sign_of(const NumberSpace& space, const ir::Cut& cut, const TriedValue& value);
 /// The double nearest to a decimal literal.
 [[nodiscard]] double nearest_double(const std::string& decimal);
-/// The double nearest to a decimal in units, and whole numbers as they are.
+/// Converts a number of the model to the code's number: a real, in units, to the nearest double. A whole number is not
+/// changed.
 [[nodiscard]] TriedNumber nearest_number(const NumberSpace& space, const ir::NumberPart& part, std::int64_t number);
-/// The same for each part of a value; reals are in units.
+/// Converts each part of a value in this way; reals are in units.
 [[nodiscard]] TriedValue nearest_value(const NumberSpace& space, const std::vector<std::int64_t>& numbers);
 /// The model's value, as in "(0.1, 0.30000000000000004)".
 [[nodiscard]] std::string value_text(const NumberSpace& space, const TriedValue& value);
 
-/// The explored values, up to `random` further values of each region, and the next numbers on both sides of those on
-/// which a condition has its boundary. The same arguments give the same values.
+/// The explored values, up to `random` further values of each region, and the adjacent numbers on both sides of each
+/// number that lies on the boundary of a condition. The same arguments give the same values.
 [[nodiscard]] std::vector<TriedRegion> numbers_to_try(const NumberSpace& space, const ir::ExploredValues& explored,
                                                       std::size_t random, diagnostics::Pollable& budget);
 

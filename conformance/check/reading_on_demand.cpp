@@ -80,7 +80,7 @@ private:
     };
     struct Start {
         std::uint32_t node = 0;
-        /// Assumed of registers that the code has not read in the cycle before.
+        /// Readings assumed for registers that the code did not read in the previous cycle.
         std::vector<std::pair<std::uint32_t, std::uint32_t>> before;
     };
 
@@ -104,7 +104,8 @@ private:
         if (add(node)) open_.push_back(static_cast<std::uint32_t>(nodes_.size() - 1));
     }
 
-    /// False: the model cannot follow from here, if registers that the code has not read are empty or as in `assumed_`.
+    /// Returns false if the model cannot follow from here when the registers that the code has not read contain the
+    /// readings in `assumed_` or are empty.
     bool expand(std::uint32_t at) {
         const Node node = nodes_[at];
         const CycleGraph::Segment segment = code_.segment(node.segment);
@@ -139,7 +140,7 @@ private:
         return true;
     }
 
-    /// Registers that nothing was assumed of are empty.
+    /// Registers without an assumed reading are empty.
     [[nodiscard]] std::vector<CycleReadings> way_to(std::uint32_t node) const {
         const CycleReadings empty(alphabet_.interface().inputs.size(), 0);
         std::vector<CycleReadings> way{empty};

@@ -68,7 +68,7 @@ struct Aside {
 /// The reason why an event is not taken in the cycles in which its register holds it.
 enum class MissedWhile {
     busy,       ///< the machine that uses the event is executing an action
-    condition,  ///< the machine rests, and the conditions of all transitions that await it are false
+    condition,  ///< the machine rests, and the conditions of all transitions that await the event are false
 };
 
 /// An event of the platform that can arrive without effect (docs/conformance.md, "Events that can be missed").
@@ -118,12 +118,12 @@ struct RobotNumbers {
     /// A value of `double` that is not a number of the model, or a limit of a type.
     struct Special {
         std::string value;                ///< "nan", "inf", "-inf", "-0", "9223372036854775807"
-        bool limit = false;               ///< it is a number of the model
-        std::vector<std::string> unlike;  ///< inputs in which it has an effect that no number of the model has; for a
-                                          ///< limit, another effect than in the model
+        bool limit = false;               ///< the value is a number of the model and a limit of its type
+        std::vector<std::string> unlike;  ///< inputs in which the value has an effect that no number of the model has;
+                                          ///< for a limit: inputs in which its effect differs from that in the model
     };
     std::size_t numbers = 0;  ///< values with which the code was run
-    std::size_t regions = 0;  ///< of the model's numbers
+    std::size_t regions = 0;  ///< number of regions of the model's numbers
     std::string difference;   ///< the first difference that does not change the outcome; "": none
     std::string limit;        ///< the reason why not all cycles were run with these numbers; "": all were
     std::vector<Special> special;
@@ -132,19 +132,19 @@ struct RobotNumbers {
 /// The answer to a claim about cycles, for the model in cycles or for the code.
 struct CycleAnswer {
     Outcome outcome = Outcome::inconclusive;  ///< conforms: the claim holds; differs: it fails
-    std::string reason;                       ///< what broke it, or why it is not decided
-    std::vector<Cycle> cycles;                ///< a shortest run that breaks it
+    std::string reason;                       ///< how the claim is violated, or why it is not decided
+    std::vector<Cycle> cycles;                ///< a shortest run that violates the claim
 };
-/// Both answers to a claim. The answer for the code is the verdict. If the claim holds of the code, the other answer
-/// only says whether every conforming controller keeps it.
+/// Both answers to a claim. The answer for the code is the verdict. If the claim holds for the code, the answer for the
+/// model states only whether every conforming controller satisfies the claim.
 struct CycleAnswers {
     std::string claim;  ///< its name
     std::string wording;
     diagnostics::Span span;
     CycleAnswer model, code;
     [[nodiscard]] bool holds() const { return code.outcome == Outcome::conforms; }
-    bool asked = true;         ///< some cycle of the code is in its scope
-    bool in_carriers = false;  ///< it compares values, and was decided for those of the finite instantiation
+    bool asked = true;         ///< some cycle of the code is in the scope of the claim
+    bool in_carriers = false;  ///< the claim compares values, and was decided for those of the finite instantiation
 };
 
 /// The result for one component, with the size of the exploration and, if the code differs, a shortest run.
@@ -154,8 +154,8 @@ struct Result {
     std::vector<Cycle> cycles;  ///< differs, not_schedulable: shortest input sequence
     std::string expected;       ///< events that the model allows at the difference
     Explanation explanation;    ///< differs, not_schedulable
-    /// The evidence for the explanation. It is the run of NF_c(M) that shows the problem, or the common trace of
-    /// NF_c(M) and the code up to the difference (kind `no_trace`). It is used to find the run again in terms of the
+    /// The evidence for the explanation: the run of NF_c(M) that shows the problem, or the common trace of NF_c(M) and
+    /// the code up to the difference (kind `no_trace`). With this evidence, the run is found again in terms of the
     /// model.
     std::optional<refine::Counterexample> model_run;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
@@ -192,10 +192,10 @@ struct Result {
 /// The relation between NF_c(M) and L(G).
 enum class Relation {
     failures_divergences,  ///< [FD=
-    tick_tock,             ///< [TT=, which observes refusals before each tock, and the code has no divergence
+    tick_tock,  ///< [TT=, which observes refusals before each tock; in addition, the code must have no divergence
 };
 
-/// How the inputs of the code are tried. The verdicts are the same.
+/// How the inputs of the code are tried. The choice does not affect verdicts.
 enum class InputSearch {
     automatic,   ///< chosen by the number of valuations of all inputs
     all_inputs,  ///< all valuations in each state
@@ -204,8 +204,8 @@ enum class InputSearch {
 
 /// The numbers that a result is about.
 enum class Numbers {
-    carriers,  ///< those of the finite instantiation
-    all,       ///< all, if the component only compares and copies them; otherwise those of the instantiation
+    carriers,  ///< the numbers of the finite instantiation
+    all,       ///< all numbers, if the component only compares and copies them; otherwise those of the instantiation
 };
 
 /// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.

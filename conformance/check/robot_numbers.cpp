@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model's answer for a number is that for an explored value of its region, which the search has compared with the
-// code. So a run with other numbers of the same regions has the outputs and the states of the explored run, with other
-// numbers in them.
+// The model behaves for a number as for an explored value of the same region, and the search has compared the code with
+// the model for this explored value. So a run with other numbers of the same regions has the outputs and the states of
+// the explored run, with other numbers in them.
 #include "conformance/check/robot_numbers.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t random_values = 16;  ///< of each region
 constexpr std::size_t most_cycles = 20'000;
 
-/// The numbers of a run: for each tracked type a value for each explored value.
+/// The numbers of a run: for each tracked type, the value that replaces each explored value.
 using Assignment = std::vector<std::vector<TriedValue>>;
 
 /// A tracked type.
@@ -140,8 +140,8 @@ void RobotTest::choose_numbers(RobotNumbers& found) {
     }
 }
 
-/// Round 0 assigns the explored values themselves, and so do all rounds for types without inputs. The free places of a
-/// region go through its values together.
+/// Round 0 assigns the explored values themselves. For types without inputs, all other rounds do so too. In each round,
+/// all free places of a region move on to further values of this region.
 Assignment RobotTest::assignment(std::size_t round) const {
     Assignment result;
     for (const TestedType& type : types_) {

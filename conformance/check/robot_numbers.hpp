@@ -13,7 +13,7 @@
 
 namespace robochart::conformance {
 
-/// Code with tracked numbers, which has explored the values of a model, and its interface.
+/// Code with tracked numbers that has been explored with the values of a value model, and the interface of the code.
 struct ExploredValuesOfCode {
     const ir::System& system;  ///< the model
     const ir::ValueModel& values;
@@ -25,7 +25,7 @@ struct ExploredValuesOfCode {
 };
 
 /// Completes a result for all values with the outcome `conforms`: adds the test, and changes the outcome to `rounds` if
-/// the code does something else than the model and this is not allowed.
+/// the code behaves differently from the model and Options::rounding_allowed is false.
 void test_on_robot(Result& result, const ExploredValuesOfCode& explored, bool rounding_allowed,
                    diagnostics::Pollable& budget);
 

@@ -25,7 +25,7 @@ inline constexpr std::string_view outside_precondition = "the code calls an oper
                                                            const Options&);
 
 /// Completes a result with the reason `outside_precondition`. The place at which the code stops determines the
-/// precondition. If the model is blocked at the same call, it causes the difference.
+/// precondition. If the model is blocked at the same call, the model causes the difference.
 void name_precondition(Result&, const std::vector<cpp_emit::ViolationPlace>&,
                        const std::vector<diagnostics::Span>& blocked, const diagnostics::SourceManager&);
 

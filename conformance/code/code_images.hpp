@@ -12,7 +12,8 @@
 
 namespace robochart::conformance {
 
-/// Longer texts are truncated; a state of 64 KiB takes less.
+/// The maximal length of a state's text. Longer texts are truncated; the text of a state of 64 KiB is shorter than
+/// this.
 inline constexpr std::size_t longest_state_text = 1U << 20U;
 
 /// A state as the code's function prints it.
@@ -33,8 +34,8 @@ public:
     [[nodiscard]] bool has_bytes(std::uint32_t image, const Bytes&) const;
     [[nodiscard]] std::string print(std::uint32_t image) const;
     [[nodiscard]] std::uint64_t size() const { return count_; }
-    /// Whether two images print alike and differ in bytes: the state is not canonical, and the numbers are larger than
-    /// necessary.
+    /// Whether two images with different bytes have the same text. If so, the state is not canonical, and the reported
+    /// numbers of states are larger than necessary.
     [[nodiscard]] bool alias_found() const { return alias_found_; }
 
 private:

@@ -18,7 +18,7 @@
 
 namespace robochart::conformance {
 
-/// The interface that the code describes; its carriers are numbers until the caller replaces them.
+/// The interface, as the code describes it. Its carriers contain plain numbers until the caller replaces them.
 [[nodiscard]] Interface interface_of(const rc_interface&);
 
 class CodeSystem : public lts::TransitionSystem, public ExploredCode {
@@ -69,7 +69,7 @@ public:
     [[nodiscard]] bool endless() const { return endless_; }
     [[nodiscard]] std::uint32_t cycle_length() const override { return cycle_length_; }
     [[nodiscard]] std::uint32_t most_writes() const override { return most_writes_; }
-    /// Whether two images print alike and differ in bytes.
+    /// Whether two images with different bytes have the same text.
     [[nodiscard]] bool has_alias() const { return images_.alias_found(); }
 
 private:

@@ -128,7 +128,8 @@ void CycleGraph::end_run(rc_result outcome, const Bytes& after) {
     close(End::leaf, 0, intern_leaf(outcome, images_.intern(after)));
 }
 
-/// The run continued with empty registers: what the graph says of that must be what happened.
+/// After the shared point, the run has continued with empty registers. Checks that its outputs and its end are those of
+/// this path in the graph.
 void CycleGraph::check_shared_path(rc_result outcome, const Bytes& after) {
     if (log_.is_cut() && outcome != RC_STEP_BOUND) throw NotProbed("a cycle makes too many outputs");
     std::uint32_t at = shared_point_;
@@ -147,8 +148,8 @@ void CycleGraph::check_shared_path(rc_result outcome, const Bytes& after) {
         fault("a cycle continues in two ways from one point");
 }
 
-/// The same cycle with given registers: those that were not read are empty, or all present. The code must not depend on
-/// them, nor on memory outside its state.
+/// Repeats the cycle with given contents of all registers: the registers that were not read are all empty, or all
+/// present. The code must not depend on them, nor on memory outside its state.
 void CycleGraph::run_again(const Bytes& from, rc_result outcome, const Bytes& after, bool unread_present) {
     std::vector<rc_register> registers(inputs_);
     for (std::size_t i = 0; i < inputs_; ++i) {

@@ -18,7 +18,8 @@
 
 namespace robochart::conformance {
 
-/// The code cannot be explored in this way; the message says why. Nothing is known about it then.
+/// Thrown if the code cannot be explored in this way; the message contains the reason. In this case the exploration
+/// gives no information about the code.
 class NotProbed : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -30,7 +31,7 @@ public:
     enum class End : std::uint8_t {
         open,     ///< not explored yet
         reading,  ///< the code reads `input`; with reading r it continues in segment `next + r`
-        round,    ///< it continues in segment `next`, which other segments may share
+        round,    ///< the cycle continues in segment `next`, which may be shared by other segments
         leaf,     ///< the cycle ends; `next` is the number of the leaf
     };
     struct Segment {
@@ -73,7 +74,7 @@ public:
 
     [[nodiscard]] std::uint64_t image_count() const { return images_.size(); }
     [[nodiscard]] bool has_alias() const { return images_.alias_found(); }
-    /// The number of cycles that were run, each for all readings of the registers that it does not read.
+    /// The number of cycles that were run. Each cycle represents all readings of the registers that it does not read.
     [[nodiscard]] std::uint64_t cycle_count() const { return cycles_; }
     /// Sets the budget that is polled for every cycle; it must outlive its use.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
@@ -127,10 +128,10 @@ private:
     std::unordered_map<std::string, process::Event> events_;  ///< records as bytes
     std::uint64_t cycles_ = 0;
     std::uint32_t most_writes_ = 0;
-    std::uint32_t most_steps_ = 0;  ///< in one run that ends
+    std::uint32_t most_steps_ = 0;  ///< the maximal number of steps in a run that ends
     bool endless_ = false;          ///< some call did not return
     std::string unsound_;
-    std::string refused_;  ///< why the code cannot be explored in this way
+    std::string refused_;  ///< the reason why the code cannot be explored in this way
     diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     mutable std::deque<CycleResult> shown_;  ///< results that path_to_image has shown; references stay valid
 
@@ -139,7 +140,7 @@ private:
     std::size_t answered_ = 0;
     std::uint32_t current_ = 0;  ///< segment
     std::uint32_t first_write_ = 0;
-    bool shared_ = false;  ///< it has reached a point from which another run has continued: registers count as empty
+    bool shared_ = false;  ///< true after a point from which another run has continued: registers then count as empty
     std::uint32_t shared_point_ = 0;
     std::uint32_t shared_write_ = 0;
     CycleLog log_, again_;

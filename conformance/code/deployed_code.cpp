@@ -176,8 +176,8 @@ bool DeployedCode::same_writes(const TrackedCycle& cycle) const {
     return true;
 }
 
-/// Whether two places of a table contain equal values; no value is at -1. A value that the code knows is equal to the
-/// number in the baseline.
+/// Whether two places of a table contain equal values; -1 denotes no value. A constant of the code keeps its number of
+/// the baseline, so this number is accepted too.
 bool DeployedCode::same_value(std::uint32_t type, std::int64_t expected, std::int64_t found) const {
     if (expected < 0 || found < 0) return false;
     const auto place = static_cast<std::size_t>(expected);
@@ -209,7 +209,7 @@ std::optional<Deviation> DeployedCode::first_deviation(const NumberTables& numbe
     return std::nullopt;
 }
 
-/// The cycle was the last one.
+/// The deviation in the cycle that was made last.
 Deviation DeployedCode::deviation_at(std::size_t cycle) {
     const TrackedCycle& made = explored_.cycles[cycle];
     Deviation result{cycle, {log_.record, log_.record + log_.count}, state_text(deployed_.print, after_.data()), ""};

@@ -25,9 +25,9 @@ namespace robochart::conformance {
 using NumberTables = std::vector<std::vector<std::int64_t>>;
 /// For each tracked type, the numbers in a value.
 using PartsOfTypes = std::vector<std::vector<ir::NumberPart>>;
-/// For each output and argument the place of its tracked type; no value for other types.
+/// For each output and argument the index of its tracked type; no value for other types.
 using OutputTypes = std::vector<std::vector<std::optional<std::uint32_t>>>;
-/// A value: the place of a tracked type, and the place among its explored values.
+/// A value: the index of its tracked type, and its index among the explored values of this type.
 struct ValuePlace {
     std::uint32_t type = 0;
     std::uint32_t value = 0;
@@ -44,7 +44,8 @@ struct TrackedCycle {
     std::vector<rc_record> writes;
 };
 
-/// Cycles in the order of a breadth-first search: those from an image follow the first that leads to it.
+/// Cycles in the order of a breadth-first search: the cycles that begin in an image come after the first cycle that
+/// leads to this image.
 struct TrackedCycles {
     std::vector<TrackedCycle> cycles;
     std::uint32_t images = 0;
@@ -73,7 +74,8 @@ public:
     /// Makes all cycles with these numbers, up to the first deviation. A run without a deviation is the baseline of
     /// `deviations`.
     [[nodiscard]] std::optional<Deviation> first_deviation(const NumberTables& numbers);
-    /// The cycles that differ from those of the tracked code if one value has other numbers than in the baseline.
+    /// The cycles in which the behaviour differs from that of the tracked code if one value gets other numbers than in
+    /// the baseline.
     [[nodiscard]] std::vector<std::size_t> deviations(ValuePlace changed, const std::vector<std::int64_t>& numbers);
     /// The cycles from the beginning to this one.
     [[nodiscard]] std::vector<std::size_t> path_to(std::size_t cycle) const;

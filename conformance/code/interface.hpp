@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The boundary of a component: its input registers and outputs, and the names of their events in the model, in NF_c(M)
-// and in L(G) (docs/conformance.md, "From reactive model to cycles"). This file alone relates the names of model and
+// and in L(G) (docs/conformance.md, "From reactive model to cycles"). Only this file relates the names of model and
 // code.
 #pragma once
 
@@ -30,8 +30,8 @@ struct Register {
     std::vector<std::int64_t> values;  ///< empty: it carries no value
     std::vector<std::string> texts;    ///< the values as CSPM text
     Carrier carrier;
-    /// RoboSim, variables: the reading before the first cycle. A variable that is absent has its last value. Otherwise
-    /// 0.
+    /// RoboSim, variables: the reading before the first cycle. An absent variable keeps its last value. For all other
+    /// registers: 0.
     std::uint32_t kept = 0;
 
     /// The number of possible readings in one cycle: one for "absent", and one for each value, or one for "present" if
@@ -52,8 +52,8 @@ struct DroppedInput {
     std::uint32_t event = 0, dropped = 0;
 };
 
-/// Removes from `raised` what the drops withhold, one drop after the other: an event that is dropped drops nothing
-/// after it. `raised[i]` is true if input i is raised.
+/// Removes from `raised` what the drops withhold, one drop after the other: a dropped event drops no later events.
+/// `raised[i]` is true if input i is raised.
 void drop_raised(std::vector<bool>& raised, const std::vector<DroppedInput>& drops);
 
 struct Interface {
@@ -61,7 +61,7 @@ struct Interface {
     std::int64_t scale = 1;  ///< reals are multiples of 1/scale
     std::vector<Register> inputs;
     std::vector<Output> outputs;
-    std::vector<DroppedInput> drops = {};  ///< by both sides, in this order
+    std::vector<DroppedInput> drops = {};  ///< inputs that both model and code drop, in this order
     bool robosim = false;                  ///< M has registers itself (register_system.hpp)
     std::vector<std::string> blocked;      ///< channels of M that the environment does not use: "set_EXT_x"
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the system of a component in control cycles, by its notation.
+// Makes the transition system of a component in control cycles, for components in RoboChart and in RoboSim.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace robochart::conformance {
 
-/// NF_c(M) of a RoboChart component, S(M) of a RoboSim component. The model and the alphabet must outlive it.
+/// Returns NF_c(M) for a RoboChart component, and S(M) for a RoboSim component. The model and the alphabet must outlive
+/// the result.
 [[nodiscard]] std::unique_ptr<CycleSystem> component_in_cycles(ModelGraph&, const Alphabet&,
                                                                std::uint32_t cycle_length);
 

@@ -19,8 +19,8 @@ namespace robochart::conformance {
 class CyclicModel {
 public:
     /// Returns null if the component has no timed semantics or no cyclic form; see diagnostics or `error`. Throws
-    /// process::Interrupted at a limit and cspm::EvaluationError if the script cannot be evaluated. Events that `order`
-    /// drops count as not raised. In RoboSim, the cycle length replaces `cycleDef`.
+    /// process::Interrupted at a limit and cspm::EvaluationError if the script cannot be evaluated. An event that
+    /// `order` drops is treated as not raised. In RoboSim, the cycle length replaces `cycleDef`.
     [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
                                                            const ir::ComponentRef&, std::uint32_t cycle_length,
                                                            const refine::Limits&, diagnostics::SourceManager&,
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] cspm::Session& session() { return *session_; }
     [[nodiscard]] const cspm::ExprPtr& process() const { return process_; }  ///< the component in the script
-    /// NF_c(M); of a RoboSim component, which needs no normal form, S(M).
+    /// NF_c(M), or S(M) for a RoboSim component, which needs no normal form.
     [[nodiscard]] CycleSystem& normal_form() { return *normal_form_; }
     [[nodiscard]] ModelGraph& graph() { return *graph_; }
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }

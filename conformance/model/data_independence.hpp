@@ -23,8 +23,7 @@ struct DataIndependence {
     NumberUse integer = NumberUse::passed_on;
     NumberUse real = NumberUse::passed_on;
     bool inspects_lists = false;  ///< some operator depends on a list; otherwise lists are copied, sent and appended
-    std::vector<ir::TypeId> looked_into;  ///< types with parts for which something depends on values or on parts of
-                                          ///< values
+    std::vector<ir::TypeId> looked_into;  ///< types with parts: some operator depends on a value or its parts
 
     /// The use of numbers of this kind; `computed` for types that are not numbers.
     [[nodiscard]] NumberUse use_of(ir::TypeKind) const;
@@ -34,13 +33,13 @@ struct DataIndependence {
     [[nodiscard]] bool is_independent(const ir::System&, ir::TypeId) const;
 };
 
-/// A comparison of a number that a variable, or a field of one, holds with a literal or constant.
+/// A comparison of a number with a literal or constant. A variable, or a field of a variable, holds the number.
 struct ConstantComparison {
     ir::TypeKind kind = ir::TypeKind::unit;  ///< of the held number
     const ir::Expr* constant = nullptr;      ///< a literal or constant, or its negation
-    bool ordered = false;                    ///< not == or !=
+    bool ordered = false;                    ///< the operator is neither == nor !=
 };
-/// The comparison that the expression is; no value for all other expressions.
+/// Reads the expression as such a comparison; no value if it is another expression.
 [[nodiscard]] std::optional<ConstantComparison> constant_comparison(const ir::System&, const ir::Expr&);
 
 /// Analyses these machines and operations together.

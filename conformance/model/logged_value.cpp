@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads values in logs by the types of the model. Replaces numbers outside the carriers if the component only passes
 // them on, or only compares them with constants: then all numbers on the same side of each constant give the same
-// answers, and a run with one of them is a run with another (a bijection of the numbers that keeps their sides).
+// answers. So a run with one of these numbers remains a run if a bijection that preserves the sides renames the
+// numbers.
 #include "conformance/model/logged_value.hpp"
 
 #include <fmt/format.h>

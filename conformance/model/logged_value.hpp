@@ -28,11 +28,11 @@ struct LoggedPart {
 
 /// A value in a log.
 struct LoggedValue {
-    std::optional<std::int64_t> number;  ///< as in the carrier; for values with parts the index in it; no value:
-                                         ///< outside
-    std::string text;                    ///< outside: as reported
-    /// For a value outside: the component only passes such numbers on, or compares them with constants, and its carrier
-    /// has numbers that give the same answers.
+    std::optional<std::int64_t> number;  ///< as in the carrier; for a value with parts, its index in the carrier; no
+                                         ///< value if the value is outside
+    std::string text;                    ///< for a value outside the carrier: the text for reports
+    /// For a value outside the carrier: the component only passes on such numbers or compares them with constants, and
+    /// the carrier has numbers for which these comparisons have the same answers.
     bool replaceable = false;
     LoggedPart whole;
 };
@@ -88,7 +88,7 @@ private:
     [[nodiscard]] std::optional<std::int64_t> replacement_number(const LoggedPart&, std::uint64_t salt) const;
     [[nodiscard]] std::optional<ir::Value> replacement_value(const LoggedPart&, std::uint64_t salt) const;
     [[nodiscard]] bool is_replaceable(const LoggedPart&) const;
-    /// The numbers of the carrier that can stand for the number.
+    /// The numbers of the carrier that can replace the number.
     [[nodiscard]] const std::vector<std::int64_t>& candidates(const LoggedPart&) const;
 
     const ir::System* system_;

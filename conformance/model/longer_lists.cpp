@@ -16,7 +16,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Longer lists have no carriers in any case, so their lengths are not computed.
+/// A type with longer lists would have too large a carrier in any case, so greater lengths are not computed.
 constexpr std::int64_t greatest_length = 1'000'000;
 
 /// Finds the lengths of lists by the statements that write them.

@@ -11,7 +11,7 @@
 
 namespace robochart::conformance {
 
-/// For types of lists, by number: the length of the longest list.
+/// Maps the number of each type of lists to the length of its longest list.
 using ListBounds = std::map<std::uint32_t, std::int64_t>;
 
 /// Gives variables, events and parameters whose lists may be longer than `sequence_bound` types of their own, which are
@@ -19,7 +19,8 @@ using ListBounds = std::map<std::uint32_t, std::int64_t>;
 /// types.
 [[nodiscard]] ListBounds separate_longer_lists(ir::System& system, const ir::Instantiation& instantiation);
 
-/// Extends the carriers of these types to all lists up to the bounds. Carriers with more than `most` values stay.
+/// Extends the carriers of these types to all lists up to the bounds. A carrier that would have more than `most` values
+/// is not changed.
 void extend_carriers(ir::Instantiation& instantiation, const ir::System& system, const ListBounds& bounds,
                      std::size_t most);
 

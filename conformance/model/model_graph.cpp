@@ -12,7 +12,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// States that one search before the next tock visits.
+/// The maximal number of states that one search for events before the next tock visits.
 constexpr std::size_t most_in_search = 20'000;
 
 struct Successor {
@@ -132,8 +132,8 @@ const std::vector<bool>& ModelGraph::heard_inputs(ModelState state) {
 }
 
 /// Strongly connected components of the graph without tocks (Tarjan): all states of a component hear the same. If there
-/// are too many states, the answer is yes for all registers of those that are still open: this only loses the reduction
-/// of readings.
+/// are too many states, the states that are still open are assumed to hear all registers. This is safe: only the
+/// reduction of readings is lost.
 void ModelGraph::find_components(ModelState start) {
     struct Visit {
         ModelState state = 0;

@@ -35,8 +35,8 @@ public:
     /// For each register, whether its event can happen from this state before the next tock, in any run. The simulation
     /// assumptions are ignored, so true may be wrong, but false is always right.
     [[nodiscard]] const std::vector<bool>& heard_inputs(ModelState);
-    /// Whether time can pass, or the model terminate, after suitable inputs: after some sequence of events that take no
-    /// time.
+    /// Whether the model can reach, by some sequence of events that take no time, a state in which time can pass or the
+    /// model can terminate. The sequence may contain any inputs.
     [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
     /// The state as M packs it; valid until another state is added.
@@ -66,8 +66,8 @@ private:
     std::deque<Node> edges_;  ///< a deque, so that references stay valid while the graph grows
     static constexpr std::uint32_t unknown = 0xffffffffU;
     static constexpr std::uint32_t hears_all = 0;
-    std::vector<std::uint32_t> component_of_;  ///< by state: number in heard_, or unknown
-    std::deque<std::vector<bool>> heard_;      ///< the first: all registers; references stay valid
+    std::vector<std::uint32_t> component_of_;  ///< for each state: an index of heard_, or unknown
+    std::deque<std::vector<bool>> heard_;      ///< the first element contains all registers
     std::unordered_map<ModelState, bool> goes_on_;
     std::vector<ModelRole> roles_;
     std::vector<bool> role_known_;

@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// The number that a literal, a constant or its negation is in a unit; no value for other expressions.
+    /// The number, in a unit, of a literal or a constant or of its negation; no value for other expressions.
     [[nodiscard]] std::optional<double> number_of(const cpp_emit::Unit& unit, const ir::Expr& expr) const {
         if (expr.kind == ir::ExprKind::integer) return static_cast<double>(expr.number);
         if (expr.kind == ir::ExprKind::real)

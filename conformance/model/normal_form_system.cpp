@@ -117,8 +117,8 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
 
 /// Detects a missed deadline on an input. M lets no time pass in the middle of a cycle's actions, and inputs could make
 /// M continue up to a point at which time passes again. There is no other sign of such a deadline, because M has
-/// performed every step that needs no input (P). An input that another machine would take, and after which time still
-/// stops, is not a sign.
+/// performed every step that needs no input (P). If another machine would take an input, but time still could not pass
+/// after it, this input does not indicate a missed deadline.
 bool NormalFormSystem::awaits_input(lts::StateView state) {
     if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
     const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);

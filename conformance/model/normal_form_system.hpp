@@ -25,7 +25,8 @@ enum class Outputs {
     once,      ///< each at most once: a second one is the event `model.repeats`, after which nothing follows
 };
 
-/// The behaviour if time stops because M waits, with an expired deadline, for an input that was not read.
+/// The behaviour if M waits for an input that was not read, and the deadline of this input has expired, so that time
+/// cannot pass.
 enum class Deadlines {
     stop,  ///< no further step, as in M
     mark,  ///< the event `model.deadline`, after which nothing follows
@@ -38,7 +39,7 @@ struct Frame {
     AfterTermination after = AfterTermination::stop;
     Outputs outputs = Outputs::sequence;
     Deadlines deadlines = Deadlines::stop;
-    bool writes_hidden = false;  ///< endless outputs are then a divergence
+    bool writes_hidden = false;  ///< hides the writes, so that an endless sequence of outputs is a divergence
     /// If true, a register may also be unread, by the event `unread`. If the behaviour depends on the reading of such a
     /// register, the event `asks` is possible, and all other events have no meaning.
     bool unread = false;
@@ -50,8 +51,8 @@ enum class Standstill {
     inputs,  ///< M waits, with an expired deadline, for inputs that were not read
     other,
     output_in_mid_cycle,  ///< M must make an output after the first tock of a cycle
-    input_in_mid_cycle,   ///< M waits there for an input with an expired deadline
-    end_in_mid_cycle,     ///< M has terminated there
+    input_in_mid_cycle,   ///< M waits, after the first tock of a cycle, for an input with an expired deadline
+    end_in_mid_cycle,     ///< M has terminated after the first tock of a cycle
     terminated,
 };
 

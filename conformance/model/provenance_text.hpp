@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States and events as elements of the model, with their places.
+// Describes states and events by the corresponding elements of the model, with their places.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ struct RenamedSystem {
     ir::System system;
     ir::Instantiation instantiation;
     bool changed = false;         ///< some name differs
-    ListBounds list_bounds = {};  ///< of types that only lists have which the machines build
+    ListBounds list_bounds = {};  ///< for the types of the lists that the machines build (longer_lists.hpp)
 };
 
 /// Reports findings about names to the diagnostics.

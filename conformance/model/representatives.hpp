@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses finite carriers for a component that only passes values on: few values represent all. See
-// docs/conformance.md, "Few values for all".
+// Chooses finite carriers for a component that only passes values on. For such a component, a few values represent all
+// values. See docs/conformance.md, "Few values for all".
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace robochart::conformance {
 
-/// A type of which few values are explored.
+/// A type of which only a few values are explored.
 struct RepresentedType {
     ir::TypeId type;
     std::string name;        ///< name in the model
@@ -25,7 +25,7 @@ struct RepresentedType {
     std::vector<ir::Value> names;
 };
 
-/// An instantiation with fewer values, and the types with fewer values. No types: all values are explored.
+/// An instantiation with fewer values, and the types with fewer values. If `types` is empty, all values are explored.
 struct Representatives {
     ir::Instantiation instantiation;
     std::vector<RepresentedType> types;

@@ -7,10 +7,11 @@
 
 namespace robochart::conformance {
 
-/// Checks specification [TT= implementation, both under maximal progress: tock only if neither τ nor ✓ is possible.
+/// Checks specification [TT= implementation, both under maximal progress: tock is possible only if neither τ nor ✓ is.
 /// Like the model, the check does not observe divergence. The two systems share one EventTable. A counterexample of
-/// kind `trace` ends with an event that the specification does not have, possibly a tock after these refusals. A
-/// counterexample of kind `refusal` ends in a state in which the implementation refuses too much.
+/// kind `trace` ends with an event that the specification does not allow. This event may be a tock that the
+/// specification does not allow after the observed refusals. A counterexample of kind `refusal` ends in a state in
+/// which the implementation refuses too much.
 [[nodiscard]] refine::Verdict tick_tock_refines(lts::TransitionSystem& specification,
                                                 lts::TransitionSystem& implementation, process::Event tock,
                                                 const refine::Limits&);

@@ -140,7 +140,7 @@ std::optional<std::uint32_t> UniformRuns::awaits(ModelState state, const std::ve
     return std::nullopt;
 }
 
-/// The states of M after a cycle's tocks. No value: time stops in all of them.
+/// The states of M after a cycle's tocks. No value if time stops in all of them.
 std::optional<UniformRuns::Set> UniformRuns::after_time(const States& stable) {
     States now = stable;
     for (std::uint32_t t = 0; t < cycle_length_; ++t) {

@@ -15,7 +15,7 @@
 
 namespace robochart::conformance {
 
-/// A state of M in a cycle. M may still receive the readings in `held`, a number of a set.
+/// A state of M in a cycle. `held` is the number of the set of readings that M may still receive.
 struct HeldState {
     ModelState model = 0;
     std::uint32_t held = 0;
@@ -29,19 +29,21 @@ public:
     using Set = std::uint32_t;
     /// Registers that a leaf of the code's cycle has not read, and the readings assumed for them.
     struct Completion {
-        Set states = 0;  ///< at the beginning of the next cycle; of no meaning if there is none
+        Set states = 0;  ///< the states at the beginning of the next cycle; has no meaning if there is no next cycle
         std::vector<std::pair<std::uint32_t, std::uint32_t>> readings;  ///< registers and readings
     };
 
     UniformRuns(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length);
 
     [[nodiscard]] Set start();
-    /// The code has read a register that is present.
+    /// The set of states after the code has read a register that is present.
     [[nodiscard]] Set with(Set states, std::uint32_t input, std::uint32_t reading);
-    /// M makes this output. No value: it cannot, if the registers that the code has not read are empty.
+    /// The set of states after M has made this output. No value if M cannot make the output when the registers that the
+    /// code has not read are empty.
     [[nodiscard]] std::optional<Set> after(Set states, process::Event write);
-    /// The cycle of the code ends. Adds completions that together cover all readings of the unread registers. Returns
-    /// false if NF_c(M) cannot end its cycle in this way for the readings in `refused`, with all other registers empty.
+    /// Follows the end of the code's cycle. Adds completions that together cover all readings of the unread registers.
+    /// Returns false if NF_c(M) cannot end its cycle in this way for the readings in `refused`, with all other
+    /// registers empty.
     [[nodiscard]] bool finish(Set states, const std::vector<bool>& unread, rc_result outcome,
                               std::vector<Completion>& completions, Completion& refused);
 
@@ -50,7 +52,7 @@ public:
 private:
     using Reading = std::pair<std::uint32_t, std::uint32_t>;  ///< register and reading
     using States = std::vector<HeldState>;
-    /// What M may do from a set by itself and with the readings that it holds.
+    /// The steps of M that are possible from a set, either without input or with the readings that M may still receive.
     struct Closure {
         bool known = false;
         bool terminated = false;
@@ -63,7 +65,7 @@ private:
     [[nodiscard]] HeldState narrowed(ModelState model, std::uint32_t held);
     [[nodiscard]] const Closure& closure(Set);
     [[nodiscard]] bool holds(std::uint32_t held, std::uint32_t input, std::uint32_t reading) const;
-    /// Whether M can do nothing in this state before time passes.
+    /// Whether M cannot do anything in this state before time passes.
     [[nodiscard]] bool stable(const HeldState&);
     [[nodiscard]] bool lets_time_pass(ModelState);
     /// A register that M waits for in a stable state and that the code has not read; no value if there is none.

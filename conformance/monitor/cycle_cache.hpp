@@ -65,7 +65,7 @@ private:
     };
     static constexpr std::uint32_t most_done = 6;
     struct alignas(64) Slot {
-        Key key{~std::uint64_t{0}, 0};  ///< matches no cycle
+        Key key{~std::uint64_t{0}, 0};  ///< a key that matches no cycle
         std::uint32_t count = 0;
         std::uint16_t next = Monitor::dead;
         Done done[most_done];

@@ -29,7 +29,8 @@ using TestWord = std::vector<std::uint32_t>;
 [[nodiscard]] std::string choice_graph(const ChoiceAutomaton&, const CyclicModel&, const std::string& component,
                                        std::uint32_t extra_states);
 [[nodiscard]] std::vector<cpp_emit::OutputFile> adaptive_sources(const std::string& name);
-/// A GoogleTest program that reads such a log and replays it with the user's implementation (docs/conformance.md).
+/// A GoogleTest program that reads the log of a suite and replays it with the user's implementation
+/// (docs/conformance.md).
 [[nodiscard]] std::vector<cpp_emit::OutputFile> suite_sources(const std::string& name);
 
 }  // namespace robochart::conformance

@@ -9,7 +9,8 @@
 
 namespace robochart::conformance {
 
-/// The kinds of events that a log contains. Any other event may have happened, with any values.
+/// The kinds of events that a log records. Events of all other kinds may have happened without a record, with any
+/// values.
 struct Observation {
     std::vector<bool> inputs;   ///< by register
     std::vector<bool> outputs;  ///< by output

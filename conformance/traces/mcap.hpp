@@ -17,13 +17,13 @@ namespace robochart::conformance {
 /// Thrown if an MCAP file cannot be read: its structure is wrong, it is compressed, or it has no log.
 struct McapFault : std::runtime_error {
     McapFault(const std::string& message, std::uint64_t offset) : std::runtime_error(message), at(offset) {}
-    std::uint64_t at;  ///< in bytes from the beginning of the file
+    std::uint64_t at;  ///< the position of the error, in bytes from the beginning of the file
 };
 
 /// Whether a file with these first bytes is an MCAP file.
 [[nodiscard]] bool is_mcap(std::string_view bytes);
 
-/// Whether a file with this path in a folder of logs is one: `.trace` or `.mcap`.
+/// Whether a file with this path in a folder of logs is a log: its name ends in `.trace` or `.mcap`.
 [[nodiscard]] bool is_log_path(const std::string& path);
 
 /// The text of the log in an MCAP file. Throws McapFault.

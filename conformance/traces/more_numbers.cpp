@@ -15,7 +15,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// A unit of the model is divided into so many units.
+/// The number of finer units in one unit of the model.
 constexpr std::int64_t fineness = 1000;
 /// The number of further numbers between two neighbours.
 constexpr std::int64_t further = 7;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extends the carrier of real for a log. Logged numbers outside the carrier are replaced by numbers of the carrier for
-// which the model's comparisons with constants give the same answers (conformance/model/logged_value.hpp). If a few
-// numbers are between each two constants, different logged numbers rarely get the same replacement.
+// which the model's comparisons with constants give the same answers (conformance/model/logged_value.hpp). With a few
+// numbers between each two constants, different logged numbers rarely get the same replacement.
 #pragma once
 
 #include "semantics/ir/instantiation.hpp"
@@ -10,8 +10,8 @@
 namespace robochart::conformance {
 
 /// The instantiation with further reals between, below and above the constants with which the component compares reals.
-/// The scale is finer, so that there are numbers between them. The instantiation itself if the component does not
-/// compare reals with constants, or if the numbers would not fit.
+/// The scale is finer, so that there are numbers between them. Returns the unchanged instantiation if the component
+/// does not compare reals with constants, or if the numbers would be too large.
 [[nodiscard]] ir::Instantiation with_more_numbers(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&);
 
 }  // namespace robochart::conformance

@@ -24,7 +24,7 @@ namespace robochart::conformance {
 enum class RunVerdict {
     accepted,
     rejected,
-    inconclusive,  ///< the run leaves the finite instantiation in a way that affects the verdict
+    inconclusive,  ///< the run contains values outside the finite instantiation that may affect the verdict
 };
 
 /// One run of a log.

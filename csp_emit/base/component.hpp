@@ -15,13 +15,13 @@ namespace robochart::csp_emit {
 
 /// A constant that a component takes as a parameter (semantics 3.12).
 struct ConstantParameter {
-    std::string parameter;               ///< const_P_C_part_c
-    std::string constant;                ///< name in the model
-    std::string value;                   ///< the global definition that is passed unless an assertion says otherwise
+    std::string parameter;  ///< const_P_C_part_c
+    std::string constant;   ///< name in the model
+    std::string value;  ///< the global definition that is passed as the argument unless an assertion sets another value
     const ir::Machine* owner = nullptr;  ///< the machine that declares it; null if the component itself declares it
     ir::ConstantId id;                   ///< index in `owner`
     ir::TypeId type;
-    std::string inside = {};  ///< machines: its short name in their processes
+    std::string inside = {};  ///< for machines: the short name of the constant in the processes of the machine
     std::string source = {};  ///< the element that determines the value in this context (ir::constant_source);
                               ///< assertions set the value there
 };
@@ -40,7 +40,7 @@ struct ComponentEmission {
     std::size_t reads_of_watched = 0;                  ///< number of guards that read MachineContext::watched
     const ir::Machine* machine = nullptr;              ///< machines and operations
     std::map<std::string, ir::MachineId> definitions;  ///< machines: the definitions of the operations that they call
-    bool large = false;                                ///< it may have too many states to be compressed separately
+    bool large = false;  ///< the component may have too many states to be compressed separately
 };
 
 /// Records the meaning of an event of a component; `event` is its qualified CSPM name.
@@ -82,7 +82,7 @@ struct EmittedMachine {
 
 /// Everything emitted so far: every component by its qualified CSPM name, including nested ones.
 struct Emitted {
-    Shown shown = {};  ///< the facts that machines show; empty but for claims about states and variables
+    Shown shown = {};  ///< the facts that machines show; empty unless there are claims about states and variables
     Provenance provenance;
     std::map<std::string, ComponentEmission> components;
     /// Machines by their path in the model and the definitions of the operations that they call. Machines with the same

@@ -31,7 +31,7 @@ enum class MeaningKind {
     external_write,
     terminate,
     step,
-    memory,  ///< a read or write of a memory process; it belongs to the step before
+    memory,  ///< a read or write of a memory process; it is part of the preceding step
     tock,
     refusal,        ///< tick-tock: its argument is the refused event
     event_read,     ///< RoboSim: the register of an event is read; its first argument is whether it is full
@@ -139,7 +139,7 @@ struct Premise {
     RecurrenceQuestion recurrence;          ///< must hold as well
     std::string text;                       ///< "time can always pass"
     std::string otherwise;                  ///< the reason reported if the claim is not decided: "time can stop"
-    std::string reason;                     ///< what is true at the end of the run that violates the premise
+    std::string reason;                     ///< states what is true at the end of a run that violates it
 };
 
 /// One check: an assertion of the model in one semantics, as one or more CSPM assertions; an assert line of a CSP
@@ -160,7 +160,7 @@ struct Obligation {
                                                    ///< script
     std::vector<cspm::DeclPtr> assertions;         ///< members of the script below; empty if no check exists (see
                                                    ///< `reason`)
-    std::optional<FiringQuestion> firing;          ///< decided without an assertion: do all of these transitions fire?
+    std::optional<FiringQuestion> firing;          ///< decided without an assertion: can all of them fire?
     std::optional<RecurrenceQuestion> recurrence;  ///< decided in addition to the assertions: does the event stay
                                                    ///< reachable?
     /// RoboSim: a component that stops time is deadlock-free in RoboTool's sense. If the claim holds and time can stop

@@ -16,8 +16,8 @@ namespace robochart::csp_emit {
 struct Part {
     std::string name;  ///< name of its CSPM module
     ComponentEmission emission;
-    std::vector<std::string> events;     ///< all its events
-    std::vector<std::string> variables;  ///< required variables, which have set_x and set_EXT_x
+    std::vector<std::string> events;     ///< all events of the part
+    std::vector<std::string> variables;  ///< required variables, which have channels set_x and set_EXT_x
     std::vector<std::string> calls;      ///< operations whose calls remain events
     std::vector<std::string> arguments;  ///< values of its constants, in order; parameters of the composition
 };
@@ -26,8 +26,8 @@ struct Part {
 struct SharedVariable {
     std::string name;
     ir::TypeId type;
-    bool required = false;  ///< can be written from outside, through set_EXT_x of the composition
-    bool visible = false;   ///< writes remain visible
+    bool required = false;  ///< other components can write the variable, through set_EXT_x of the composition
+    bool visible = false;   ///< writes of the variable remain visible outside the composition
     cspm::ExprPtr pushed;   ///< initial value that is propagated to the parts at the start
 };
 

@@ -61,7 +61,7 @@ public:
         if (output) add_output(*declared, part, connection.origin.span);
     }
 
-    /// An event that no connection names is read if a part has an input of its name.
+    /// An event without a connection is read if a part has an input with the same name.
     void add_loose_inputs(const std::vector<ir::Event>& own) {
         for (const ir::Event& event : own) {
             const auto has_input = [&](const Registers& part) { return find_input_event(part, event.name) != nullptr; };
@@ -70,7 +70,8 @@ public:
         }
     }
 
-    /// A variable of the composition. If it is required, its register is outside; otherwise inside.
+    /// A variable of the composition. Its register is outside the composition if the variable is required, and inside
+    /// otherwise.
     void add_variable(const ir::Variable& variable, bool required, bool shown) {
         std::vector<RegisterOfPart> readers, writers;
         for (std::size_t i = 0; i < links_.parts.size(); ++i) {
@@ -366,7 +367,7 @@ ExprPtr CycleDefiner::part_process(std::size_t index, const std::string& variant
                      {{b::name(part.name + "::terminate"), b::name("terminate")}});
 }
 
-/// The parts share time and their end.
+/// The parts synchronise on tock and on their end.
 ExprPtr CycleDefiner::parts_process(const std::string& variant) const {
     ExprPtr result = part_process(c_.parts.size() - 1, variant);
     for (std::size_t i = c_.parts.size() - 1; i-- > 0;)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoboSim: controllers and modules in cycles (docs/robosim.md). The cycle has the same phases as that of a machine. At
 // the beginning of a cycle, the composition reads its inputs and passes them to the parts. Then it passes on the writes
-// of the parts one by one. The execution ends when every part has ended its own. A part sees an event from another part
-// only in the next cycle.
+// of the parts one by one. The execution of the composition ends when the executions of all parts have ended. A part
+// sees an event from another part only in the next cycle.
 #pragma once
 
 #include <map>

@@ -6,10 +6,10 @@
 
 namespace robochart::csp_emit {
 
-/// Enumerations and preconditions of functions, which users do not override.
+/// Definitions that no CSP block overrides: enumerations, and preconditions of functions.
 [[nodiscard]] std::vector<cspm::DeclPtr> data_definitions(const Project&);
-/// Definitions that CSP blocks use and do not declare. For a record T these are its carrier `P_T` and two functions for
-/// each field f: `P_T_f(x)` returns the field, and `update_P_T_f(x,v)` returns the record with another value of the
+/// Definitions that CSP blocks use without declaring them. For a record T these are its carrier `P_T` and two functions
+/// for each field f: `P_T_f(x)` returns the field, and `update_P_T_f(x,v)` returns the record with another value of the
 /// field.
 [[nodiscard]] std::vector<cspm::DeclPtr> record_definitions(const Project&, const std::set<std::string>& declared);
 /// Carriers, constants, functions and clipped arithmetic; a CSP block named Instantiations replaces them.

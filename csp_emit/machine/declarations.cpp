@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Declaration by declaration, in the order of the module.
+// Writes the declarations of a machine's module, in the order in which they occur in the module.
 #include "csp_emit/machine/declarations.hpp"
 
 #include <set>
@@ -100,7 +100,8 @@ void ModuleDeclarations::declare_mentioned(std::vector<DeclPtr>& decls) const {
         }
 }
 
-/// Declares the resets that are events, the clocks that events read, and the values of clocks that CSP blocks mention.
+/// Declares three things: the clock resets that are events, the clocks that events read, and the values of clocks that
+/// CSP blocks mention.
 void ModuleDeclarations::declare_clocks(std::vector<DeclPtr>& decls) {
     if (!tables_.timed()) return;
     std::vector<cspm::Constructor> constructors;
@@ -191,7 +192,8 @@ void ModuleDeclarations::declare_sets(std::vector<DeclPtr>& decls) {
     decls.push_back(b::value("internal_events", b::productions(tables_.events.declared_channels())));
 }
 
-/// RoboSim: the events of the cycle. A machine hides the beginning of the execution, an operation alone shows it.
+/// RoboSim: the events of the cycle. A machine hides the event for the beginning of the execution. For an operation
+/// that is checked separately, this event is visible.
 void ModuleDeclarations::add_cycle_events(b::Exprs& visible) {
     Registers registers = registers_of(tables_.machine());
     if (is_operation()) registers.inputs.clear();

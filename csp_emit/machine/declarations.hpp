@@ -11,7 +11,8 @@
 
 namespace robochart::csp_emit {
 
-/// `id__`, the operation's parameters, then the given constants in order of declaration (semantics 3.12).
+/// The parameters of a process: `id__`, the operation's parameters, then the given constants in order of declaration
+/// (semantics 3.12).
 [[nodiscard]] std::vector<std::string> parameters_with(const MachineTables&, const std::vector<std::string>& constants);
 
 /// Builds the declarations of the module. It stores what several declarations need: the calls and clock events in the
@@ -44,7 +45,7 @@ private:
 
     MachineTables& tables_;
     const std::vector<Remembered>& remembered_;
-    std::vector<std::string> calls_;           ///< operations that remain events
+    std::vector<std::string> calls_;           ///< operations whose calls are events
     std::vector<std::string> visible_;         ///< channels of sem__events
     std::vector<cspm::ExprPtr> clock_events_;  ///< events of sem__events that read and reset the caller's clocks
     bool local_resets_ = false;                ///< resets of own clocks are events, because a CSP block mentions them

@@ -8,7 +8,7 @@
 // definitions. ActivationRecords contains the cell of every variable, clock and counter of the machine and of each
 // called operation. HiddenEvents contains the numbers of steps. ClockWatch records the first reset of a watched clock.
 // PointTable contains the reachable configurations. CallSharing contains the return points of shared calls. The rules
-// (rules/) are functions without data: they read the tables and return the next events and configurations as data
+// (rules/) are functions that own no data: they read the tables and return the next events and configurations as data
 // (Next, Branch). Processes applies the rules from the initial configuration and makes a function for every point. When
 // all points are known, choose_memories removes large variables from their parameters, DefinitionMeanings records what
 // each point means in the model, and ModuleDeclarations adds RoboTool's channels, sets and process variants.

@@ -66,7 +66,7 @@ Candidates parameter_candidates(const MachineTables& tables) {
     return result;
 }
 
-/// Values for arguments that are never read, chosen so that the process has few states.
+/// Values for arguments that are never read. They are chosen so that the process has few states.
 std::map<std::string, ExprPtr> placeholder_values(MachineTables& tables) {
     std::map<std::string, ExprPtr> result;
     for (const ConstantParameter& constant : tables.calls.constants())
@@ -125,8 +125,8 @@ std::vector<cspm::DeclPtr> make_definitions(MachineTables& tables, std::vector<F
     return result;
 }
 
-/// The parameters of an operation that is checked separately. Assertions name them in the same way as constants, with
-/// another prefix (ir::Property::constants).
+/// The parameters of an operation that is checked separately. In assertions they have the same form of names as
+/// constants, but another prefix (ir::Property::constants).
 std::vector<ArgumentParameter> arguments_of(const ir::Machine& machine) {
     std::vector<ArgumentParameter> result;
     for (const ir::Variable& variable : machine.variables) {

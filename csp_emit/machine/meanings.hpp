@@ -13,7 +13,7 @@
 
 namespace robochart::csp_emit {
 
-/// Owns the meanings of offers. Several definitions may share a meaning.
+/// Owns the meanings of offers (events that configurations offer). Several definitions may share a meaning.
 class DefinitionMeanings {
 public:
     explicit DefinitionMeanings(const MachineTables& tables) : tables_(tables) {}

@@ -110,8 +110,9 @@ std::vector<Remembered> choose_memories(MachineTables& tables, const std::vector
         return options.whole_states ||
                estimate_states(functions, evaluations, sizes, first) <= options.states_of_a_process;
     };
-    // The estimate decreases with every variable that is moved to a memory: the variable counts only in functions that
-    // hold it, and the sets of variables that are held because of it become smaller. This allows a binary search.
+    // The estimate decreases with every variable that is moved to a memory. One reason is that the variable then counts
+    // only in functions that hold it. The other is that the sets of variables that are held because of it become
+    // smaller. Because the estimate is monotone, a binary search is possible.
     std::size_t least = 0;
     std::size_t most = candidates.size();
     while (least < most) {

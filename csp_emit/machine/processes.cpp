@@ -47,7 +47,7 @@ Values initial_values(MachineTables& tables) {
     return result;
 }
 
-/// Whether the branch is an input of the event.
+/// Whether the branch receives the event as an input.
 bool is_input_of(const cspm::Expr& branch, const std::string& event) {
     const cspm::Expr& prefix = branch.kind == cspm::ExprKind::guard ? *branch.args[1] : branch;
     if (prefix.kind != cspm::ExprKind::prefix || prefix.args[0]->kind != cspm::ExprKind::dot) return false;
@@ -176,9 +176,9 @@ void Processes::add_branches(const std::vector<Branch>& branches, std::vector<Ex
     for (const Branch& branch : branches) out.push_back(to_process(branch));
 }
 
-/// The external choice of its branches. If the copy observes when an event is offered (MachineContext::offered), the
-/// point first performs an event that shows whether the machine is in the state, and a parameter records this. The
-/// other branches are offered only after this event.
+/// The external choice of the branches of the configuration. If the machine is a copy that observes when an event is
+/// offered (MachineContext::offered), the point first performs an event that shows whether the machine is in the state,
+/// and a parameter records this. The other branches are offered only after this event.
 ExprPtr Processes::choice_of_branches(const Activation& config) {
     const b::Exprs all = make_branches(config);
     if (!passed_) return b::choice(all);

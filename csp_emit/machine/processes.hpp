@@ -46,8 +46,9 @@ private:
     std::size_t run_ = 0;           ///< number of statements executed since the last function began
     std::size_t branching_ = 0;     ///< number of enclosing conditionals
     bool after_tock_ = false;       ///< the branch of a tock is being emitted
-    std::optional<CellId> passed_;  ///< MachineContext::offered, shown: 1 if the point has shown what it shows first
-    bool passing_ = false;          ///< the call after that event is being emitted
+    std::optional<CellId> passed_;  ///< for MachineContext::offered and shown: 1 after the point has performed the
+                                    ///< event that shows its facts
+    bool passing_ = false;          ///< the call after that event of the point is being emitted
 };
 
 }  // namespace robochart::csp_emit

@@ -167,8 +167,8 @@ void Family::spread_liveness() {
     }
 }
 
-/// The caller needs the parameters that are live in the called function. It also needs those that are live after the
-/// call and not overwritten before.
+/// The caller needs the parameters that are live in the called function. It also needs the parameters that are live
+/// after the call and that the called function does not overwrite before.
 void Family::spread_liveness(const Call& call, std::size_t parameter) {
     if (live_[call.target].count(parameter) == 0) return;
     const bool returns = returning_.count(call.target) != 0;

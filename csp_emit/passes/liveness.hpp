@@ -27,7 +27,8 @@ struct Function {
 /// The index of each function of a family, by its name.
 using FamilyIndex = std::unordered_map<std::string, std::size_t>;  // never iterated
 [[nodiscard]] FamilyIndex index_of(const std::vector<Function>& functions);
-/// The function that an expression calls, with or without arguments, if it belongs to the family; otherwise null.
+/// The function of the family that an expression calls, with or without arguments; null if it calls no function of the
+/// family.
 [[nodiscard]] const std::size_t* called_function(const FamilyIndex& index, const cspm::Expr& expr);
 /// Calls `visit` on the direct parts of an expression.
 template <class Visit>
@@ -92,7 +93,7 @@ private:
 struct Candidates {
     std::vector<std::string> names;                ///< in the order in which they become parameters
     std::map<std::string, cspm::ExprPtr> ticking;  ///< the value after a tock of each parameter that counts time
-    std::vector<std::string> fixed;  ///< parameters that every function has, even if the function does not read them
+    std::vector<std::string> fixed;  ///< parameters that every function gets, even if the function does not read them
     std::vector<std::vector<std::string>> read;  ///< by function: parameters that it needs although its body does not
                                                  ///< read them; may be shorter than the family
     std::string returns;                         ///< the parameter that holds return addresses; may be empty

@@ -130,7 +130,7 @@ private:
         return builtin != nullptr && builtin->arguments < 0;
     }
 
-    /// Adds names that are declared while it lives.
+    /// Adds names to the scope; they are removed at the end of the object's lifetime.
     class Around {
     public:
         explicit Around(std::multiset<std::string>& names) : names_(names) {}

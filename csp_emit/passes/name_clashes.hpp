@@ -39,8 +39,8 @@ struct FileBlocks {
                                                                     const std::vector<cspm::DeclPtr>& generated,
                                                                     NameManager& names);
 
-/// Predefined and library names that the declarations call although a declaration or binding around the call hides
-/// them. For generated code the result is empty; anything else is an internal error.
+/// Predefined and library names that are captured: the declarations call them, but a declaration or binding around the
+/// call hides them. For generated code the result is empty; anything else is an internal error.
 [[nodiscard]] std::set<std::string> captured_names(const std::vector<cspm::DeclPtr>& generated);
 
 }  // namespace robochart::csp_emit

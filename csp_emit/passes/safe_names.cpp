@@ -96,8 +96,8 @@ std::set<std::string> other_channels(const ir::System& system) {
     return result;
 }
 
-/// Maps from old to new names, for all kinds of elements, for states and parts, and for operations. For types and
-/// functions, the new name of each; "" if the name does not change.
+/// Maps from old to new names: for all kinds of elements, for states and parts, and for operations. For each type and
+/// each function, its new name, or "" if the name does not change.
 struct NewNames {
     std::map<std::string, std::string> all, states, operations;
     std::vector<std::string> types, functions;
@@ -187,7 +187,7 @@ private:
         return all;
     }
 
-    /// The types, with other labels for literals that share their name with a bound variable.
+    /// The types, after literals that share their name with a bound variable have got other labels.
     std::vector<ir::Type> with_labels(std::vector<ir::Type> types) {
         for (ir::Type& type : types) {
             names_.labels.emplace_back();

@@ -13,7 +13,7 @@
 namespace robochart::csp_emit {
 
 /// Returns the declarations with equal modules shared. `names` provides names for the shared modules. A module is not
-/// shared if a name in it would have another meaning in the place of the shared module.
+/// shared if a name in this module would have another meaning at the place at which the shared module is declared.
 [[nodiscard]] std::vector<cspm::DeclPtr> share_modules(std::vector<cspm::DeclPtr> decls, NameManager names);
 
 }  // namespace robochart::csp_emit

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Variables held in separate memory processes in parallel with the machine's process, as in RoboTool's semantics
-// (semantics 3.6): for machines whose variables together have too many values to be parameters of one process. The
-// machine reads a variable with `get_x?x` before it evaluates it and keeps the value only as long as it needs it. It
-// writes to the memory with `set_x` if the variable is shared, and with the hidden `setL_x` if it belongs to the
-// machine.
+// (semantics 3.6): for machines whose variables together have too many combinations of values to be parameters of one
+// process. The machine reads a variable with `get_x?x` before it evaluates it and keeps the value only as long as it
+// needs it. It writes to the memory with `set_x` if the variable is shared, and with the hidden `setL_x` if it belongs
+// to the machine.
 //
 // This preserves the meaning, because `get_x` is an inert step: it is hidden, always possible and never offered
 // together with another event. No other write happens between `get_x` and the use of the value, since the machine takes

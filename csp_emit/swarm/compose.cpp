@@ -652,7 +652,7 @@ private:
         return text;
     }
 
-    /// Shows with the event `active` whether a robot has acted since the last tock.
+    /// The process that performs the event `active` if a robot has acted since the last tock.
     [[nodiscard]] std::string activity_text(const std::string& together, std::vector<std::string> done,
                                             const std::vector<std::string>& moves) const {
         std::vector<std::string> hidden = done;
@@ -720,8 +720,8 @@ std::string title_of(const Swarm& swarm, const SwarmClaim& claim) {
 /// The premise of claims about all states: from every reachable state of the swarm some run leads to a state in which
 /// time passes. Then every run can be extended to a run in which time passes infinitely often, so every state belongs
 /// to a run that is possible in reality (non-Zeno: Henzinger, Nicollin, Sifakis and Yovine, Symbolic model checking for
-/// real-time systems, 1994). If the environment makes decisions, time must not depend on them, which is the claim
-/// `waits`.
+/// real-time systems, 1994). If the environment makes decisions, the passing of time must not depend on them; the claim
+/// `waits` states this.
 std::shared_ptr<const Premise> time_can_pass(std::vector<cspm::DeclPtr> waits) {
     const cspm::ExprPtr tock = cspm::build::productions({cspm::build::name("tock")});
     return std::make_shared<const Premise>(

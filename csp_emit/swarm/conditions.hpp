@@ -32,7 +32,7 @@ public:
     [[nodiscard]] std::string define_meaning() const;
 
 private:
-    /// A part of a condition that has no parts itself.
+    /// An atom: a part of a condition that has no parts itself.
     struct Atom {
         SwarmCondition::Kind kind;
         std::uint32_t distance;

@@ -6,10 +6,10 @@
 
 namespace robochart::csp_emit {
 
-/// Overrides for the size in the text.
+/// Values that override the sizes in the text.
 struct SwarmSize {
-    std::uint32_t robots = 0;       ///< 0: as in the text
-    std::optional<SwarmGrid> grid;  ///< no value: as in the text
+    std::uint32_t robots = 0;       ///< 0: the number in the text
+    std::optional<SwarmGrid> grid;  ///< no value: the grid in the text
 };
 
 /// Reads a swarm and reports errors of syntax and of consistency. Names of the component are checked when the swarm is

@@ -88,7 +88,7 @@ public:
             if (!classes_.contains(places_.class_of(holder_of(relation)))) return relation.group;
         return std::nullopt;
     }
-    /// The conditions on values that have no classes although nothing else needs them.
+    /// The conditions on values that have no classes, although no other use requires the values themselves.
     [[nodiscard]] std::set<const Expr*> conditions_without_classes() const {
         std::set<const Expr*> result;
         for (const auto& [flow, uses] : uses_) {

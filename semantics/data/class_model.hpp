@@ -16,20 +16,20 @@
 
 namespace robochart::ir {
 
-/// Data that classes replace.
+/// Data whose values are replaced by classes of values.
 struct ReplacedData {
     std::vector<std::string> places;  ///< names of variables, events and parameters, ascending
-    std::string term;                 ///< the term that the conditions read, "d - l"; "": they read single values
+    std::string term;  ///< the term that the conditions read, as in "d - l"; "" if they read single values
     std::size_t classes = 0;
     std::size_t conditions = 0;
-    bool all_values = false;      ///< otherwise, the classes are the values that occur
+    bool all_values = false;      ///< the classes contain all values of the type; if false, only the values that occur
     bool nothing_tested = false;  ///< no condition reads the values
 };
 
 /// A variable that conditions compare with other variables.
 struct RelatedVariable {
     std::string name;
-    std::int64_t coefficient = 1;  ///< in the term; not 0
+    std::int64_t coefficient = 1;  ///< the variable's coefficient in the term; not 0
     std::int64_t initial = 0;      ///< the initial value, in units
 };
 
@@ -39,7 +39,7 @@ struct RelatedVariables {
     std::string machine;  ///< "P::S"
     std::string holder;   ///< the name of the variable that holds the class, one of those below
     std::vector<RelatedVariable> variables;
-    std::int64_t scale = 1;                           ///< units of one
+    std::int64_t scale = 1;                           ///< the number of units that represent 1
     bool whole = false;                               ///< the variables have the type int; otherwise real
     std::map<std::string, std::int64_t> term_values;  ///< text of a class -> a value of the term in it, in units
     /// The qualified name of a transition or a statement -> the variable that stores its input.
@@ -53,8 +53,8 @@ struct ClassModel {
     Instantiation instantiation;
     std::vector<ReplacedData> data;  ///< not empty
     bool small_carriers = true;      ///< each replaced type has at most 64 values in the finite instantiation
-    /// The machines ("P::S") for which classes replace values of outputs and calls. Two outputs of different values may
-    /// then have one name, so that a nondeterministic machine may have a deterministic class model.
+    /// The machines ("P::S") for which classes replace values of outputs and calls. Two outputs with different values
+    /// may then have the same name. So a nondeterministic machine may have a deterministic class model.
     std::set<std::string> outputs_replaced;
     /// The number of conditions whose answers the class model chooses (free_model).
     std::size_t free_conditions = 0;
@@ -63,29 +63,31 @@ struct ClassModel {
     std::vector<RelatedVariables> related;
 };
 
-/// Whether there are data that could be replaced, if the model uses them in a way that allows it.
+/// Whether the system has data of types that classes can replace. Whether classes do replace these data also depends on
+/// how the model uses them.
 [[nodiscard]] bool has_data(const System& system);
-/// Whether such data have more than 64 values in the finite instantiation.
+/// Whether the type of such data has more than 64 values in the finite instantiation.
 [[nodiscard]] bool has_large_carriers(const System& system, const Instantiation& instantiation);
 
 /// The class model of a system, and the data that it does not replace.
 struct Classification {
     std::optional<ClassModel> model;  ///< no value if no data are replaced
-    std::vector<KeptData> kept;       ///< those with numbers (has_numbers), in the order of their first places
+    std::vector<KeptData> kept;       ///< the data with numbers (has_numbers), in the order of their first places
 };
 
-/// Replaces all data that can be replaced. Properties of the system must not observe values of events: the class model
-/// has the same names of events, and other values.
+/// Replaces all data that can be replaced. Properties of the system must not observe values of events, because the
+/// class model has the same event names but different values.
 [[nodiscard]] Classification classify_data(const System& system, const Instantiation& instantiation);
 
-/// A class model in which the classes of computed values, and the answers of conditions that no classes give, are
-/// chosen internally. The ideal model refines it in traces, failures and divergences, if values of events are not
-/// observed (semantics/data/free_conditions.hpp). So a refinement that holds of the class model holds of the model; one
-/// that fails may hold. No value if no data can be replaced. Properties must not observe values of events.
+/// A class model that makes internal choices: of the classes of computed values, and of the answers of conditions that
+/// the classes do not determine. The ideal model refines it in traces, failures and divergences, if values of events
+/// are not observed (semantics/data/free_conditions.hpp). So a refinement that holds for the class model also holds for
+/// the model. A refinement that fails for the class model may still hold for the model. No value if no data can be
+/// replaced. Properties must not observe values of events.
 [[nodiscard]] std::optional<ClassModel> free_model(const System& system, const Instantiation& instantiation);
 
-/// Describes the classes of a class model for readers of its scripts: a line for each type of classes, then a line for
-/// each class with one of its values. The lines contain names of the model.
+/// Describes the classes of a class model for readers of its scripts. Each type of classes has one line, followed by
+/// one line for each class with one of its values. The lines contain names of the model.
 [[nodiscard]] std::vector<std::string> describe_classes(const System& class_model);
 
 }  // namespace robochart::ir

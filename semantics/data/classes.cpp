@@ -18,7 +18,8 @@ constexpr std::size_t most_conditions = 64;
 constexpr std::size_t most_classes = 256;
 constexpr std::size_t most_solver_numbers = 8;  // in one value, of those that the solver reads
 
-/// The parts of a type that are no parts of others, such as its numbers. Recursion depth: the depth of types.
+/// Collects the kinds of the leaves of a type: parts without parts, such as numbers, and also sequences, functions,
+/// relations and matrices. Recursion depth: the depth of types.
 void collect_leaves(const System& system, TypeId id, std::set<TypeKind>& leaves) {
     const Type& type = system.type(id);
     if (type.kind == TypeKind::sequence) leaves.insert(type.kind);
@@ -35,14 +36,14 @@ public:
     Division(const System& system, const Sampling& sampling, TypeId type, const Uses& uses)
         : system_(system), sampling_(sampling), type_(type), uses_(uses) {}
 
-    /// Classes of all values of the type, or of the values that occur; no value if the conditions have other forms.
-    /// `only_by_events`: values come from events alone; `only_copied`: no value is computed.
+    /// Classes of all values of the type, or of the values that occur. No value if the conditions have other forms.
+    /// `only_by_events` is true if only events provide the values; `only_copied` is true if no value is computed.
     std::optional<ValueClasses> divide(bool all_values, bool only_by_events, bool only_copied);
     /// True if the division ended because there are too many classes.
     [[nodiscard]] bool has_too_many() const { return result_.witnesses.size() > most_classes; }
 
 private:
-    /// For each condition 1, 0 or -1 (undefined).
+    /// The answer of each condition: 1, 0 or -1 (undefined).
     using Answers = std::vector<int>;
 
     [[nodiscard]] std::optional<std::vector<Value>> candidates() const;
@@ -127,11 +128,11 @@ bool Division::add_value(const Value& value, bool written) {
     return !has_too_many();
 }
 
-/// If values are only copied, the classes are the values that the model writes, and one more. With one class, two
-/// outputs of different values would have one name, and a nondeterministic model could seem deterministic. These
-/// classes are enough: if outputs of v and of another value are possible after one trace, they are possible after
-/// renaming v to the one more value, or keeping it if the model writes it, and all other values to one that the model
-/// writes (Lazić, A semantic study of data independence, 1999, chapter 5).
+/// If values are only copied, the classes are the values that the model writes, and one further value. With only one
+/// class, two outputs with different values would have the same name, and a nondeterministic model could seem
+/// deterministic. These classes are enough: if outputs of v and of another value are possible after one trace, they are
+/// also possible after the following renaming: v becomes the further value, or stays if the model writes it, and all
+/// other values become one value that the model writes (Lazić, A semantic study of data independence, 1999, chapter 5).
 std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_events, bool only_copied) {
     if (uses_.conditions.size() > most_conditions) return std::nullopt;
     only_by_events_ = only_by_events;
@@ -153,7 +154,7 @@ std::optional<ValueClasses> Division::divide(bool all_values, bool only_by_event
     return std::move(result_);
 }
 
-/// Decides which flow classes keep their values: values that others are computed from are needed.
+/// Decides which flow classes keep their values. If a value is kept, the values from which it is computed are kept too.
 class Choice {
 public:
     Choice(const System& system, const Sampling& sampling, const Places& places, const std::map<PlaceId, Uses>& uses,
@@ -257,7 +258,7 @@ private:
         return result;
     }
 
-    /// Removes a flow class whose values can be computed, or one from which a value is computed that is kept.
+    /// Removes a flow class whose values can be computed, or a flow class from which a kept value is computed.
     bool give_up_one() {
         const std::set<PlaceId> unknown = unknown_values();
         for (const auto& [flow, uses] : uses_) {
@@ -273,7 +274,7 @@ private:
         }
         return false;
     }
-    /// Returns false if the flow class keeps its values already.
+    /// Returns false if the flow class already keeps its values.
     bool keep_values(PlaceId flow, const Keep& keep) {
         if (chosen_.erase(flow) == 0) return false;
         kept_.emplace(flow, keep);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Divides the values of flow classes into classes that no condition can tell apart. Private to this component.
+// Divides the values of each flow class (places.hpp) into classes. No condition distinguishes two values of one class.
+// Private to this component.
 #pragma once
 
 #include <map>
@@ -19,8 +20,8 @@ struct ValueClasses {
     std::map<Value, std::size_t> of_value;
     /// For each condition, whether it is true for the values of each class.
     std::map<const Expr*, std::vector<bool>> answers;
-    bool all_values = false;      ///< the classes together contain all values of the type; otherwise, those that occur
-    bool nothing_tested = false;  ///< no condition reads the values; the last class stands for any value
+    bool all_values = false;  ///< the classes together contain all values of the type; if false, only those that occur
+    bool nothing_tested = false;  ///< no condition reads the values; the last class represents any value
     bool exact_outputs = false;   ///< outputs of different values have different names in some run
 };
 
@@ -28,26 +29,28 @@ struct ValueClasses {
 /// value_text cannot show.
 [[nodiscard]] bool is_replaceable(const System& system, TypeId type);
 
-/// A value of the type, which has no sequences, for each combination of answers that its values give to conditions on
-/// one place: by linear regions (linear.hpp), or else by the solver (solver.hpp). No value if neither finds them.
+/// Finds a value of the type for each possible combination of answers of conditions on one place. The type must not
+/// contain sequences. The method uses linear regions (linear.hpp) or, if this fails, the solver (solver.hpp). Returns
+/// no value if both fail.
 [[nodiscard]] std::optional<std::vector<Value>> values_for_answers(const System& system, const Sampling& sampling,
                                                                    TypeId type,
                                                                    const std::vector<Condition>& conditions);
 
-/// Whether a condition that reads only one place, which has this type, has a form that divides its values into classes.
+/// Whether the condition has a form that divides values into classes. The condition must read only one place, which has
+/// this type.
 [[nodiscard]] bool can_divide(const System& system, const Sampling& sampling, MachineId machine, TypeId type,
                               const Expr& condition);
 
-/// The flow classes by their least places.
+/// The flow classes. The least place of a flow class identifies it.
 struct DividedData {
-    std::map<PlaceId, ValueClasses> classes;  ///< of the values that classes can replace
-    std::map<PlaceId, Keep> kept;             ///< of the others
+    std::map<PlaceId, ValueClasses> classes;  ///< for flow classes whose values can be replaced
+    std::map<PlaceId, Keep> kept;             ///< for all other flow classes
 };
 
-/// The classes of every flow class whose values can be replaced by classes (docs/data.md). The
-/// class model is equal to the ideal model up to the names of values: every condition has one answer for all values of
-/// a class, and an input of any value of a class has the same effect (a functional bisimulation). If computed values
-/// are free, this is only true if each of them belongs to the class that the class model chooses.
+/// The classes of every flow class whose values can be replaced by classes (docs/data.md). The class model is equal to
+/// the ideal model up to the names of values: every condition has one answer for all values of a class, and an input of
+/// any value of a class has the same effect (a functional bisimulation). If computed values are free, this is true only
+/// if each computed value belongs to the class that the class model chooses.
 [[nodiscard]] DividedData divide_values(const System& system, const Sampling& sampling, const Places& places,
                                         const std::map<PlaceId, Uses>& uses, Computed computed = Computed::exactly);
 

@@ -65,7 +65,7 @@ private:
                                    [&](PlaceId place) { return flows.contains(places_.class_of(place)); });
     }
 
-    /// Adds the flow classes that values of known ones are written to. Returns false if there are none.
+    /// Adds the flow classes into which values of known flow classes are written. Returns false if there are none.
     bool follow() {
         bool more = false;
         for (const auto& [flow, uses] : uses_)

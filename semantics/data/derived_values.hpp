@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values that a model computes from values that come from outside, such as q after `q = x / 2` for an input x.
 //
-// A carrier reaches beyond each literal with which values of its type are compared, so every such comparison of an
-// input has both answers. This is not true of values that are computed or converted: for x in 0..8, `x / 2` is never
-// greater than 7; and for x : nat in 0..2, `q = x` makes q : int never greater than 2, whatever q is compared with.
+// The carrier of a type extends beyond each literal with which values of this type are compared. So every such
+// comparison of an input can be true and can be false. This is not so for values that are computed or converted: for x
+// in 0..8, `x / 2` is never greater than 7; and for x : nat in 0..2, `q = x` makes q : int never greater than 2,
+// whatever q is compared with.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace robochart::ir {
 
 /// Where the values of a place come from.
 enum class ValueSource : unsigned char {
-    inside,   ///< the machines write them, and compute them only from such values
+    inside,   ///< the machines write the values, and compute them only from values that also come from inside
     outside,  ///< some are copies of inputs, of shared variables, or of parameters of operations
     derived,  ///< some are computed or converted from such values or from clocks, or copied from such results
 };
@@ -43,7 +44,7 @@ private:
         return found == sources.end() ? ValueSource::inside : found->second;
     }
 
-    std::map<Key, ValueSource> variables_, events_;  ///< without those from inside
+    std::map<Key, ValueSource> variables_, events_;  ///< places with the source `inside` are omitted
 };
 
 }  // namespace robochart::ir

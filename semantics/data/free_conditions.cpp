@@ -20,7 +20,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Numbers equal expressions equally.
+/// Assigns a number to each expression. Equal expressions get the same number.
 class ExpressionKeys {
 public:
     /// A text that is different for different expressions. Recursion depth: the depth of the expression.
@@ -58,7 +58,7 @@ ExprPtr with_operands(const Expr& expr, ExprKind kind, ExprPtr left, ExprPtr rig
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// Conditions that are the negation of each other get one answer. Numbers have a total order.
+/// A condition and its negation share one answer. For numbers, this uses that their order is total.
 Comparison in_normal_form(ExpressionKeys& keys, const ExprPtr& expr) {
     if (!is_comparison(expr->kind)) return {expr, false};
     const ExprPtr &a = expr->args.at(0), &b = expr->args.at(1);
@@ -199,8 +199,8 @@ bool MachineConditions::add_preconditions(const ExprPtr& expr, std::vector<ExprP
     return !expr || !may_fail(expr) || add_preconditions(*inline_calls(system_, expr), out);
 }
 
-/// Adds conditions under which the expression is defined, inner ones first. False if there may be others. Recursion
-/// depth: the depth of the expression.
+/// Adds conditions under which the expression is defined, inner conditions first. Returns false if further conditions
+/// may be necessary. Recursion depth: the depth of the expression.
 bool MachineConditions::add_preconditions(const Expr& expr, std::vector<ExprPtr>& out) const {
     for (const ExprPtr& part : expr.args)
         if (!add_preconditions(*part, out)) return false;
@@ -251,8 +251,8 @@ ExprPtr MachineConditions::all_of(const std::vector<ExprPtr>& conditions) {
     return result;
 }
 
-/// The guard in which variables hold the answers of its parts. A guard that is undefined is not true, and neither is
-/// its negation.
+/// The guard in which variables replace the freed conditions. An undefined guard is not true, and its negation is not
+/// true either.
 ExprPtr MachineConditions::guard(const ExprPtr& expr) {
     if (!expr || !may_fail(expr)) return condition(expr);
     if (!unanswered_.contains(expr.get()) && is_answered(expr)) return expr;
@@ -308,7 +308,7 @@ ExprPtr MachineConditions::value(const ExprPtr& expr) {
     return result.args == expr->args ? expr : std::make_shared<const Expr>(std::move(result));
 }
 
-/// The thread may go on, or block because an expression is undefined.
+/// An internal choice: the thread continues, or it blocks because an expression is undefined.
 StmtPtr MachineConditions::possible_end(const Origin& origin) {
     return maker_.choice_of({maker_.skip(origin), maker_.choice_of({}, origin)}, origin);
 }
@@ -349,7 +349,7 @@ bool MachineConditions::may_block(const Stmt& stmt) const {
            std::ranges::any_of(stmt.args, [&](const ExprPtr& argument) { return may_fail(argument); });
 }
 
-/// An assignment of a literal that is computed from data: the machine chooses one.
+/// Replaces an assignment whose value, a literal, is computed from data: the machine chooses the literal.
 StmtPtr MachineConditions::with_literals(const Stmt& stmt) {
     if (stmt.kind != StmtKind::assign || !stmt.path.empty() || !reads_data(*stmt.value)) return nullptr;
     const TypeId type = machine_.variables.at(stmt.variable.index).type;
@@ -372,7 +372,8 @@ StmtPtr MachineConditions::with_conditions(const StmtPtr& stmt) {
     return may_block(*stmt) ? guarded(*stmt, std::move(done)) : done;
 }
 
-/// The statement, before which the thread blocks if an expression of the original statement is undefined.
+/// Returns `done`, before which the thread blocks if an expression of `stmt` is undefined. If the conditions for this
+/// are not known, the thread chooses whether to block.
 StmtPtr MachineConditions::guarded(const Stmt& stmt, StmtPtr done) {
     std::vector<ExprPtr> conditions;
     bool known = !selects_element(stmt);
@@ -404,8 +405,8 @@ void MachineConditions::add_answers_after(VariableId variable, const ExprPtr& va
         if (answer.reads.contains(variable)) out.push_back(answer_after(answer, variable, value, origin));
 }
 
-/// The choices follow the write at once, so that each step of the model behind the write is possible behind the
-/// choices.
+/// The choices follow immediately after the write. So each step that the model can perform after the write is possible
+/// after the choices.
 StmtPtr MachineConditions::with_answers(const StmtPtr& stmt) {
     if (!stmt) return stmt;
     Stmt result = *stmt;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions whose answers no class of values gives. Private to this component.
+// Handles conditions whose answers are not determined by classes of values. Private to this component.
 //
 // Such a condition becomes a Boolean variable. Each write of a variable that the condition reads is followed by an
-// internal choice of the answer. Statement: the system refines the resulting one in traces, failures and divergences,
-// if values of events are not observed. Reason: each answer of the condition is one of the two alternatives, so the
-// system behaves as one resolution of the choices, and all operators are monotone with respect to refinement.
-// Prioritisation is not; but the choices are internal steps, which happen before time passes, and a resolved state has
-// the same branches as the state of the system. This is the internal form of the may branches of Larsen and Thomsen, A
-// modal process logic, 1988, and of predicate abstraction (Graf and Saidi, CAV 1997). See docs/data.md, "Computed
-// data".
+// internal choice of the answer. Statement: the original system refines the resulting system in traces, failures and
+// divergences, if values of events are not observed. Reason: each answer of the condition is one of the two
+// alternatives, so the system behaves as one resolution of the choices, and all operators are monotone with respect to
+// refinement. Prioritisation is not monotone. But the choices are internal steps, which happen before time passes. A
+// state in which they are resolved has the same branches as the corresponding state of the original system. This is the
+// internal form of the may branches of Larsen and Thomsen, A modal process logic, 1988, and of predicate abstraction
+// (Graf and Saidi, CAV 1997). See docs/data.md, "Computed data".
 #pragma once
 
 #include <cstddef>
@@ -25,10 +25,10 @@ struct FreedSystem {
     std::size_t conditions = 0;  ///< the number of these variables
 };
 
-/// Frees the conditions that read values of several places or may be undefined, and those of `unanswered`, which are
-/// expressions of this system. Conditions that cannot be freed stay: those that read a clock, a received value before
-/// it is stored, or a variable that other components may write. A statement whose expression may be undefined may
-/// block.
+/// Frees the conditions that read values of several places or may be undefined, and the conditions in `unanswered`,
+/// which must be expressions of `system`. Conditions that cannot be freed stay: those that read a clock, a received
+/// value before it is stored, or a variable that other components may write. In the resulting system, a statement may
+/// block if one of its expressions may be undefined.
 [[nodiscard]] FreedSystem free_conditions(const System& system, const Sampling& sampling,
                                           const std::set<const Expr*>& unanswered);
 

@@ -12,7 +12,7 @@
 namespace robochart::ir {
 namespace {
 
-/// Puts an expression in place of the value that a condition reads. Recursion depth: the depth of the condition.
+/// Replaces the value that a condition reads by an expression. Recursion depth: the depth of the condition.
 ExprPtr substituted(const ExprPtr& condition, const ExprPtr& value) {
     if (condition->kind == ExprKind::variable || condition->kind == ExprKind::trigger_value) return value;
     Expr result = *condition;
@@ -63,7 +63,7 @@ private:
     }
     [[nodiscard]] std::optional<Answers> answers(const Conditions& conditions, const Value& value) const;
     [[nodiscard]] std::vector<std::optional<Answers>> answers_of_classes(const DividedFlow& flow) const;
-    /// Adds a pair of classes with these answers. False if one has no class.
+    /// Adds the pair of classes that have these answers. Returns false if there is no such class.
     [[nodiscard]] bool add(const std::optional<Answers>& from, const std::optional<Answers>& to, Images& images) const;
 
     const System& system_;
@@ -120,7 +120,7 @@ std::optional<Images> ImageSearch::of_number(const ExprPtr& expr) const {
     return images;
 }
 
-/// The classes by the size, for all sizes up to one behind which no condition distinguishes sizes.
+/// The class for each size, up to a size beyond which no condition distinguishes sizes.
 std::optional<Images> ImageSearch::of_sequence(const Expr& expr) const {
     const auto size = size_of(expr);
     const ClosedValue closed = [this](const Expr& part) { return sampling_.closed_value(machine_, part); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The classes that a computed value can have, by the class of the value from which it is computed. Private to this
-// component. For `n = n + 1` and the condition n < 5, a value that is at least 5 stays at least 5.
+// Determines which classes a computed value can have, for each class of the value from which it is computed. Private to
+// this component. Example: for `n = n + 1` and the condition n < 5, a value that is at least 5 stays at least 5.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,9 @@ struct DividedFlow {
 /// For each class of `source`, the classes of `target` that the expression can have, if the only variable that it reads
 /// holds a value of the class. No value if this is not known: the conditions of both flow classes and the expression
 /// must belong to one machine, and the conditions on the computed value must divide the values of the source. Method:
-/// the conditions of the source and those of the target, with the expression in place of the value, divide the values
-/// of the source; each part gives one pair of classes.
+/// the conditions of the source divide the values of the source. The conditions of the target divide them too, after
+/// the expression has replaced the value in these conditions. Each part of the common division gives one pair of
+/// classes.
 [[nodiscard]] std::optional<std::vector<std::set<std::size_t>>> images_of(const System& system,
                                                                           const Sampling& sampling, MachineId machine,
                                                                           const DividedFlow& source,

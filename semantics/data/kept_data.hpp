@@ -10,9 +10,10 @@
 
 namespace robochart::ir {
 
-/// Why values keep their carriers. The place of the reason is an expression, unless the comment says otherwise.
+/// Why values keep their carriers. Each reason is reported at the place of an expression (Keep::span), except those
+/// marked "no place".
 enum class KeepReason {
-    type,           ///< values of the type have no classes: functions, relations, matrices; no place
+    type,           ///< classes cannot replace values of this type: functions, relations, matrices; no place
     other_place,    ///< a place of another type shares them, or a controller or platform initialises them; no place
     part,           ///< an assignment changes a part of them
     selector,       ///< they select the part of a variable that an assignment changes
@@ -22,12 +23,12 @@ enum class KeepReason {
     time,           ///< a wait or a deadline takes them
     probability,    ///< a probability depends on them
     contract,       ///< a precondition or postcondition of an operation reads them
-    form,           ///< a condition is neither linear nor about windows of a sequence that are not far from its start
+    form,           ///< a condition is neither linear nor about windows near the start of a sequence
     conditions,     ///< there are too many conditions; no place
     classes,        ///< there are too many classes; no place
     numbers,        ///< the conditions read too many numbers of one value; no place
-    extremes,       ///< conditions read the least numbers of windows and also greatest ones; no place
-    points,         ///< no decimal numbers are found for some combination of answers; no place
+    extremes,       ///< conditions read least numbers of windows and also greatest numbers of windows; no place
+    points,         ///< for some combination of answers, no decimal numbers were found; no place
     computed,       ///< they are computed, and a condition reads them
     from_carriers,  ///< they are computed from data with carriers
     computed_from,  ///< data with carriers are computed from them
@@ -40,7 +41,7 @@ enum class KeepReason {
 /// The reason with its expression.
 struct Keep {
     KeepReason why = KeepReason::type;
-    diagnostics::Span span;  ///< unknown: the reason has no place
+    diagnostics::Span span;  ///< unknown if the reason has no place
 };
 
 /// A flow class that keeps its carrier.

@@ -86,7 +86,7 @@ bool LinearConditions::add_comparison(const Expr& left, const Expr& right) {
     return forms_.size() <= most_forms;
 }
 
-/// A set of numbers, or of all whole numbers between two bounds for a whole number.
+/// Membership in a set: a list of numbers or, for a whole number, all whole numbers between two bounds.
 bool LinearConditions::add_membership(const Expr& condition) {
     const Expr& number = *condition.args.at(0);
     const Expr& set = *condition.args.at(1);
@@ -156,7 +156,8 @@ LinearReader::Forms LinearConditions::read_choice(const Expr& expr) {
     return result;
 }
 
-/// The remainders of a form of the number x where 0 <= x < period. They start again at the multiples of the period.
+/// The remainders of a form in the number x, for 0 <= x < period. A remainder starts again at 0 where the form is a
+/// multiple of the period.
 LinearReader::Forms LinearConditions::remainders(const LinearForm& dividend) {
     if (dividend.coefficients.size() > 1) return std::nullopt;
     std::int64_t coefficient = 0;
@@ -285,8 +286,8 @@ std::optional<std::vector<Point>> LinearConditions::real_points() const {
     return result;
 }
 
-/// For one whole number: up to `count` numbers with the same signs, of those at and beside every threshold. If a region
-/// has fewer than `beside` numbers, it has a threshold near all of them.
+/// For one whole number: tries the numbers near every threshold, and returns up to `count` numbers for each combination
+/// of signs. If a region has fewer than `beside` numbers, all of them are near a threshold.
 std::optional<std::vector<Point>> LinearConditions::whole_points(std::int64_t beside, std::size_t count) const {
     if (components_.size() != 1) return std::nullopt;
     std::set<std::int64_t> numbers;
@@ -328,8 +329,8 @@ bool LinearConditions::is_only_point(const std::vector<int>& signs) const {
     return independent;
 }
 
-/// More points of the region of `first`: the middle between a point of a convex set and a corner of its closure is in
-/// the set. No value if there are fewer than `count` such decimals.
+/// Finds further points in the region of `first`. The midpoint of a point of a convex set and a corner of its closure
+/// is in the set. No value if fewer than `count` of these points are decimal numbers.
 std::optional<std::vector<Point>> LinearConditions::fill_region(Point first, const std::vector<Point>& corners,
                                                                 std::size_t count) const {
     const std::vector<int> region = signs(first);

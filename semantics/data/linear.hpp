@@ -9,9 +9,10 @@
 // candidates are the means of all choices of n + 1 vertices.
 //
 // `if c then a else b` is one of two forms, and the condition c divides the space, too. `a % c` with a constant c > 0
-// is a - q*c for a whole number q. If one number is read, inside remainders by one constant c only, the conditions have
-// the period c in it, because coefficients are whole numbers. The candidates are then those in 0 <= x < c, where
-// finitely many q occur: the thresholds are those of all forms, and the numbers at which a remainder starts again.
+// is a - q*c for a whole number q. Suppose that the conditions read only one number, and read it only inside remainders
+// by one constant c. Then they are periodic in this number, with period c, because coefficients are whole numbers. So
+// candidates with 0 <= x < c are sufficient, and only finitely many q occur for them. The thresholds are those of all
+// forms, and the numbers at which a remainder starts again at 0.
 #pragma once
 
 #include <cstddef>
@@ -31,17 +32,18 @@ namespace robochart::ir {
 /// Piecewise linear conditions about the value of one place.
 class LinearConditions {
 public:
-    /// The instantiation has the scale, and the budget, which long searches for points poll.
+    /// The instantiation contains the scale and the budget. Long searches for points poll this budget.
     LinearConditions(const System& system, const Instantiation& instantiation)
         : system_(system), instantiation_(instantiation), scale_(instantiation.scale) {}
 
-    /// Adds a condition that reads only one place. False if it is not a Boolean combination of comparisons of linear
-    /// terms, of choices between them and of their remainders.
-    /// `closed` evaluates expressions without variables.
+    /// Adds a condition that reads only one place. Returns false if the condition is not a Boolean combination of
+    /// comparisons of linear terms, of choices between them and of their remainders. `closed` evaluates expressions
+    /// without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
-    /// Adds a form: the sum of coefficients times numbers, plus the constant in units. False if it is too large.
+    /// Adds a form: the sum of coefficients times numbers, plus the constant in units. Returns false if the constant or
+    /// a coefficient is too large.
     [[nodiscard]] bool add_form(const std::map<NumberPart, std::int64_t>& coefficients, std::int64_t constant);
-    /// The forms of all comparisons: coefficients of numbers that are not 0, and a constant in units.
+    /// The forms of all comparisons: for each number its coefficient if that is not 0, and the constant in units.
     [[nodiscard]] std::vector<std::pair<std::map<NumberPart, std::int64_t>, std::int64_t>> forms() const;
     /// The sign of each form at a point.
     [[nodiscard]] std::vector<int> signs_at(const std::vector<std::int64_t>& point) const;
@@ -49,7 +51,8 @@ public:
     /// The numbers that the conditions read.
     [[nodiscard]] const std::vector<NumberPart>& components() const { return components_; }
     /// For every combination of signs that the linear forms can have, at least one point: the numbers of the components
-    /// in units, whole numbers for nat and int. No value if there are too many, or if a point is no decimal.
+    /// in units, whole numbers for nat and int. No value if there are too many points, or if a coordinate of a point is
+    /// not a decimal number.
     [[nodiscard]] std::optional<std::vector<std::vector<std::int64_t>>> points() const;
     /// For every combination of signs that the linear forms can have, `count` points, or all if there are fewer. No
     /// value if they were not found, or if there are remainders.
@@ -81,13 +84,13 @@ private:
 
     const System& system_;
     const Instantiation& instantiation_;
-    std::int64_t scale_;                  ///< units of one
-    std::optional<LinearReader> reader_;  ///< of the condition that is added
+    std::int64_t scale_;                  ///< the number of units that represent 1
+    std::optional<LinearReader> reader_;  ///< reads the condition that is being added
     std::vector<NumberPart> components_;
     std::vector<LinearForm> forms_;
     std::optional<std::int64_t> period_;  ///< the divisor of all remainders, in units
-    int remainders_open_ = 0;             ///< the number of remainders around the part that is read
-    bool is_periodic_ = true;             ///< numbers are read inside remainders only
+    int remainders_open_ = 0;             ///< the number of nested remainders around the part that is being read
+    bool is_periodic_ = true;             ///< all numbers read so far are inside remainders
 };
 
 }  // namespace robochart::ir

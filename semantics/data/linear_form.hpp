@@ -15,7 +15,7 @@
 
 namespace robochart::ir {
 
-/// The value of an expression without variables, in units of the sampling scale; no value if it has none.
+/// The value of an expression without variables, in units of the sampling scale; no value if the expression has none.
 using ClosedValue = std::function<std::optional<Value>(const Expr&)>;
 
 /// The sum of coefficient times component, plus the constant. Numbers are in units of the sampling scale. Constants
@@ -37,17 +37,18 @@ inline constexpr std::int64_t greatest_coefficient = std::int64_t{1} << 20U;
 /// Reads sums, differences and multiples of parts that another function reads.
 class LinearReader {
 public:
-    /// A set of forms of which one, for each value of the components, is the value of the expression. No value if the
-    /// expression has no such set.
+    /// A set of forms. For all values of the components, the value of the expression is equal to the value of one of
+    /// these forms. No value if the expression has no such set.
     using Forms = std::optional<std::set<LinearForm>>;
     using ReadPart = std::function<Forms(const Expr&)>;
 
-    /// `closed` evaluates expressions without variables. `read_part` reads expressions with another operator.
+    /// `closed` evaluates expressions without variables. `read_part` reads all expressions that are not sums,
+    /// differences or multiples.
     LinearReader(const System& system, std::int64_t scale, ClosedValue closed, ReadPart read_part)
         : system_(system), scale_(scale), closed_(std::move(closed)), read_part_(std::move(read_part)) {}
 
     [[nodiscard]] Forms read(const Expr& expr) const;
-    /// The form of a number without variables.
+    /// The form of a numeric expression without variables.
     [[nodiscard]] std::optional<LinearForm> read_closed(const Expr& expr) const;
 
 private:
@@ -55,7 +56,7 @@ private:
     [[nodiscard]] Forms read_multiple(const Expr& expr) const;
 
     const System& system_;
-    std::int64_t scale_;  ///< units of one
+    std::int64_t scale_;  ///< the number of units that represent 1
     ClosedValue closed_;
     ReadPart read_part_;
 };

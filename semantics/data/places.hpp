@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places that hold data in a model, and the flow classes that copies make of them. Private to this component.
+// The places that hold data in a model, and the flow classes into which they are grouped. Private to this component.
 // Two places are in one flow class if a value may be copied from one to the other: by an assignment, a communication, a
 // call, a connection or a shared variable (docs/data.md, "Flow classes").
 #pragma once
@@ -49,7 +49,8 @@ public:
     [[nodiscard]] PlaceId trigger(MachineId machine, const Transition& transition) const {
         return transition.trigger ? event(machine, transition.trigger->event) : no_id;
     }
-    /// The place that the expression is: a variable, or the value of a trigger with this place; no_id for others.
+    /// The place that the expression reads directly: a variable, or the value of a trigger with the place `trigger`.
+    /// no_id for all other expressions.
     [[nodiscard]] PlaceId read_by(MachineId machine, PlaceId trigger, const Expr& expr) const {
         if (expr.kind == ExprKind::variable) return variable(machine, expr.variable);
         return expr.kind == ExprKind::trigger_value ? trigger : no_id;

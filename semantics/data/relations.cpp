@@ -40,7 +40,8 @@ private:
     std::vector<std::uint32_t> parents_;
 };
 
-/// The variables that the condition reads. The value that a trigger receives counts as its variable.
+/// The variables that the condition reads. A read of the value that a trigger receives is treated as a read of the
+/// variable that stores it.
 std::set<VariableId> variables_read(const Expr& root, VariableId trigger) {
     std::set<VariableId> result;
     visit_operands(root, [&](const Expr& expr) {
@@ -202,7 +203,7 @@ bool MachineRelations::is_admissible(VariableId group) const {
     return true;
 }
 
-/// The groups that the values of the event flow into or out of.
+/// The groups into which, or out of which, values of the event flow.
 std::set<VariableId> MachineRelations::groups_of(EventId event) const {
     std::set<VariableId> result;
     const PlaceId place = places_.event(id_, event);
@@ -250,7 +251,7 @@ std::optional<LinearForm> MachineRelations::in_terms_of_holder(VariableId group,
     return LinearForm{{{0, factor}}, form.constant};
 }
 
-/// The holder, or its new value if the expression reads the value that a trigger receives.
+/// The holder, or the holder's new value if the expression reads the value that a trigger receives.
 ExprPtr MachineRelations::holder(VariableId group, const Expr& origin) const {
     Expr result;
     result.kind = ExprKind::variable;
@@ -300,8 +301,8 @@ ExprPtr MachineRelations::multiple(const LinearForm& form, VariableId group, Typ
     return result;
 }
 
-/// The value that the trigger receives stands for the new value of its variable, so that no form may contain both this
-/// value and the variable.
+/// The value that the trigger receives represents the new value of its variable. So no form may contain both this value
+/// and the variable.
 bool mixes_old_and_new(const Expr& root, VariableId trigger) {
     bool reads_new = false, reads_old = false;
     visit_operands(root, [&](const Expr& expr) {
@@ -341,7 +342,8 @@ bool may_contain_terms(ExprKind kind) {
            kind == ExprKind::if_then_else || kind == ExprKind::is_in;
 }
 
-/// Replaces the largest parts that are linear in the group. Recursion depth: the depth of the expression.
+/// Replaces the largest parts of the expression that are linear in the variables of the group. Recursion depth: the
+/// depth of the expression.
 ExprPtr MachineRelations::substitute(const ExprPtr& expr) {
     if (!expr) return expr;
     const std::set<VariableId> read = groups_read(*expr);
@@ -364,7 +366,7 @@ ExprPtr MachineRelations::substitute(const ExprPtr& expr) {
     return std::make_shared<const Expr>(std::move(result));
 }
 
-/// Guards that share a condition, as `condition else` does, share the replaced one.
+/// Guards may share a condition, for example with `condition else`. They then also share its replacement.
 ExprPtr MachineRelations::condition(const ExprPtr& expr, VariableId trigger) {
     if (!expr) return expr;
     if (const auto known = conditions_.find({expr.get(), trigger}); known != conditions_.end()) return known->second;
@@ -408,7 +410,7 @@ void MachineRelations::rewrite_communication(Communication& communication, bool 
     communication.variable = group;
 }
 
-/// The term after `x := e` must be k * term + c before it.
+/// The value of the term after `x := e` must be k * t + c, where t is its value before the assignment.
 void MachineRelations::rewrite_assignment(Stmt& stmt) {
     const VariableId group = groups_.group_of(stmt.variable);
     const LinearForm term = relations_.at(group).term;
@@ -483,8 +485,8 @@ void MachineRelations::rewrite_initial_values(Machine& machine) {
     for (auto& [group, relation] : relations_) initialise(machine, relation);
 }
 
-/// A during action goes on between the event of a trigger and the write of its value. If it changes a variable of the
-/// group there, the class of the received value is no longer that of the term.
+/// A during action continues to run between the event of a trigger and the write of the received value. If it changes a
+/// variable of the group there, the class of the received value is no longer that of the term.
 void MachineRelations::refuse_writes_during() {
     for (const Node& node : machine_.nodes) {
         if (!node.during) continue;

@@ -5,13 +5,13 @@
 // A group of variables that conditions relate is replaced by one variable, the holder, if all conditions read the group
 // through one linear term t, here d - l. The holder holds the value of t. A statement that stores an input in a
 // variable of the group receives the new value of t instead. Statement: the two systems are bisimilar if values of
-// inputs are renamed. Reason: for all values of the other variables, t takes every value of its type as the variable
-// takes every value of its type: a linear form with a coefficient other than 0 maps the reals onto the reals, and one
-// with a coefficient of 1 or -1 maps the integers onto the integers. This is the condition of homogeneity: it is wrong
-// for nat and for all types with bounds (docs/data.md, "Relations of variables").
+// inputs are renamed. Reason: whatever values the other variables have, if the variable ranges over all values of its
+// type, then t ranges over all values of its type: a linear form with a coefficient other than 0 maps the reals onto
+// the reals, and one with a coefficient of 1 or -1 maps the integers onto the integers. This property is called
+// homogeneity. It does not hold for nat and for types with bounds (docs/data.md, "Relations of variables").
 //
-// An input is stored after its event. So nothing may change the group in between: no during action writes one of its
-// variables.
+// An input is stored after its event has occurred. So nothing may change the group between the event and the store: no
+// during action writes a variable of the group.
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,9 @@ namespace robochart::ir {
 /// Identifies a group of variables of one machine by the machine and the lowest VariableId in the group.
 using GroupId = std::pair<MachineId, VariableId>;
 
-/// A group that a holder replaces.
+/// A group of variables that is replaced by a holder.
 struct Relation {
-    GroupId group;  ///< its variable is the holder
+    GroupId group;  ///< the variable in this identifier is the holder
     /// The term: components are variables by VariableId. The constant is 0.
     LinearForm term;
     std::string text;                            ///< "d - l"
@@ -49,7 +49,7 @@ struct RelatedSystem {
     std::vector<Relation> relations;
 };
 
-/// Replaces all groups that can be replaced, except `refused`. `places`: after collect_uses.
+/// Replaces all groups that can be replaced, except `refused`. collect_uses must have processed `places` before.
 [[nodiscard]] RelatedSystem relate_variables(const System& system, const Sampling& sampling, const Places& places,
                                              std::set<GroupId> refused);
 

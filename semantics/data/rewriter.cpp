@@ -88,7 +88,8 @@ std::string unused_name(const System& system, std::string name) {
     return name;
 }
 
-/// A value of the class. If nothing depends on the values, the last class stands for all that the model does not write.
+/// A value of the class. If no condition depends on the values, the last class represents all values that the model
+/// does not write.
 std::string Rewriter::shown_text(PlaceId flow, const ValueClasses& classes, std::size_t number) const {
     if (classes.nothing_tested && classes.witnesses.size() == 1) return "any value";
     if (classes.nothing_tested && number + 1 == classes.witnesses.size()) return "any other value";
@@ -203,7 +204,7 @@ void Rewriter::rewrite_communication(Communication& communication) {
     communication.value = written(carried, communication.value);
 }
 
-/// Whether the value is computed and a condition reads it, so that the machine chooses its class.
+/// Whether the value is computed and some condition reads it. If so, the machine chooses its class.
 bool Rewriter::is_chosen(PlaceId target, const ExprPtr& expr) const {
     const ValueClasses* classes = expr ? classes_at(target) : nullptr;
     return classes != nullptr && !classes->nothing_tested && place_of(*expr) == no_id &&
@@ -233,7 +234,7 @@ const Expr* only_variable(const Expr& root) {
 
 /// Assigns a class that the value can have. If the class of the variable from which it is computed restricts it, the
 /// choice follows a test of this class. The test and the choice are two steps, so no other thread may write the
-/// variable in between: there is no during action, and the variable is not shared.
+/// variable between them. This holds because there is no during action and the variable is not shared.
 StmtPtr Rewriter::chosen_class(PlaceId target, VariableId variable, const ExprPtr& value, const Origin& origin) {
     std::set<std::size_t> all;
     for (std::size_t i = 0; i < classes_at(target)->witnesses.size(); ++i) all.insert(i);

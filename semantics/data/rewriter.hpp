@@ -13,14 +13,15 @@
 
 namespace robochart::ir {
 
-/// The system in which places of the flow classes have enumerations of their classes, and conditions test these.
-/// `uses`: of all flow classes. `terms`: for flow classes of related variables, the term whose values the classes are.
+/// Returns the system in which the places of the flow classes hold literals of enumerations, one literal for each
+/// class. The conditions test these literals. `uses` contains the uses of all flow classes. For flow classes of related
+/// variables, `terms` contains the term, and the classes are classes of its values.
 [[nodiscard]] System with_classes(const System& system, const Sampling& sampling, const Places& places,
                                   const std::map<PlaceId, Uses>& uses, const std::map<PlaceId, ValueClasses>& classes,
                                   const std::map<PlaceId, std::string>& terms = {});
 
-/// The text of a class of values of a term: "d - l = 1". `witness` is a value in the class; `scale` is its number of
-/// units for 1.
+/// The text of a class of values of a term: "d - l = 1". `witness` is a value in the class; `scale` is the number of
+/// units that represent 1.
 [[nodiscard]] std::string term_value_text(const System& system, std::int64_t scale, const std::string& term,
                                           TypeId type, const Value& witness);
 

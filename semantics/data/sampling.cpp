@@ -18,7 +18,8 @@
 namespace robochart::ir {
 namespace {
 
-/// Decimal places in addition to those of the model. Means of corners divide by at most 16 (linear.hpp).
+/// The number of decimal places in addition to those of the model. It is sufficient because the computation of means of
+/// corners divides by at most 16 (linear.hpp).
 constexpr std::int64_t finer = 10'000;
 
 /// The values of a machine's constants in every context in which it runs.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluation in the ideal semantics: numbers have no bounds, and reals have more decimal places than the model's
-// literals, so that there are numbers between neighbours. Private to this component.
+// literals, so that there are numbers between any two neighbouring literals. Private to this component.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,12 @@
 
 namespace robochart::ir {
 
-/// Whether a call may be undefined: a precondition may be false, or no result may satisfy the postconditions. Calls
-/// that inline_calls() replaces are no calls any more.
+/// Whether a call may be undefined: a precondition may be false, or no result may satisfy the postconditions. This is
+/// relevant only for calls that inline_calls() does not replace.
 [[nodiscard]] bool may_have_no_value(const Function& function);
 
-/// The default value of the type with these numbers, in units, in its components.
+/// The default value of the type, after each of the components has been replaced by the number of the same index, in
+/// units.
 [[nodiscard]] Value value_at(const System& system, const Instantiation& instantiation, TypeId type,
                              const std::vector<NumberPart>& components, const std::vector<std::int64_t>& numbers);
 
@@ -38,10 +39,11 @@ public:
     /// if its evaluation is an error, such as a division by zero.
     [[nodiscard]] std::optional<int> truth(MachineId machine, const Expr& condition, const Value& value) const;
 
-    /// True if a call, a division or a conversion in the expression may be undefined: no natural number is negative.
+    /// True if a call, a division or a conversion in the expression may be undefined. For example, the conversion of a
+    /// negative number to nat is undefined.
     [[nodiscard]] bool may_be_undefined(MachineId machine, const ExprPtr& expr) const;
 
-    /// True if the machine's constants have the same values in the finite instantiation.
+    /// True if the machine's constants have the same values here and in the finite instantiation.
     [[nodiscard]] bool has_finite_constants(MachineId machine) const;
 
 private:
@@ -52,8 +54,8 @@ private:
     const Instantiation& finite_;
     Instantiation ideal_;
     std::int64_t factor_ = 1;
-    std::set<std::string> set_by_properties_;                 ///< names of constants as in scripts
-    std::vector<std::vector<std::vector<Value>>> constants_;  ///< of each machine, in each context
+    std::set<std::string> set_by_properties_;                 ///< names of constants, as scripts write them
+    std::vector<std::vector<std::vector<Value>>> constants_;  ///< the constants of each machine in each context
 };
 
 }  // namespace robochart::ir

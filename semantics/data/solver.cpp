@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_combinations = 4'096;
 constexpr std::size_t most_numbers = 8;  ///< in a value; each doubles the decimals that are tried
-/// The limits for one value. Not all of the solver's steps are counted.
+/// The limits of the solver for one value. The solver does not count all of its steps.
 constexpr unsigned most_steps = 2'000'000, most_milliseconds = 2'000;
 /// The limit for all values.
 constexpr std::chrono::seconds most_time{10};
@@ -281,7 +281,7 @@ private:
         return result;
     }
 
-    /// The solver would otherwise replace the handler of SIGINT while it works.
+    /// Without this setting, the solver replaces the handler of SIGINT while it runs.
     [[nodiscard]] z3::check_result check(z3::solver& solver) {
         sampling_.instantiation().poll();
         if (std::chrono::steady_clock::now() > end_) return z3::unknown;
@@ -334,7 +334,7 @@ bool SolverSearch::gives(const Value& value, const Answers& answers) const {
     return true;
 }
 
-/// The value with numbers that are multiples of the step, in units, beside those of the solver.
+/// A value whose numbers are close to those of the solver and are multiples of the step, in units.
 std::optional<Value> SolverSearch::rounded_value(const std::vector<SolverFraction>& numbers, std::int64_t step,
                                                  const Answers& answers) const {
     const std::int64_t scale = sampling_.instantiation().scale;

@@ -4,10 +4,10 @@
 // Private to this component.
 //
 // Statement: if there is a result, it contains a value for each combination of answers that some value gives. Reason:
-// the solver is asked for a value with a combination that no earlier value has, until it proves that there is none.
-// The evaluator of the semantics evaluates each value again, and there is no result if it disagrees with the solver. A
-// solver that does not know, or a combination that only numbers give that are no decimals (`x * x == 2.0`), gives no
-// result either. The solver has limits on its steps and on its time, so that a slow machine may find no result where a
+// the solver is asked for a value with a combination that no earlier value has, until it proves that there is none. The
+// evaluator of the semantics evaluates each value again, and there is no result if it disagrees with the solver. There
+// is also no result if the solver answers "unknown", or if only numbers that are not decimals give some combination (`x
+// * x == 2.0`). The solver has limits on its steps and on its time, so that a slow machine may find no result where a
 // fast one does.
 #pragma once
 
@@ -19,9 +19,9 @@
 
 namespace robochart::ir {
 
-/// A value of the type for each combination of answers that its values give. No value if the program was built
-/// without Z3 (has_solver), an operator of a condition is not arithmetic, logic or a comparison of numbers, an operand
-/// may be undefined, or there are more than 4,096 combinations. The sampling's budget is polled.
+/// A value of the type for each combination of answers that its values give. No value if the program was built without
+/// Z3 (has_solver), an operator of a condition is not arithmetic, logic or a comparison of numbers, an operand may be
+/// undefined, or there are more than 4,096 combinations. The search polls the budget of `sampling`.
 [[nodiscard]] std::optional<std::vector<Value>> solve_answers(const System& system, const Sampling& sampling,
                                                               TypeId type, const std::vector<Condition>& conditions);
 

@@ -17,7 +17,7 @@ public:
 
     /// The statement with a new control point.
     [[nodiscard]] StmtPtr make(Stmt stmt);
-    /// The only statement itself, if there is one.
+    /// The sequence of these statements. If there is only one statement, returns this statement itself.
     [[nodiscard]] StmtPtr sequence_of(std::vector<StmtPtr> statements, const Origin& origin);
     [[nodiscard]] StmtPtr skip(const Origin& origin);
     [[nodiscard]] StmtPtr assignment(VariableId variable, ExprPtr value, const Origin& origin);

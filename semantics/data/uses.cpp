@@ -71,7 +71,7 @@ void UseCollector::read_values(const ExprPtr& expr, KeepReason why) {
     for (const PlaceId place : places_read(*expr)) needs_values(place, why, *expr);
 }
 
-/// Other conditions than guards stop the machine where they are undefined.
+/// If a condition that is not a guard is undefined, the machine stops there.
 void UseCollector::read_condition(const ExprPtr& expr) {
     if (expr && may_be_undefined(expr))
         read_values(expr, KeepReason::undefined);
@@ -112,7 +112,7 @@ void UseCollector::write(PlaceId target, const ExprPtr& expr, bool initial) {
     uses_[target].writes.push_back(std::move(written));
 }
 
-/// An assignment to a part of a variable computes the whole from the old value.
+/// An assignment to a part of a variable is treated as a computation of the whole new value from the old value.
 void UseCollector::write_part(const Stmt& stmt) {
     const PlaceId target = places_.variable(machine_, stmt.variable);
     if (computed_ == Computed::exactly) {

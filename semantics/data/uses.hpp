@@ -24,9 +24,9 @@ struct Condition {
 struct Written {
     const Expr* expr = nullptr;  ///< null: the default value of the type
     MachineId machine;
-    bool closed = false;      ///< it has one value in all contexts
+    bool closed = false;      ///< the expression has the same value in all contexts
     bool initial = false;     ///< the initial value of a variable
-    std::set<PlaceId> reads;  ///< otherwise: the flow classes that it is computed from
+    std::set<PlaceId> reads;  ///< if not closed: the flow classes from which it is computed
 };
 
 /// The uses of one flow class.
@@ -41,11 +41,12 @@ struct Uses {
 
 /// How exactly the class model represents computed values.
 enum class Computed {
-    exactly,  ///< their carriers are kept if a condition reads them
-    freely,   ///< they may be of any class, or undefined
+    exactly,  ///< computed values keep their carriers if a condition reads them
+    freely,   ///< computed values may belong to any class, or be undefined
 };
 
-/// Collects the uses of all flow classes. Copies unite the classes of `places`.
+/// Collects the uses of all flow classes. If the model copies a value, the flow classes of both places are united in
+/// `places`.
 [[nodiscard]] std::map<PlaceId, Uses> collect_uses(const System& system, const Sampling& sampling, Places& places,
                                                    Computed computed = Computed::exactly);
 

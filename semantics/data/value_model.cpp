@@ -117,7 +117,7 @@ private:
     std::map<TypeId, std::set<PlaceId>> flows_;  ///< of the machines, by type
 };
 
-/// False if the values of the place's flow class are computed or needed.
+/// False if values of the place's flow class are computed, or if some use requires the values themselves.
 bool Explorer::add_place(PlaceId place) {
     if (place == no_id || !has_numbers(system_, places_[place].type)) return true;
     const PlaceId flow = places_.class_of(place);
@@ -144,8 +144,8 @@ bool Explorer::find_flows() {
     return true;
 }
 
-/// True if the machines compute the same with carriers as without. Constants and initial values are computed before
-/// code is generated.
+/// True if the machines compute the same results with carriers and without. Constants and initial values are computed
+/// before code is generated.
 bool Explorer::machines_are_free(const System& rewritten) const {
     return std::ranges::all_of(machines_, [&](MachineId id) {
         bool result = sampling_.has_finite_constants(id);
@@ -187,7 +187,7 @@ bool Explorer::add_conditions(LinearConditions& linear, TypeId type, const std::
     return true;
 }
 
-/// Candidates in each region: as many as there are written values, and two more, or all values of a smaller region. If
+/// Candidates in each region: two more than the number of written values, or all values of a region that has fewer. If
 /// the conditions do not read all numbers of a value, the candidates of a region differ in an unread number.
 std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearConditions& linear, TypeId type,
                                                               const std::vector<Value>& written) const {
@@ -214,8 +214,8 @@ std::optional<std::vector<Value>> Explorer::values_in_regions(const LinearCondit
     return result;
 }
 
-/// Adds `fresh_values` values of each region that the model does not write, or all of a smaller region. False if there
-/// are too many.
+/// Adds, for each region, `fresh_values` values that the model does not write, or all values of a region that has
+/// fewer. Returns false if there are too many.
 bool Explorer::add_regions(const LinearConditions& linear, TypeId type, std::vector<Value>& values) const {
     const std::vector<Value> written = values;
     const auto candidates = values_in_regions(linear, type, written);
@@ -240,8 +240,8 @@ void Explorer::add_cuts(const LinearConditions& linear, TypeId type, std::vector
     }
 }
 
-/// The comparisons of a sequence's numbers, and those of its size by which a window has places: the form
-/// 2 * size - (2 * first - 1) is positive if it does.
+/// The comparisons of a sequence's numbers, and for each window the comparison of the size that decides whether the
+/// window has places: it has places if the form 2 * size - (2 * first - 1) is positive.
 void add_sequence_cuts(const SequenceConditions& conditions, TypeId type, std::vector<Cut>& cuts) {
     for (const auto& [window, threshold] : conditions.comparisons()) {
         cuts.push_back({type, {1}, -threshold, window});
@@ -249,7 +249,7 @@ void add_sequence_cuts(const SequenceConditions& conditions, TypeId type, std::v
     }
 }
 
-/// Adds a comparison of the code. False if it is not one of a number with a threshold.
+/// Adds a comparison of the code. Returns false if it does not compare one number with a threshold.
 bool add_sequence_cut(SequenceConditions& conditions, const Cut& cut) {
     const std::int64_t coefficient = cut.coefficients.at(0);
     if (cut.window) return coefficient == 1 && conditions.add_threshold(*cut.window, -cut.constant);
@@ -259,14 +259,14 @@ bool add_sequence_cut(SequenceConditions& conditions, const Cut& cut) {
 }
 
 /// Makes another sequence of the same region, or shows that there is none. Statement: a region has only one sequence if
-/// this sequence cannot be followed by an item, and each of its items is the only one in some window that is equal to
-/// the window's number, which is a threshold. Reason: the lengths with these windows are an interval, so another
-/// sequence of the region is not longer. In the windows of the greatest items (with `max`: the least ones) there are no
-/// other items, so each other sequence has these items in these places. The windows of the next items contain only
-/// these places and those before, and so on.
+/// two conditions hold. (1) No item can be appended to this sequence. (2) For each of its items there is a window whose
+/// number is a threshold, and this item is the only one in the window that is equal to the number. Reason: the lengths
+/// with the same nonempty windows are an interval, so by (1) no sequence of the region is longer. The windows of the
+/// greatest items (with `max`: the least items) contain no other items, so every sequence of the region has these items
+/// in these places. The windows of the next items contain only these items and the previous ones, and so on.
 class SequenceChanges {
 public:
-    /// `unit`: of one item.
+    /// `unit` is the unit of one item.
     SequenceChanges(const SequenceConditions& conditions, std::int64_t unit, bool natural)
         : conditions_(conditions), unit_(unit), natural_(natural) {}
 
@@ -333,8 +333,8 @@ private:
     bool natural_;
 };
 
-/// Adds `fresh_values` sequences of each region, or the only one. False if there are too many, or if it is not known
-/// whether a region has others.
+/// Adds `fresh_values` sequences of each region, or its only sequence. Returns false if there are too many, or if it is
+/// not known whether a region has further sequences.
 bool Explorer::divide_sequences(TypeId type, const std::set<PlaceId>& flows, std::vector<Value>& values,
                                 ValueModel& result) const {
     if (values.size() > 1) return false;  // the code cannot build other sequences than the empty one

@@ -10,8 +10,8 @@
 
 namespace robochart::ir {
 
-/// The value as in RoboChart, for types without strings, functions, relations and matrices; equal elements of a
-/// sequence that follow each other are counted: `<30 times 0.5, 1>`.
+/// The value as in RoboChart, for types without strings, functions, relations and matrices; consecutive equal elements
+/// of a sequence are printed once, with their number: `<30 times 0.5, 1>`.
 [[nodiscard]] std::string value_text(const System& system, std::int64_t scale, TypeId type, const Value& value);
 
 }  // namespace robochart::ir

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number of a sequence that conditions read: the least or greatest one at some places.
+// Describes a number that conditions read from a sequence: the least or the greatest number at some of its places.
 #pragma once
 
 #include <compare>
@@ -9,7 +9,7 @@
 namespace robochart::ir {
 
 struct SequenceWindow {
-    std::vector<std::int64_t> places;  ///< from 1 on, ascending, without duplicates
+    std::vector<std::int64_t> places;  ///< counted from 1, ascending, without duplicates
     bool greatest = false;
     friend auto operator<=>(const SequenceWindow&, const SequenceWindow&) = default;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t longest_sequence = 4096;
 constexpr std::size_t most_candidates = 5'000;
-/// Numbers beside a threshold fit into 64 bits.
+/// With this limit, the numbers next to a threshold fit into 64 bits.
 constexpr std::int64_t greatest_threshold = std::int64_t{1} << 56U;
 
 bool is_toolkit(const Expr& expr, std::string_view function) {
@@ -133,7 +133,7 @@ std::vector<int> SequenceConditions::signs_at(const Value& sequence) const {
     return result;
 }
 
-/// The places of each cell, ascending, by the windows that contain them.
+/// Maps a set of windows to the cell of the places that exactly these windows contain; places are ascending.
 std::map<std::vector<std::size_t>, std::vector<std::int64_t>> SequenceConditions::cells() const {
     std::map<std::int64_t, std::vector<std::size_t>> of_place;
     for (std::size_t w = 0; w < windows_.size(); ++w)

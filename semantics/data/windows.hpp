@@ -3,11 +3,11 @@
 //
 // A window is a set of places of a sequence, as in `min(ran(extract([31, 90], scan))) < near`. The windows divide the
 // places into cells: two places are in one cell if they are in the same windows. Statement: for every sequence there is
-// a candidate for which each condition has the same value. Reason: the least number in a window is the least of the
-// least numbers in its cells, so a sequence may be replaced by one that has in each cell only the cell's least number
-// (for `max`, the greatest); which cells have places depends on the length alone, and changes only at the first place
-// of a cell; and a comparison with a constant changes only at this constant. Therefore all windows use `min`, or all
-// use `max`.
+// a candidate for which each condition has the same value. Reason: (1) The least number in a window is the least of the
+// least numbers in its cells. So a sequence may be replaced by one that contains in each cell only the cell's least
+// number (for `max`, the greatest). (2) The length alone determines which cells are nonempty, and this changes only at
+// the first place of a cell. (3) A comparison with a constant changes only at this constant. Step 1 requires that all
+// windows use `min`, or all use `max`.
 #pragma once
 
 #include <cstdint>
@@ -24,21 +24,21 @@ namespace robochart::ir {
 /// Conditions about a sequence of numbers in one place.
 class SequenceConditions {
 public:
-    /// `scale`: units of one.
+    /// `scale` is the number of units that represent 1.
     SequenceConditions(const System& system, std::int64_t scale) : system_(system), scale_(scale) {}
 
-    /// Adds a condition that reads only the sequence. False if it is not a Boolean combination of comparisons of
-    /// windows and of the size with constants.
-    /// `closed` evaluates expressions without variables.
+    /// Adds a condition that reads only the sequence. Returns false unless the condition is a Boolean combination of
+    /// comparisons of windows, or of the size, with constants. `closed` evaluates expressions without variables.
     [[nodiscard]] bool add(const Expr& condition, const ClosedValue& closed);
-    /// Candidates; no value if there are too many. `element`: the type of the elements; `other`: the element at places
-    /// in no window.
+    /// The candidates; no value if there are too many. `element` is the type of the elements. `other` is the element at
+    /// all places that are in no window.
     [[nodiscard]] std::optional<std::vector<Value>> values(TypeId element, const Value& other) const;
 
-    /// Whether some windows use `min` and some `max`; there are no candidates then.
+    /// Whether some windows use `min` and others use `max`. In that case there are no candidates.
     [[nodiscard]] bool has_both_extremes() const;
 
-    /// Adds a comparison of the number in a window, or of the size, with a threshold. False if it is too large.
+    /// Adds a comparison of the number in a window, or of the size, with a threshold. Returns false if the threshold,
+    /// the size or a place of the window is too large.
     [[nodiscard]] bool add_threshold(const SequenceWindow& window, std::int64_t threshold);
     [[nodiscard]] bool add_size(std::int64_t size);
     /// A comparison of the number in a window, or of the size (no window), with a threshold.
@@ -47,10 +47,11 @@ public:
         std::int64_t threshold = 0;
     };
     [[nodiscard]] std::vector<Comparison> comparisons() const;
-    /// For each comparison, the sign of the number less the threshold; 2 if the sequence has no place in the window.
+    /// For each comparison, the sign of the number minus the threshold; 2 if the window contains no place of the
+    /// sequence.
     [[nodiscard]] std::vector<int> signs_at(const Value& sequence) const;
 
-    /// The greatest size that the conditions compare the size with; no value if they read elements.
+    /// The greatest number with which the conditions compare the size; no value if a condition reads elements.
     [[nodiscard]] std::optional<std::int64_t> greatest_size() const {
         if (!windows_.empty()) return std::nullopt;
         return sizes_.empty() ? 0 : *sizes_.rbegin();
@@ -67,9 +68,9 @@ private:
 
     const System& system_;
     std::int64_t scale_;
-    ClosedValue closed_;  ///< of the condition that is added
+    ClosedValue closed_;  ///< evaluates the parts without variables of the condition that is being added
     std::vector<SequenceWindow> windows_;
-    std::vector<std::set<std::int64_t>> thresholds_;  ///< of each window, in the unit of its numbers
+    std::vector<std::set<std::int64_t>> thresholds_;  ///< for each window, in the unit of its numbers
     std::set<std::int64_t> sizes_;                    ///< numbers that the size is compared with
 };
 

@@ -49,7 +49,8 @@ bool is_whole(const Decimal& value) {
     return *floor_modulus(value.unscaled, power_of_ten(value.decimals).value_or(1)) == 0;
 }
 
-/// Decimals that cannot be aligned are in no carrier and are not ordered.
+/// If two decimals cannot be converted to the same number of decimal places, they are in no carrier. They are then
+/// ordered only by their rounded-down whole parts.
 bool is_less(const Decimal& a, const Decimal& b) {
     const auto both = align_decimals(a, b);
     return both ? both->left < both->right : floor_of(a) < floor_of(b);
@@ -236,7 +237,7 @@ public:
     void look_at_stored(TypeId value, TypeId place) {
         conversions_.emplace(system_.type(value).kind, system_.type(place).kind);
     }
-    /// A value that is converted to a wider type is compared with the numbers of this type.
+    /// If a value is converted to a wider type, it is treated as compared with the numbers of this type.
     void add_converted();
 
 private:
@@ -249,7 +250,7 @@ private:
         return expr.type.is_valid() ? system_.type(expr.type).kind : TypeKind::unit;
     }
 
-    /// A number that the values of a variable are compared with by order, or that is added to them.
+    /// A number with which values of a variable are compared by order, or that is added to them.
     struct NumberOfVariable {
         const Machine* machine;
         VariableId variable;
@@ -416,7 +417,8 @@ void Comparisons::add_extremes(const Literals& literals) {
         for (const Decimal& value : literals.real) add_beyond(value);
 }
 
-/// The whole numbers around the thresholds are in the carrier already, and so are all literals.
+/// Adds numbers between the thresholds. The carrier already contains the whole numbers around the thresholds and all
+/// literals.
 void Comparisons::add_between(const Literals& literals) {
     std::ranges::sort(thresholds_, is_less);
     for (std::size_t i = 1; i < thresholds_.size(); ++i) {

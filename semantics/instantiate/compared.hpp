@@ -19,13 +19,13 @@ namespace robochart::ir {
 
 /// The numbers that a carrier needs so that every comparison is true for some values and false for others.
 struct Compared {
-    std::set<std::int64_t> nat, integer;  ///< the neighbours of the numbers that values are compared with
+    std::set<std::int64_t> nat, integer;  ///< the neighbours of the numbers with which values are compared
     std::set<std::int64_t> real;          ///< the whole numbers around them
-    std::vector<Decimal> between;  ///< one number between each two neighbours that reals are compared with by order
+    std::vector<Decimal> between;         ///< one number between each two neighbouring bounds of reals (<, <=, >, >=)
 };
 
-/// Collects the numbers from comparisons in guards, conditions and contracts. A constant in a comparison stands for
-/// every value that the model, an option, an assertion or a CSP block gives to a constant with its name. `chosen`
+/// Collects the numbers from comparisons in guards, conditions and contracts. A constant in a comparison represents
+/// every value that the model, an option, an assertion or a CSP block gives to any constant with this name. `chosen`
 /// contains the values of options, by the names in scripts. `longest` is the length of the longest sequences.
 [[nodiscard]] Compared compared_values(const System&, const std::map<std::string, ExprPtr>& chosen, const Literals&,
                                        std::int64_t longest);

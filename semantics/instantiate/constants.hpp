@@ -21,7 +21,8 @@ using ChosenConstants = std::map<std::string, ExprPtr>;
                                                diagnostics::Diagnostics&);
 /// Fills Instantiation::constants from the options and the defaults. Carriers and scale must be set before.
 void set_constants(const System&, const ChosenConstants&, Instantiation&);
-/// Reports RC-S19 for a constant that an operation requires from several callers which have different values.
+/// Reports RC-S19 if an operation requires a constant from several callers, and the callers have different values for
+/// it.
 void check_shared_constants(const System&, const Instantiation&, diagnostics::Diagnostics&);
 
 }  // namespace robochart::ir

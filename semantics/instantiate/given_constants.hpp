@@ -16,8 +16,8 @@ using GivenConstants = std::map<std::string, std::string>;
 
 /// The names of `weaker` that `stronger` does not override; different spellings of a name are recognised. If `stronger`
 /// overrides only some constants of a name, the name is kept, so that both together are rejected (RC-S24). Otherwise it
-/// would be unclear which value is meant, because a constant passes its value to those of its components. Names that
-/// the system does not have are kept, too.
+/// would be unclear which value is meant, because a constant passes its value to those of its components. A name that
+/// matches no constant of the system is kept, too.
 [[nodiscard]] GivenConstants not_overridden(const System&, const GivenConstants& weaker,
                                             const GivenConstants& stronger);
 

@@ -156,7 +156,7 @@ diagnostics::Span cause_of(const Range& range, const Literals& literals) {
     return found == literals.places.end() ? diagnostics::Span{} : found->second;
 }
 
-/// The numbers of a large range that conditions can tell apart: those of the narrower type, the ends of the range, the
+/// The numbers of a large range that conditions can distinguish: those of the narrower type, the ends of the range, the
 /// whole numbers of the model, and the neighbours of all these.
 std::vector<std::int64_t> distinguished_numbers(const Range& range, const std::vector<std::int64_t>& narrower,
                                                 const Literals& literals) {
@@ -243,7 +243,7 @@ std::int64_t clock_need(const System& system, const Instantiation& instantiation
     return result;
 }
 
-/// Sets the sizes from options. Clocks must be able to exceed the numbers that they are compared with.
+/// Sets the sizes from options. The range of clocks must exceed the numbers with which clocks are compared.
 void set_sizes(const InstantiationOptions& options, std::int64_t clocks, Instantiation& instantiation,
                Diagnostics& diagnostics) {
     for (const auto& [name, bounds] : options.ranges) {

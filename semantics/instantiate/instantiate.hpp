@@ -24,10 +24,11 @@
 
 namespace robochart::ir {
 
-/// The numbers in carriers that neither an option nor a block Instantiations gives.
+/// Determines the numbers in those carriers that are given neither by an option nor by a CSP block named
+/// Instantiations.
 enum class Carriers {
     robotool,  ///< up to the least and the greatest literal
-    beyond,    ///< also numbers on both sides of those that values are compared with (compared.hpp)
+    beyond,    ///< also numbers on both sides of the numbers with which values are compared (compared.hpp)
 };
 
 /// Applies RoboTool's defaults, widens them by the model's literals and constants, and then applies the user's options.
@@ -48,7 +49,7 @@ enum class Carriers {
 /// definition have the default of their type.
 [[nodiscard]] std::vector<Value> constant_values(const System&, const Instantiation&, const Module*, const Controller*,
                                                  const std::string& part, const Machine&);
-/// The largest whole number that a clock is compared with, plus 1. This includes comparisons of operations that the
+/// The largest whole number with which a clock is compared, plus 1. This includes comparisons of operations that the
 /// machine may call and that share the clock. The clock may saturate at this value without changing any comparison. For
 /// an expression that is not constant, the greatest value of its type is used.
 [[nodiscard]] std::int64_t clock_saturation(const System&, const Instantiation&, const Machine&, ClockId);

@@ -9,8 +9,8 @@
 
 namespace robochart::ir {
 
-/// Describes the first type of an event or a parameter that has more than `most` values: its name, the number of the
-/// model that makes it so large, and the option that narrows it. "" if there is none.
+/// Describes the first type of an event or a parameter that has more than `most` values: its name, the number in the
+/// model that makes its carrier so large, and the option that narrows it. "" if there is none.
 [[nodiscard]] std::string large_type(const System&, const Instantiation&, double most,
                                      const diagnostics::SourceManager&);
 

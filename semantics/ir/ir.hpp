@@ -206,7 +206,7 @@ enum class StmtKind {
     clock_reset,
     deadline,
     exec,   ///< RoboSim: ends the cycle
-    choose  ///< only in models that semantics/data makes, which are decided and never run
+    choose  ///< only in models that semantics/data makes; these models are checked, but no code is generated from them
 };
 
 struct Stmt;
@@ -333,7 +333,7 @@ struct Transition {
     std::optional<Communication> trigger;
     std::vector<ClockId> resets;
     ExprPtr guard;  ///< null: true. `condition else` is already the negation of the other conditions
-    /// The guard contains since or sinceEntry; the untimed semantics takes these parts as true.
+    /// The guard contains since or sinceEntry; the untimed semantics uses a weaker guard (untimed_guards.hpp).
     bool guard_timed = false;
     ExprPtr deadline;
     ExprPtr probability;

@@ -22,12 +22,13 @@ struct Literals {
     std::set<diagnostics::ForeignText> strings;        ///< texts
     std::map<std::int64_t, diagnostics::Span> places;  ///< the first place of a whole number
     std::set<std::string> durations;                   ///< see constants_of_durations()
-    bool windows = false;                              ///< includes those of windows: of W in `extract(W, s)`
+    bool windows = false;  ///< includes the numbers of windows, which are those of W in `extract(W, s)`
 };
 
-/// `windows`: with the numbers of windows. They are places of a sequence, but RoboTool's carriers contain them.
+/// If `windows` is true, the result includes the numbers of windows. They are places of a sequence and not values, but
+/// RoboTool's carriers contain them.
 [[nodiscard]] Literals literals_of(const System&, bool windows = false);
-/// The names of constants that are used only as a whole duration or in a comparison with since(), and at least once.
+/// The names of constants that are used at least once, and only as a whole duration or in a comparison with since().
 /// Their values are numbers of time units, too. All constants with the same name are treated as one, because a required
 /// constant gets its value from another constant with this name.
 [[nodiscard]] std::set<std::string> constants_of_durations(const System&);

@@ -34,7 +34,7 @@ public:
     void add_all(const std::string& package, const std::string& path, const std::vector<Constant>& constants) {
         for (const auto& constant : constants) add(package, path, constant);
     }
-    /// Adds the constants of a component that are not provided.
+    /// Adds the constants of a component, except those that another component provides.
     void add_part(const System& system, const Controller& controller, const std::string& part, const Machine& machine) {
         for (std::uint32_t i = 0; i < machine.constants.size(); ++i) {
             const auto source = constant_source(system, nullptr, &controller, part, machine, ConstantId{i});

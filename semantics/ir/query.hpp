@@ -29,7 +29,7 @@ namespace robochart::ir {
 /// The length of the cycles of a RoboSim component: `cycle_<package>_<path>_<component>`.
 [[nodiscard]] std::string constant_name(const std::string& package, const std::string& path,
                                         const std::string& constant);
-/// Whether constant_name made the name for the length of a cycle.
+/// Whether the name, made by constant_name, is that of the length of a cycle.
 [[nodiscard]] bool is_cycle_name(const std::string&);
 
 /// The source of the value of a machine's constant when the machine runs as `part` of a controller (the name of its

@@ -45,7 +45,7 @@ bool defined_by_blocks(const Lowering& lowering, const Function& function) {
     return (timed || !timed_claims) && (untimed || !untimed_claims);
 }
 
-/// Reports the assumed values of functions that the model does not define.
+/// Reports functions that the model does not define, with the values that are assumed for them.
 void report_values(const Lowering& lowering, const frontend::Function& source, const Function& function) {
     if (defined_by_blocks(lowering, function)) return;
     const bool open = function.postconditions.empty();

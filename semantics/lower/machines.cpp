@@ -77,7 +77,7 @@ void MachineLowering::declare_members() {
         lower_declarations(lowering_, source_, machine_.path, operation ? &source_.parameters : nullptr);
     if (machine_.robosim) {
         add_registers(lowering_, source_, machine_.path, declared, machine_.inputs);
-        // an operation has no `cycleDef`: its cycle is that of its caller
+        // an operation has no `cycleDef`, because it runs in the cycle of its caller
         declared.constants.push_back(cycle_constant(lowering_, declared.names, source_, true));
     }
     machine_.variables = std::move(declared.variables);
@@ -90,8 +90,8 @@ void MachineLowering::declare_members() {
     names_.machine = &machine_;
 }
 
-/// A variable that a RoboSim machine requires outside of its contexts has no owner. It is refused if the machine uses
-/// it.
+/// If a RoboSim machine requires a variable outside of its contexts, no component provides the variable. The model is
+/// rejected if the machine uses it.
 void MachineLowering::check_required_variables() {
     std::set<VariableId> used;
     visit_reads(machine_, [&](VariableId id) { used.insert(id); });
@@ -207,8 +207,8 @@ void MachineLowering::lower_transition(Pending& pending) {
     machine_.transitions.push_back(std::move(transition));
 }
 
-/// `condition else` is true if no condition of the other transitions of the source is true. Their triggers do not
-/// matter, and a transition without a condition counts as true.
+/// `condition else` is true if no condition of the other transitions of the source is true. The triggers of these
+/// transitions are ignored, and a transition without a condition is treated as one with the condition `true`.
 ExprPtr MachineLowering::otherwise_condition(const Pending& pending, const Transition& transition) {
     ExprPtr none;
     for (const auto& sibling : pending_) {

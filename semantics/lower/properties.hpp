@@ -6,7 +6,7 @@
 
 namespace robochart::ir {
 
-/// Fills System::properties and System::csp_blocks. The components must be lowered before.
+/// Fills System::properties and System::csp_blocks. The components must already have been lowered.
 void lower_properties(Lowering&);
 
 }  // namespace robochart::ir

@@ -57,7 +57,7 @@ bool is_robosim(const ast::Declaration& declaration) {
 
 }  // namespace
 
-/// RoboChart's components come first, so that the others can be left out (without_robosim).
+/// RoboChart's components come first, so that those of RoboSim can be removed (without_robosim).
 void register_components(Lowering& lowering) {
     for (const bool robosim : {false, true})
         for (const auto* file : lowering.files)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoboSim: the registers of a machine or operation, their reads in expressions, and the lengths of cycles
-// (docs/robosim.md). A register is a variable: whether it is full, and its value.
+// (docs/robosim.md). A register is represented by variables: one states whether the register is full, the other holds
+// its value.
 #include "semantics/lower/registers.hpp"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ private:
         declared_.events.push_back(std::move(event));
     }
 
-    /// A variable of both contexts is one register.
+    /// A variable that is in both contexts has only one register.
     void add_register(const ast::Variable& source, bool input) {
         const Origin origin = origin_of(element_ + "::" + source.name, source.span);
         auto& known = declared_.names.registers;
@@ -138,7 +139,7 @@ bool is_whole(const Expr& expr) {
 
 namespace {
 
-/// Registers are identified by their names, so two inputs (outputs) of one name are reported.
+/// Registers are identified by their names, so two inputs, or two outputs, with the same name are reported.
 void check_register_names(const Lowering& lowering, const std::string& owner, const Declarations& declared,
                           const std::vector<Input>& inputs) {
     std::map<std::string, diagnostics::Span> read, written;

@@ -36,7 +36,7 @@ Next finish_item(const RunningThread& running, Values values) {
     return next_configuration(running.replace(running.tail()), std::move(values));
 }
 
-/// Resets the clock if this machine counts it in a cell.
+/// Resets the clock if a cell of this machine holds the time of the clock.
 void reset_clock(const MachineTables& tables, std::uint32_t index, ir::ClockId clock, Values& values) {
     const Frame& frame = tables.frames[index];
     tables.watch.note_reset(frame, clock, values);
@@ -141,8 +141,8 @@ std::optional<Next> silent_statement(MachineTables& tables, const RunningThread&
     if (about_time && !tables.timed()) return perform_statement(tables, running, values);  // dropped: semantics 3.11
     if (changes && (running.during || !alone)) return std::nullopt;
     if (!is_stable(tables, running.frame(), stmt, alone)) return std::nullopt;
-    // Every further conditional would double the text, so a second conditional after a first one gets a separate
-    // function.
+    // Each further conditional in one function would double the size of the text. So a second conditional after a first
+    // one gets a separate function.
     const bool again = stmt.kind == StmtKind::if_then_else && branching;
     if (again || !reads_only_names(tables, running.frame(), stmt, values)) return at_point(config, values);
     return perform_statement(tables, running, values);
@@ -164,7 +164,7 @@ std::optional<Next> silent_head(MachineTables& tables, const RunningThread& runn
         case ItemKind::enter:
             return enter_node(tables, running, values);
         case ItemKind::entered:
-            // the environment does not see states of called operations
+            // the environment does not observe the states of called operations
             if (running.frame() != 0) return mark_entered(tables, running, values);
             return std::nullopt;
         case ItemKind::store: {

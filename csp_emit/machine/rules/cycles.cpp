@@ -119,9 +119,10 @@ std::vector<Branch> cycle_branches(MachineTables& tables, const Activation& conf
             result.push_back(fire_transition(tables, running, id));
     for (const RunningThread& running : now.threads)
         if (auto branch = head_branch(tables, running, alone)) result.push_back(std::move(*branch));
-    // an operation alone may require variables of its caller
+    // an operation that is checked separately may require variables of its caller
     for (Branch& write : external_writes(tables, config, now)) result.push_back(std::move(write));
-    // the cycle process of a machine lets no time pass here; an operation alone has no such process
+    // the cycle process of a machine lets no time pass here; an operation that is checked separately has no such
+    // process
     if (tables.machine().kind == ir::MachineKind::operation && !is_urgent(tables, now))
         result.push_back(tock_branch(tables, config, now));
     return result;

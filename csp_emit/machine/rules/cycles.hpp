@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // RoboSim: the steps of a machine in its cycles (docs/robosim.md). Between `endexec` and `startexec` the machine takes
-// no transition and touches no register; its registers are read, time passes, and a machine in its final state may
-// terminate. The process of the cycle (csp_emit/base/registers.hpp) determines when each of these happens.
+// no transition and does not access its registers itself; its registers are read, time passes, and a machine in its
+// final state may terminate. The process of the cycle (csp_emit/base/registers.hpp) determines when each of these
+// happens.
 #pragma once
 
 #include <vector>
@@ -14,7 +15,7 @@ namespace robochart::csp_emit {
 [[nodiscard]] bool is_between_cycles(const View&);
 /// Whether the first item of the thread reads or writes a register, or ends the cycle.
 [[nodiscard]] bool touches_registers(const MachineTables&, const RunningThread&);
-/// `exec`: `endexec`, after which the thread waits for the next cycle.
+/// The branch for the statement `exec`: the event `endexec`, after which the thread waits for the next cycle.
 [[nodiscard]] Branch end_cycle(const RunningThread&);
 /// The initial configuration of a state machine: the first cycle has not begun.
 [[nodiscard]] Activation before_first_cycle(const ir::Machine&);

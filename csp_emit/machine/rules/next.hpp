@@ -17,11 +17,13 @@ struct Next {
         configuration,  ///< a configuration: continues at once with steps that need no event
         point,          ///< a configuration: calls its function
         conditional,    ///< two parts, selected by a condition on the values
-        branching,  ///< a choice by a condition in a statement; a second conditional after it gets a separate function
-        wait_over,  ///< a choice by whether a wait is over; the points of the second part are numbered first
-        internal,   ///< the process chooses between the parts
-        interval,   ///< the process chooses a value of `d__` from a set, which may be empty
-        process,    ///< not a configuration of the machine but the process `expr`
+        branching,      ///< a choice that depends on a condition in a statement; a second conditional after it gets a
+                        ///< separate function
+        wait_over,      ///< a choice that depends on whether a wait is over; the points of the second part are numbered
+                        ///< first
+        internal,       ///< the process chooses between the parts
+        interval,       ///< the process chooses a value of `d__` from a set, which may be empty
+        process,        ///< not a configuration of the machine but the process `expr`
     };
     Kind kind = Kind::configuration;
     Activation config = {};
@@ -50,7 +52,7 @@ struct Branch {
     cspm::ExprPtr event = {};
     std::vector<cspm::Field> fields = {};
     Next next = {};
-    bool tock = false;  ///< time passes: clocks that `next` does not set advance
+    bool tock = false;  ///< the branch is a tock; clocks that `next` does not set advance by one unit
 };
 
 }  // namespace robochart::csp_emit

@@ -27,7 +27,7 @@ bool may_refuse_writes(const MachineTables& tables, const ir::Stmt& stmt) {
            std::ranges::any_of(stmt.body, [&](const auto& part) { return may_refuse_writes(tables, *part); });
 }
 
-/// Whether other components cannot write in the current state of the thread.
+/// Whether the current state of the thread prevents writes by other components.
 bool refuses_writes(const MachineTables& tables, const RunningThread& running, bool alone) {
     const Item& item = running.head();
     if (item.kind == ItemKind::stuck || item.kind == ItemKind::shown) return true;

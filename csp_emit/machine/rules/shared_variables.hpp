@@ -13,20 +13,21 @@
 
 namespace robochart::csp_emit {
 
-/// Whether the call reads variables in a separate step. Others may write until that step (`share__choice(get_v?v ->
-/// ...)`), but not during the call of the operation.
+/// Whether the call reads variables in a separate step. Other components may write until that step
+/// (`share__choice(get_v?v -> ...)`), but not during the call of the operation.
 [[nodiscard]] bool reads_in_turn(const MachineTables&, const RunningThread&, const ir::Stmt&);
 /// Adds the step that leaves `node`, if this step is observable. `next` is the action that follows; it may be null.
 void left_before(const MachineTables&, const ir::StmtPtr& next, ir::NodeId node, const ir::Transition&,
                  std::vector<Item>& items);
-/// Adds a step that leaves the source of the transition, if the machine shows in which states it is. So an observer
-/// sees that a state is left even if the transition enters it again. No other component writes before this step.
+/// Adds a step that leaves the source of the transition, if the machine shows its active states. With this step an
+/// observer sees that a state is left, even if the transition enters the state again. No other component writes before
+/// this step.
 void left_and_shown(const MachineTables&, std::uint32_t frame, const ir::Transition&, std::vector<Item>& items);
-/// The branch for the steps `exit` and `exited` of a node. They do not synchronise, but others may write until they
-/// happen.
+/// The branch for the steps `exit` and `exited` of a node. These steps do not synchronise with other components, but
+/// other components may write until the steps happen.
 [[nodiscard]] Branch left_branch(MachineTables&, const RunningThread&);
 
-/// `set_EXT_x` of every shared variable.
+/// The events `set_EXT_x` of all shared variables.
 [[nodiscard]] std::vector<cspm::ExprPtr> external_write_events(const MachineTables&);
 /// A branch `set_EXT_x?v` for every shared variable, if no thread refuses writes.
 [[nodiscard]] std::vector<Branch> external_writes(const MachineTables&, const Activation& config, const View&);

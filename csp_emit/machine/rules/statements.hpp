@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of a statement in the thread that will execute it (semantics 3.5): what it reads, whether it is visible,
-// which preconditions it has.
+// and which preconditions it has.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ namespace robochart::csp_emit {
 /// Whether the statement reads only values that other threads and components cannot write. `alone`: no other thread
 /// runs.
 [[nodiscard]] bool is_stable(const MachineTables&, std::uint32_t frame, const ir::Stmt&, bool alone);
-/// Whether every variable that the statement reads currently has a name or a literal as its value. A second use of such
-/// a value copies no expression.
+/// Whether the current value of every variable that the statement reads is a name or a literal. Such a value can be
+/// used twice without copying a large expression.
 [[nodiscard]] bool reads_only_names(const MachineTables&, std::uint32_t frame, const ir::Stmt&, const Values&);
 /// Whether the operation that the statement calls is defined in the machine's context.
 [[nodiscard]] bool is_defined(const MachineTables&, const RunningThread&, const ir::Stmt& call);
@@ -33,8 +33,8 @@ namespace robochart::csp_emit {
 
 /// A hidden step of a statement: `step__.n`.
 [[nodiscard]] cspm::ExprPtr hidden_step(MachineTables&, std::uint32_t frame, const ir::Stmt&, const std::string& what);
-/// The configuration in which this thread is blocked. The deadlines around the statement still expire (semantics 3.10:
-/// after d, a process in which time stops interrupts `S <{d}`, independently of S).
+/// The configuration in which this thread is blocked. Deadlines around the statement still expire, because `S <{d}` is
+/// interrupted after d by a process that stops time, independently of S (semantics 3.10).
 [[nodiscard]] Activation block_thread(const RunningThread&);
 
 }  // namespace robochart::csp_emit

@@ -28,7 +28,8 @@ bool is_within(const ir::Machine& machine, NodeId node, NodeId state) {
     return node.is_valid();
 }
 
-/// The running machine of the frame. A thread's owner has to be looked up again after the configuration has changed.
+/// Finds the running machine of the frame. After a change of the configuration, this look-up is necessary to find the
+/// owner of a thread again.
 const RunningMachine* machine_of(const View& view, std::uint32_t frame) {
     const auto found = std::ranges::find_if(
         view.machines, [&](const RunningMachine& running) { return running.activation->frame == frame; });

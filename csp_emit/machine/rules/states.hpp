@@ -11,11 +11,11 @@ namespace robochart::csp_emit {
 [[nodiscard]] bool is_final(const MachineTables&, const Activation&);
 /// Whether the machine is in the state: from the beginning of its entry action until a transition leaves it.
 [[nodiscard]] bool is_in(const MachineTables&, const Activation&, ir::NodeId state);
-/// The thread enters a node: pushes the items that it executes then, innermost last.
+/// Lets the thread enter a node: pushes the items that the thread then executes, innermost last.
 [[nodiscard]] Next enter_node(const MachineTables&, const RunningThread&, const Values&);
 /// Adds a state to the entered states, outermost first, and starts its during action and its clock.
 [[nodiscard]] Next mark_entered(const MachineTables&, const RunningThread&, const Values&);
-/// Performs the same step as an event of the alphabet: `S::entered`.
+/// Performs this step as the visible event `S::entered`.
 [[nodiscard]] Branch entered_branch(const MachineTables&, const RunningThread&);
 
 }  // namespace robochart::csp_emit

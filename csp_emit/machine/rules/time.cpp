@@ -60,8 +60,8 @@ b::Exprs time_conditions(const MachineTables& tables, const View& view) {
     return result;
 }
 
-/// Waits get shorter; a thread whose wait is over continues. The waits are decided one after the other; `values` holds
-/// the results so far.
+/// Decreases the remaining times of waits; a thread whose wait is over continues. The waits are handled one after the
+/// other, and `values` contains the results of those handled so far.
 Next after_tock(const MachineTables& tables, const Activation& config, const Values& values) {
     const View now = view_of(config);
     for (const RunningThread& running : now.threads) {
@@ -135,7 +135,7 @@ std::vector<std::pair<CellId, ExprPtr>> active_monitors(const MachineTables& tab
             const ir::Transition& transition = frame.machine->transitions[id];
             const auto& entered = running.activation->entered;
             if (std::ranges::find(entered, transition.source) == entered.end()) continue;
-            // The monitor receives no value: it reads the variable (semantics 3.10).
+            // The monitor of the deadline receives no value, so it reads the variable (semantics 3.10).
             const bool receives = transition.trigger && transition.trigger->kind == ir::CommKind::input;
             const ExprPtr known =
                 receives ? tables.cells.current_value(frame.variables.at(transition.trigger->variable.index), values)
@@ -158,7 +158,7 @@ Values with_monitors(const MachineTables& tables, const Activation& config, cons
 }
 
 Branch tock_branch(const MachineTables& tables, const Activation& config, const View& view) {
-    // Clocks of callers that are not part of the configuration advance too (SparseCall::after_tock).
+    // Clocks of callers advance too, even if the callers are not part of the configuration (SparseCall::after_tock).
     Values values;
     for (const RunningMachine& running : view.machines)
         for (const CellId cell : tables.frames[running.activation->frame].own)

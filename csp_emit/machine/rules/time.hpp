@@ -18,7 +18,8 @@ namespace robochart::csp_emit {
 /// The deadlines of the current transitions: the counter and the transition's guard.
 [[nodiscard]] std::vector<std::pair<CellId, cspm::ExprPtr>> active_monitors(const MachineTables&, const View&,
                                                                             const Values&);
-/// The values with which a configuration becomes a point. A transition's deadline restarts whenever its guard is false.
+/// The values that a configuration passes to the function of its point. A transition's deadline restarts whenever the
+/// guard of the transition is false.
 [[nodiscard]] Values with_monitors(const MachineTables&, const Activation& config, const Values&);
 /// The branch in which one time unit passes, if no pending deadline has expired.
 [[nodiscard]] Branch tock_branch(const MachineTables&, const Activation& config, const View&);

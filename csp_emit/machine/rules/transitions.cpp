@@ -91,7 +91,7 @@ Values reset_clocks(const MachineTables& tables, std::uint32_t index, const ir::
     return result;
 }
 
-/// A part of the transition's effect, as an item with only a label.
+/// An item for a part of the transition's effect. Apart from its kind, the item contains only a label.
 Item item_of(const ir::Transition& transition, ItemKind kind) {
     Item item;
     item.kind = kind;

@@ -133,8 +133,8 @@ void ActivationRecords::add_clocks(Frame& frame, bool root) {
     }
 }
 
-/// Adds a cell for the clock if a guard reads it. With `outside`, an event reads the clock, because it belongs to the
-/// caller.
+/// Adds a cell for the clock if a guard reads it. If `outside` is true, the clock belongs to the caller, so an event
+/// reads it.
 void ActivationRecords::add_clock(Frame& frame, ir::ClockId id, bool outside) {
     const ir::Machine& opened = *frame.machine;
     const ir::Clock& clock = opened.clocks[id.index];
@@ -194,7 +194,7 @@ void ActivationRecords::add_monitors(Frame& frame) {
             project().report_unsupported(
                 "the deadline of " + transition.name + " under a condition on the caller's clock",
                 transition.origin.span);
-        // no source defines whether such a deadline runs
+        // no document on the semantics defines whether such a deadline runs
         if (ir::preconditions_can_fail(project().system, project().instantiation, {}, *transition.deadline))
             project().report_unsupported("the deadline of " + transition.name + " by a function with a precondition",
                                          transition.origin.span);
@@ -247,7 +247,7 @@ std::uint32_t ActivationRecords::shared_frame(std::uint32_t caller, const ir::Ma
 
 Scope ActivationRecords::make_scope(std::uint32_t index, const Values& values, ExprPtr trigger_value) const {
     Scope result;
-    // a scope may outlive the values that it was made with
+    // a scope may outlive the values from which it was constructed
     const auto values_now = std::make_shared<const Values>(values);
     result.variable = [this, index, values_now](ir::VariableId id) {
         return cells_.current_value(frames_[index].variables.at(id.index), *values_now);

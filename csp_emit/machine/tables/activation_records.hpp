@@ -16,7 +16,7 @@
 
 namespace robochart::csp_emit {
 
-/// A machine, or an operation that the machine calls in one place.
+/// The frame of the machine, or of an operation that the machine calls in one place.
 struct Frame {
     const ir::Machine* machine = nullptr;
     std::uint32_t parent = 0;
@@ -74,7 +74,7 @@ private:
     ClockLimits& limits_;
     std::vector<Frame> frames_;
     std::map<std::pair<std::uint32_t, const ir::Stmt*>, std::uint32_t> called_;
-    std::map<std::string, std::uint32_t> shared_;  ///< by the caller's elements that the operation requires
+    std::map<std::string, std::uint32_t> shared_;  ///< by a key of the caller's required elements
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, ir::Stmt> reset_statements_;
 };
 

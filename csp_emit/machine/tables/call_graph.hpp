@@ -22,7 +22,8 @@ public:
     [[nodiscard]] const ir::Machine* find_definition(const ir::Machine& caller, ir::OperationId) const;
     /// The operations that the machine calls, directly or indirectly.
     [[nodiscard]] std::vector<const ir::Machine*> callable_operations() const;
-    /// A cycle of calls through both, `o -> p -> o`, if the operation can call its caller; otherwise "".
+    /// A cycle of calls that contains both operations, such as `o -> p -> o`, if the called operation can call its
+    /// caller; otherwise "".
     [[nodiscard]] std::string describe_recursion(const ir::Machine& caller, const ir::Machine& operation) const;
 
     /// The machine's constants in order of declaration, then those of the operations that it calls.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Determines whether a clock is initialised (RoboTool does not check this). A clock starts with its machine, so a guard
-// that reads it before any reset reads a time that the model has not set. An additional parameter of the machine
+// that reads the clock before any reset reads a time that the model has not set. An additional parameter of the machine
 // records whether the clock has been reset, and an event marks each earlier read.
 #pragma once
 

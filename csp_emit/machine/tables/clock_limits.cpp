@@ -64,7 +64,7 @@ private:
     ir::NodeId entry_of_;
 };
 
-/// The largest number stays as it is: no run is long enough for a clock to pass it.
+/// The largest number is not increased, because no run is long enough for a clock to exceed it.
 ExprPtr plus_one(const ExprPtr& value) {
     if (value->kind == Op::integer) return b::number(ir::number_after(value->number));
     return b::binary(Op::plus, value, b::number(1));

@@ -22,10 +22,10 @@ enum class ItemKind {
     waiting,       ///< a wait with `cells[0]` remaining units
     deadline_end,  ///< leaves the scope of a deadline that `cells[0]` counts
     left,          ///< leaves a node: a hidden step, until which others may write shared variables
-    shown,         ///< leaves a state whose absence the machine shows (shown.hpp): a hidden step
+    shown,         ///< leaves a state, if the machine shows that the state is left (shown.hpp): a hidden step
     enter,         ///< enter a node
     entered,       ///< a state has been entered
-    join,          ///< waits until the store that runs in parallel with the exits of `node`'s inner states is done
+    join,          ///< waits for the end of the store that runs in parallel with the exits of `node`'s inner states
     resume,        ///< RoboSim: the thread has ended the cycle and waits for the next one
     stuck,         ///< a failed precondition or an operation without behaviour: the thread is blocked
 };
@@ -114,8 +114,8 @@ struct View {
 /// `config` must outlive the view.
 [[nodiscard]] View view_of(const Activation& config);
 
-/// The first item of the innermost control thread; null if there is none. The configuration is named and described
-/// after it.
+/// The first item of the innermost control thread; null if there is none. It determines the name and the description of
+/// the configuration.
 [[nodiscard]] const Item* running_item(const Activation&);
 /// The machine or operation in which the control thread is.
 [[nodiscard]] const Activation& innermost_activation(const Activation&);

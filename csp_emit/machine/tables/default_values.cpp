@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small default values are written in place, large ones get a name.
+// Writes small default values in place. A large default value becomes a named definition.
 #include "csp_emit/machine/tables/default_values.hpp"
 
 #include <algorithm>

@@ -31,7 +31,7 @@ struct MachineTables {
 
     MachineContext context;
     Provenance& provenance;
-    FamilyCalls family_calls;  ///< between the points
+    FamilyCalls family_calls;  ///< the calls between the points
     CallGraph calls{context};
     ParameterTable cells{context.names};
     DefaultValues defaults{project()};

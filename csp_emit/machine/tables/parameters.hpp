@@ -25,7 +25,7 @@ struct Cell {
     CellKind kind = CellKind::variable;
     std::string meaning;  ///< RoboChart name, "since(T)"
     ir::TypeId type;
-    bool shared = false;     ///< a required variable: others may write it; writes are events set_x
+    bool shared = false;     ///< a required variable: other components may write it; its writes are events set_x
     bool parameter = false;  ///< an operation's parameter: read-only
     std::string channel;     ///< variable: its name in set_x
     std::string output;      ///< RoboSim: the constructor of registerWrite that writes the variable; "" if none does
@@ -35,7 +35,7 @@ struct Cell {
     std::string reading;
 };
 
-/// The values of cells; a cell without an entry has the value of its parameter.
+/// The values of cells. A cell without an entry still has the value of its parameter.
 using Values = std::map<CellId, cspm::ExprPtr>;
 
 /// Owns the cells of a machine and of the operations that it calls.

@@ -15,12 +15,12 @@ namespace robochart::csp_emit {
 struct Point {
     Activation config;
     std::string name;      ///< name of the function
-    bool returns = false;  ///< the end of an operation that several calls share
+    bool returns = false;  ///< this point is the end of an operation that several calls share
 };
 
-/// Owns the points, numbered in the order in which they are reached. The number of points and the number of arguments
-/// of calls between them are limited. If a limit is exceeded, this is reported once, and the bodies of further points
-/// are not made.
+/// Owns the points, numbered in the order in which they are reached. There are limits for the number of points and for
+/// the number of arguments of all calls between points. If a limit is exceeded, this is reported once, and the bodies
+/// of further points are not made.
 class PointTable {
 public:
     PointTable(MachineContext& context, const ActivationRecords& frames) : context_(context), frames_(frames) {}
