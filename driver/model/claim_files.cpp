@@ -256,7 +256,8 @@ void check_claim_files(Project& project, const ir::System& system) {
 
 namespace {
 
-/// `can take E within D` as the assertion that E is not missed for D + 1 time units.
+/// Expresses `can take E within D` as the assertion that the component never refuses E for D + 1 consecutive time
+/// units.
 ir::Property readiness(const claims::CheckedClaim& claim, const Project& project) {
     const claims::Component& component = claim.component;
     ir::Property result;

@@ -85,7 +85,8 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     return all;
 }
 
-/// Whether the command needs the RoboSim components: for scripts, or because it handles the selected ones.
+/// Whether the command needs the RoboSim components: it writes or checks scripts, or it handles RoboSim components and
+/// one is selected.
 bool uses_robosim(const ir::System& system, const LoadSettings& settings) {
     if (settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write) return true;
     if (!settings.robosim) return false;
