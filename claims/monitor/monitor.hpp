@@ -47,8 +47,8 @@ struct MonitorState {
     Phase phase = Phase::outside;
     std::int64_t scope_left = 0;  ///< for_after: time units that the scope still lasts
     bool due = false;             ///< only_after: OTHERS has occurred; leads, leads_before: OTHERS is pending
-    std::int64_t left = -1;  ///< remaining time units in which something is pending, must hold or is allowed; -1: none
-    std::int64_t count = 0;  ///< at_most: events in the scope
+    std::int64_t left = -1;       ///< remaining time units in which an event is pending, forbidden or allowed; -1: none
+    std::int64_t count = 0;       ///< at_most: events in the scope
     std::vector<std::int64_t> ages;             ///< at_most in a duration: time since the last events, youngest first
     std::vector<std::optional<Fraction>> last;  ///< the last values of the remembered channels
     std::vector<std::optional<bool>> facts;     ///< the facts of the claim; no value: not known yet

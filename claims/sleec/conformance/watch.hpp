@@ -24,7 +24,7 @@ struct LinkedEvent {
         : events(std::move(names)), prefixes(std::move(expressions)) {}
 
     std::vector<std::string> events;  ///< "P::M::goToCall.3"; events of the script are equal or continue it with '.'.
-                                      ///< Empty if no value of the instantiation is meant
+                                      ///< Empty if the instantiation contains none of the values
     std::vector<cspm::ExprPtr> prefixes;  ///< the same as expressions
 };
 
