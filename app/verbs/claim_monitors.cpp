@@ -121,7 +121,7 @@ private:
             const claims::Fraction& value = letter->occurrence.values[argument];
             found.insert(value.numerator() * (scale / value.denominator()));
         }
-        if (any) found.insert(0);  // no condition reads it, so one value stands for all
+        if (any) found.insert(0);  // no condition reads the argument, so one value represents all
         std::vector<std::int64_t>& numbers = stored.numbers.emplace_back(found.begin(), found.end());
         const bool consecutive = numbers.back() - numbers.front() == std::ssize(numbers) - 1;
         stored.values.push_back({numbers.data(), static_cast<std::uint32_t>(numbers.size()), scale, consecutive, any});
