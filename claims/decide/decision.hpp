@@ -17,9 +17,10 @@ namespace robochart::claims {
 ///     holds:      M [T= P   (for `possible`: not)
 ///     asked:      not M' [T= P, where M' is M without the states in which the claim can be broken
 ///     happens:    not SKIP [T= P |\ X, where X are the events that the claim restricts
-///     waiting:    for `leads to` without a time limit: P in parallel with M, in which `claims__waiting` replaces each
-///                 time unit that passes while a response is pending; the claim fails iff some run contains
-///                 `claims__waiting` infinitely often
+///     waiting:    for `leads to` without a time limit: P in parallel with M, where M may select a pending response.
+///     Time
+///                 units that pass while this response stays pending are `claims__waiting`. The claim fails iff some
+///                 run contains `claims__waiting` infinitely often.
 ///     standstill: (P [| letters, tock |] M'') can always let time pass. M'' is M with `tock` added to the states in
 ///                 which no response is pending. The environment takes outputs at once.
 struct Decision {
@@ -38,7 +39,7 @@ struct Decision {
                                            const Automaton& automaton, std::size_t number, const cspm::ExprPtr& process,
                                            const std::vector<cspm::ExprPtr>& outputs);
 
-/// An assumption as a process in parallel with the component. The process refuses every event that breaks the
+/// An assumption as a process in parallel with the component. The process refuses every event that would break the
 /// assumption, and may always terminate. If it refuses to let time pass, the environment must perform the demanded
 /// response. This response is then a separate event `due`, which happens at once when it is hidden. Without this event,
 /// the component would appear to stop time.

@@ -66,7 +66,7 @@ void require_channels(const CheckedClaim& claim, const std::vector<Letter>& lett
 [[nodiscard]] std::string text_of(const Letter& letter, const CheckedClaim& claim, const std::string& event);
 
 /// The parts of the claim whose conditions no value of the instantiation satisfies, as written. Conditions on last
-/// values are not judged.
+/// values are ignored.
 [[nodiscard]] std::vector<const EventMatch*> matches_without_value(const CheckedClaim& claim,
                                                                    const std::vector<Letter>& letters);
 

@@ -38,7 +38,7 @@ enum class Verdict : std::uint8_t {
 enum class Phase : std::uint8_t {
     outside,  ///< the scope has not begun, or has ended and may begin again
     inside,
-    over,  ///< the scope has ended for ever
+    over,  ///< the scope has ended and cannot begin again
 };
 
 /// The state of a monitor during a run. After runs with equal states, the same continuations break the claim.

@@ -176,8 +176,8 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& 
                      name)});
 }
 
-/// Adds the events of the specification that never occur. The part of the specification after such an event does not
-/// influence the answer.
+/// Adds those events of the specification that never occur in the implementation. What the specification requires after
+/// such an event does not influence the answer.
 void SecondLook::note_unreached_events(const cspm::Assertion& assertion, AssertionReport& report) {
     const auto named = prefixed_events(emission_, assertion.specification);
     if (named.empty()) return;

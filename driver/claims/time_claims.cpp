@@ -559,7 +559,7 @@ void TimeClaims::give_back() {
 }
 
 void TimeClaims::measure_if_asked() {
-    if (is_in_carriers()) return;  // the sizes are those of the other claims
+    if (is_in_carriers()) return;  // the sizes are measured only for the other claims
     if (search_.settings.claims.sizes && given_back_ && !session_) (void)open_session();
     if (session_ && search_.settings.claims.sizes)
         measure_sizes(project_, *session_, emission_, time_, search_, results_);

@@ -96,8 +96,8 @@ bool is_about(const ClaimFile& file, const frontend::Model& model) {
 /// How the claims of a file are used.
 enum class Use {
     named,   ///< the user names the file
-    beside,  ///< it is beside the model, and may be about another one
-    orders,  ///< beside a named file: only its unit and its orders count
+    beside,  ///< the file is in the folder of the model, but may be about another model
+    orders,  ///< the file is in the folder of a named file; only its unit and its orders are used
 };
 
 void add_file(Project& project, const std::string& path, Use use) {

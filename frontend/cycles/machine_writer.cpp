@@ -361,7 +361,7 @@ void MachineWriter::write_rest(const Surroundings& inside) {
 
 namespace {
 
-/// True if an operation needs no time and no input.
+/// True if an operation certainly ends without time passing and without an input.
 bool takes_no_time(const Machine& operation, const Callers& callers);
 
 /// True if an action may end a cycle.

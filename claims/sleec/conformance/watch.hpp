@@ -52,7 +52,7 @@ struct Asked {
 
 /// The treatment of a component that reads different values of a measure within one instant.
 enum class Readings : std::uint8_t {
-    one_value,  ///< a trigger at this instant is not judged: a measure has one value per instant, as in SLEEC-TK
+    one_value,  ///< triggers at this instant are ignored, because in SLEEC-TK a measure has one value per instant
     any,        ///< the last value before the trigger is used; without one, the first after it
 };
 
