@@ -159,7 +159,8 @@ void TransitionCode::end_cycle(const ir::Transition& transition, ir::TransitionI
     out_.line(generation_.bound_test().empty() ? "return true;" : "return spend();");
 }
 
-/// Reference API A6: a first pass counts the choices and takes none of them.
+/// Writes a function that takes one of several enabled transitions. A first pass counts the enabled transitions without
+/// taking one; then the platform picks.
 void TransitionCode::pick_function(const std::string& name, const std::string& attempt) {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
     out_.open(function_head("bool " + name));

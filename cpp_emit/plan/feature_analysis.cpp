@@ -16,7 +16,8 @@ using ir::TypeKind;
 
 namespace {
 
-/// The types whose values an expression enumerates. A bound variable with a generator ranges over a collection instead.
+/// Returns the types whose values an expression enumerates. A bound variable with a generator is excluded, because it
+/// ranges over a collection and not over a type.
 std::vector<ir::TypeId> visited_types(const ir::System& system, const ir::Expr& expr) {
     std::vector<ir::TypeId> result;
     if (ir::binds_names(expr.kind)) {

@@ -251,7 +251,7 @@ private:
     const ir::Instantiation& inst_;
     const Component& component_;
     Diagnostics& diagnostics_;
-    bool has_during_ = false;  ///< RoboSim: actions may run beside each other
+    bool has_during_ = false;  ///< RoboSim: actions may run in parallel
 };
 
 /// Number of numbers and literals in a value.

@@ -763,7 +763,7 @@ private:
         out_.close();
     }
 
-    /// The answer comes in the node's callback group, so never during a cycle or a transition.
+    /// The answer arrives in the node's callback group, so it never arrives during a cycle or a transition.
     void write_calling() {
         out_.gap();
         out_.line("template <class Service, class Answer>");
