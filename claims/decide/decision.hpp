@@ -18,9 +18,8 @@ namespace robochart::claims {
 ///     asked:      not M' [T= P, where M' is M without the states in which the claim can be broken
 ///     happens:    not SKIP [T= P |\ X, where X are the events that the claim restricts
 ///     waiting:    for `leads to` without a time limit: P in parallel with M, where M may select a pending response.
-///     Time
-///                 units that pass while this response stays pending are `claims__waiting`. The claim fails iff some
-///                 run contains `claims__waiting` infinitely often.
+///                 Time units that pass while this response stays pending are `claims__waiting`. The claim fails iff
+///                 some run contains `claims__waiting` infinitely often.
 ///     standstill: (P [| letters, tock |] M'') can always let time pass. M'' is M with `tock` added to the states in
 ///                 which no response is pending. The environment takes outputs at once.
 struct Decision {
