@@ -90,7 +90,7 @@ public:
         }
     }
 
-    /// The drop for each part that the order is about; empty if the platform does not raise its events.
+    /// The drop for each part that the order is about. Empty if the platform does not raise both events.
     [[nodiscard]] std::vector<Drop> drops_of(const CheckedOrder& order, const CheckedOrder::Drop& drop,
                                              const cpp_emit::Component& plan) const {
         std::vector<Drop> result;
@@ -131,7 +131,8 @@ private:
         return result;
     }
 
-    /// The name of a controller as the order writes it: of the part of this module, or of its definition.
+    /// The name of a controller as the order writes it: the path of the controller in this module, or the name of its
+    /// definition.
     [[nodiscard]] std::string controller_path(const ir::ControllerInstance& instance, const CheckedOrder& order) const {
         if (order.component.part) return of_.path + "::" + instance.name;
         const ir::Controller& controller = project_.system.controller(instance.controller);
@@ -143,7 +144,7 @@ private:
     const claims::Component& of_;
 };
 
-/// A drop that a component cannot obey.
+/// A drop that a component cannot obey, because its platform does not raise both events.
 struct Foreign {
     const CheckedOrder* order = nullptr;
     CheckedOrder::Drop drop;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of events in a cycle that a project's claims files declare, for code, monitors and logs of a component.
+// The order of the events in a cycle, as the claims files of a project declare it. Generated code, monitors and the
+// comparison with logs use it.
 #pragma once
 
 #include "cpp_emit/plan/options.hpp"
@@ -16,7 +17,7 @@ namespace robochart::app {
 /// The events that the orders of the component with this path drop, for claims along its runs.
 [[nodiscard]] driver::FollowedClaim::Drops dropped_events(const driver::Project& project, const std::string& path);
 
-/// "estop first; reset dropped where estop is raised"; "" without an order.
+/// The order as text: "estop first; reset dropped where estop is raised"; "" if there is no order.
 [[nodiscard]] std::string order_text(const ir::System& system, const cpp_emit::EventOrder& order);
 
 }  // namespace robochart::app

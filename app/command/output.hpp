@@ -56,9 +56,9 @@ void print_error(fmt::format_string<Arguments...> format, Arguments&&... argumen
 }
 /// Writes buffered output. It must be called before the program ends. Throws OutputError.
 void finish_output();
-/// Occupies the descriptors 0 to 2 that the caller has closed, so that no file that is opened later becomes a standard
-/// stream. It must be called before any file is opened. It also sets the signals, so that writing to a closed pipe or
-/// beyond the file size limit fails and does not end the program.
+/// Opens those of the descriptors 0 to 2 that the caller has closed, so that no file that the program opens later
+/// becomes a standard stream. It must be called before any file is opened. It also sets the signals, so that writing to
+/// a closed pipe or beyond the file size limit fails and does not end the program.
 void prepare_output();
 
 /// The number of columns of a line: the value of COLUMNS, otherwise the width of the terminal. It is 0 if neither is

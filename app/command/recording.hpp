@@ -18,8 +18,8 @@ void record_texts(const diagnostics::SourceManager&, const Options&);
 /// with which the projects were loaded; the options are those of the run.
 void record_projects(const std::vector<driver::Part>&, const driver::Settings& used, const Options&);
 void record_project(const driver::Project&, const driver::Settings& used, const Options&);
-/// Records the values that CSP blocks define in the scripts of the project. They replace the recorded values. If the
-/// run also generates code, the recorded values stay, because code generation does not read the blocks.
+/// Records the values that CSP blocks define in the scripts of the project. These values replace the values that were
+/// recorded before, unless the run also generates code, because code generation does not read the blocks.
 void record_block_values(const driver::Project&, const Options&);
 
 }  // namespace robochart::app

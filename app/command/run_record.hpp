@@ -81,10 +81,10 @@ public:
     RunRecorder(const Options&, std::uint64_t memory_bytes);
 
     void set_command(std::vector<std::string> command);
-    /// Adds a text that the run has read. Only the first text with a path is stored, because later ones are parts of
-    /// it.
+    /// Adds a text that the run has read. If several texts have the same path, only the first is stored, because the
+    /// later ones are parts of it.
     void add_input(const std::string& path, std::string_view text);
-    /// Adds a file that other code reads, if it is a readable regular file.
+    /// Adds a file that other code of the run reads. Does nothing if it is not a readable regular file.
     void add_input_file(const std::string& path);
     void add_constants(const std::vector<RecordedConstant>&);
     void add_ranges(const std::vector<RecordedRange>&);

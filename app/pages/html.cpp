@@ -87,7 +87,7 @@ std::string values_table(const std::string& title, const driver::ProbabilityRepo
                        xml_text(reading_of(report)), head, body, value_plot(title, report));
 }
 
-/// Elements of diagrams: the number of the machine, and the id of the element in its diagram.
+/// Elements of diagrams, each given by the number of its machine and its id in the machine's diagram.
 using Marks = std::vector<std::pair<std::size_t, std::string>>;
 
 /// "0:e5 1:e9".
@@ -450,7 +450,7 @@ void ReportPage::write_cycles(const runs::Run& run) {
     out_ += "</tbody></table>\n</div>\n";
 }
 
-/// Says what the bars beside the steps mean, if the run has some.
+/// Explains the bars beside the steps, if the run has such bars.
 void ReportPage::write_scope_legend(const runs::Run& run) {
     const bool scope = std::ranges::any_of(run.steps, &runs::Step::in_scope);
     const bool owed = std::ranges::any_of(run.steps, &runs::Step::owed);
@@ -561,8 +561,8 @@ void ReportPage::model_run(const std::string& id, const std::string& title, cons
     out_ += "</section>\n";
 }
 
-/// Writes the runs that explain the result: why the model cannot run in cycles, how code and model come to differ, and
-/// where an output is repeated or a deadline is missed.
+/// Writes the runs that explain the result. They show why the model cannot run in cycles, which steps lead to a
+/// difference between code and model, or where an output is repeated or a deadline is missed.
 void ReportPage::model_runs(std::size_t number, const ConformanceReport& report) {
     const conformance::Result& result = report.result;
     const auto coded = [&](std::string title, const diagnostics::Rule* rule) {

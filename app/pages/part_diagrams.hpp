@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diagrams of a run's parts. Finds the diagram element for a place or name of the model. Elements are numbered
-// through all parts, so that their ids are unique in a page.
+// The diagrams of a run's parts. Finds the diagram element for a place or name of the model. The elements of all parts
+// are numbered consecutively, so that their ids are unique in a page.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace robochart::app {
 
-/// The subject of a diagram, and the part that contains it.
+/// The model element that a diagram shows, and the part that contains this element.
 struct PartSubject {
     driver::Project* project = nullptr;
     const diagrams::Elements* elements = nullptr;

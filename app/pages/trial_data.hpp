@@ -15,15 +15,15 @@
 namespace robochart::app {
 
 /// The data that a page shows, limited so that the page stays small. It contains some trials (numbered from 0) and
-/// robots. Of the recorded times it contains one in `every`, and the last.
+/// robots. Of the recorded points in time it contains every `every`-th, and the last.
 struct ShownTrials {
     std::vector<std::size_t> trials;
     std::size_t robots = 0;
     std::size_t every = 1;
 };
 
-/// Selects trials: first those that stopped, then those outside of a band, then the first ones. The characters of all
-/// trials together are at most `most_letters`.
+/// Selects trials so that the data of all selected trials have at most `most_letters` characters. Trials that stopped
+/// are selected first, then trials with a measure outside its band, then the others by number.
 [[nodiscard]] ShownTrials shown_trials(const simulation::Scenario&, const simulation::RunResult&, std::size_t machines,
                                        std::size_t most_letters = 650'000);
 

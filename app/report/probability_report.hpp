@@ -10,7 +10,8 @@
 
 namespace robochart::app {
 
-/// The model and then the values, in lines indented by `indent`. Constants that do not vary are omitted.
+/// A line about the model, followed by lines with the values, all indented by `indent`. Constants that do not vary are
+/// omitted.
 [[nodiscard]] std::string probability_text(const driver::ProbabilityReport&, const std::string& indent);
 [[nodiscard]] diagnostics::Json probability_json(const driver::ProbabilityReport&);
 /// "0.5"; "least 0.25, greatest 0.5"; "false, for example in the state x=1".

@@ -62,8 +62,8 @@ std::string not_allowed(const refine::Counterexample& c, const Names& names, con
     return fmt::format("where the specification does not allow {}, only {}", event, sets_text(names, c.required));
 }
 
-/// In the failures model, a specification without a stable state after the trace has no failures there, so it allows no
-/// stable state.
+/// If the specification has no stable state after the trace, it has no failures for this trace in the failures model.
+/// It then allows no stable state of the implementation.
 std::string refusal(const refine::Counterexample& c, const Names& names) {
     if (c.required.empty())
         return fmt::format(

@@ -78,7 +78,7 @@ std::string proof_text(const refine::Statistics& size) {
     return reason.empty() ? "" : fmt::format("               {}\n", reason);
 }
 
-/// Where a run that several components share is printed, and which other components have the same run.
+/// The place where a run that several components share is printed, and the other components with the same run.
 struct SharedRun {
     std::string shown_at;             ///< "module P::M"; "": with this assertion
     std::vector<std::string> others;  ///< components with the same run
@@ -266,7 +266,8 @@ std::string data_text(const ir::ReplacedData& data) {
                        conditions);
 }
 
-/// Writes the test with numbers of the robot. A difference has its own outcome, unless it is allowed.
+/// Writes the result of the test with the number types of the robot. A difference in this test is a separate outcome of
+/// the conformance check, unless the options allow it.
 void write_robot(std::string& out, const conformance::Result& r) {
     const conformance::RobotNumbers& robot = *r.robot;
     std::string answer = "the code acts as the model does";
@@ -283,7 +284,7 @@ void write_robot(std::string& out, const conformance::Result& r) {
     }
 }
 
-/// The lines that say for which numbers the result holds; "" if no search for all values was possible.
+/// The lines that state for which values the result holds; "" if no search for all values was possible.
 std::string conformance_values(const conformance::Result& r) {
     std::string out;
     for (const ir::ReplacedData& data : r.all_values) out += fmt::format("               values {}\n", data_text(data));
@@ -631,7 +632,8 @@ std::string core_text(const Report& report, const Options& options, bool color) 
     return "\ncore properties, where the platform takes every call and output at once\n" + out;
 }
 
-/// Whether some verdict rests on carriers, or is missing because of their size or of what lies beyond them.
+/// Whether a verdict depends on the carriers, or may be missing because of them: they are too large, or a value lies
+/// outside its carrier.
 bool depends_on_carriers(const Report& report) {
     const auto limits = [](const driver::Ground& ground) {
         return ground.kind == driver::GroundKind::bound || ground.kind == driver::GroundKind::carriers;
@@ -653,7 +655,7 @@ std::string data_lines(const Report& report) {
     return out;
 }
 
-/// Explains the word that replaces the number of seconds, if the report contains it.
+/// If the report contains a word in place of a number of seconds, explains this word.
 std::string legend_text(const Report& report, const Options& options) {
     const auto shown = [&](const driver::AssertionReport& a) {
         return !(a.core && a.core->information) &&

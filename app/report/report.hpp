@@ -34,7 +34,7 @@ struct ConformanceReport {
     std::vector<std::optional<runs::Place>> claim_regions = {};  ///< of Result::claims
 };
 
-/// What a claim about control cycles is decided for.
+/// The two subjects for which a claim about control cycles is decided.
 inline constexpr std::string_view model_in_cycles = "the model in cycles", this_code = "this code";
 
 /// A file that was written.

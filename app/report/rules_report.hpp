@@ -66,7 +66,7 @@ struct RulesReport {
     std::vector<RuleConflict> conflicts;
     std::vector<RedundantRule> redundant;
     std::vector<std::size_t> asking_nothing;  ///< rules that never require anything
-    std::size_t concerns = 0, purposes = 0;   ///< numbers of those that were checked
+    std::size_t concerns = 0, purposes = 0;   ///< how many concerns and purposes were checked
     std::vector<RuleProperty> properties;     ///< concerns that are raised, purposes that are blocked, and those not
                                               ///< decided
     std::vector<std::string> ranges;          ///< for SLEEC-TK: the values of numeric measures

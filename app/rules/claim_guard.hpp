@@ -33,7 +33,7 @@ public:
         const claims::CheckedClaim* claim = nullptr;
         std::size_t kind = 0;
         bool stops = false;                  ///< a robot that breaks it stops its trial
-        std::optional<std::size_t> measure;  ///< the measure of the robots that keep it
+        std::optional<std::size_t> measure;  ///< the measure that counts the robots that obey it
         driver::FollowedClaim::Drops drops;  ///< by the declared order of the controller
     };
 
@@ -41,12 +41,13 @@ public:
 
     [[nodiscard]] Maker make_observer(Maker other) override;
     [[nodiscard]] std::string summary_lines() const override;
-    /// Adds a line to the summary about claims that are not followed.
+    /// Adds a line to the part of the summary about claims that are not followed.
     void add_left_out(std::string reason) { left_out_.push_back(std::move(reason)); }
 
 private:
     class Watch;
-    /// A violation, by the number of its trial, so that the report does not depend on the order of trials.
+    /// A violation with the number of its trial. The report selects the violation of the first trial by number, so that
+    /// it does not depend on the order in which trials run.
     struct Broken {
         std::uint32_t trial = 0;
         std::size_t robot = 0;

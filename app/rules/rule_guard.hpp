@@ -48,7 +48,7 @@ private:
     std::vector<bool> has_;  ///< true for the events that the controller has
     std::vector<std::string> left_out_;
     std::mutex mutex_;
-    std::map<std::size_t, std::uint64_t> open_;  ///< by rule: number of robots for which a trigger was not followed
+    std::map<std::size_t, std::uint64_t> open_;  ///< per rule: number of robots with a trigger that was not followed
     std::string given_up_;                       ///< why a robot was not followed to its end; "" if all were
     std::atomic<std::uint64_t> robots_ = 0;
 };

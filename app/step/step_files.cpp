@@ -45,7 +45,7 @@ std::string register_name(const std::string& name) {
     return "";
 }
 
-/// The values of an event in a log. RoboSim: whether a register is full is not among them.
+/// The values of an event in a log. RoboSim: the truth value that states whether a register is full is left out.
 std::vector<runs::Value> logged_values(const runs::Event& event) {
     std::vector<runs::Value> result = event.values;
     const bool of_event = event.kind == Kind::read && event.text.find(" = ") == std::string::npos;

@@ -28,11 +28,11 @@ enum class LogRole { none, input, output, tock, termination };
 /// An input or output in the notation of logs: "e?3", "move!1!2". `name` is that of runs::Offer. No value if the event
 /// has a composed value, which logs cannot contain.
 [[nodiscard]] std::optional<std::string> log_word(const runs::Event&, std::string name, const Stepped&);
-/// RoboSim: what a read of a register says.
+/// RoboSim: the result of reading a register.
 struct ReadRegister {
     std::string name;    ///< of the event or variable
-    std::string value;   ///< of a full register; "" if it has none
-    bool event = false;  ///< of an event, not of a variable
+    std::string value;   ///< the value in a full register; "" if the register is empty or has no value
+    bool event = false;  ///< true for the register of an event, false for that of a variable
 };
 /// No value if the offer is not a read.
 [[nodiscard]] std::optional<ReadRegister> read_register(const runs::Offer&);

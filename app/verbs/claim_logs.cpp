@@ -119,7 +119,7 @@ private:
     std::map<std::string, FollowedClaim::Drops> drops_;  ///< by component
 };
 
-/// A log without claims about its component is not an answer.
+/// The result is inconclusive if no log has a claim about its component.
 Exit exit_of(const LogReport& report) {
     if (!report.errors.empty()) return Exit::bad_input;
     if (report.broken > 0) return Exit::failed;

@@ -32,7 +32,8 @@ namespace {
 using claims::CheckedClaim;
 using claims::Letter;
 
-/// The tables of one claim, with all data to which they point. Column 0 changes nothing: an input that was not raised.
+/// The tables of one claim, with all data to which they point. Column 0 is for an input that was not raised; it leaves
+/// the state unchanged.
 class ClaimTables {
 public:
     /// Throws claims::NotDecided if the claim has no monitor of moderate size.
@@ -72,7 +73,7 @@ private:
                 inputs.insert(letter.occurrence.channel);
         return inputs.size();
     }
-    /// The drops of the declared order that change what the claim sees, and letters for their events.
+    /// Returns the drops of the declared order that affect the events of the claim, and adds letters for their events.
     std::vector<claims::DroppedChannel> add_drops(const driver::Project& project) {
         std::vector<claims::DroppedChannel> result;
         const auto& channels = claim_.component.channels;
@@ -120,7 +121,7 @@ private:
             const claims::Fraction& value = letter->occurrence.values[argument];
             found.insert(value.numerator() * (scale / value.denominator()));
         }
-        if (any) found.insert(0);  // no condition reads it, so one value stands for all
+        if (any) found.insert(0);  // no condition reads the argument, so one value represents all
         std::vector<std::int64_t>& numbers = stored.numbers.emplace_back(found.begin(), found.end());
         const bool consecutive = numbers.back() - numbers.front() == std::ssize(numbers) - 1;
         stored.values.push_back({numbers.data(), static_cast<std::uint32_t>(numbers.size()), scale, consecutive, any});

@@ -49,7 +49,8 @@ std::string in_front(const simulation::Scenario& scenario, std::size_t controlle
     return controller == 0 ? "" : scenario.controller_name(controller) + ": ";
 }
 
-/// A model with its constants, for comparisons that do not depend on the notation of options.
+/// Identifies a model and its constants. Two such lists can be compared even if the options write the same values
+/// differently.
 using ModelRead = std::vector<std::string>;
 ModelRead model_read(const Options& options, const std::vector<driver::Part>& parts) {
     ModelRead subject{options.load.inputs.front()};

@@ -46,7 +46,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The time unit that is declared beside the scenario or the models that it names.
+/// The time unit that the claims files in the folder of the scenario, or in the folders of its models, declare.
 std::optional<claims::DeclaredUnit> declared_unit(driver::Project& project, diagnostics::SourceId source,
                                                   const Options& options) {
     diagnostics::Diagnostics reported_later;
@@ -218,7 +218,8 @@ void emit_controllers(Simulation& simulation, const std::string& model, const Op
     if (scenario.environment) emissions.environment = &simulation.others.back().emission;
     driver::Project& project = *simulation.project;
     simulation.plan = simulation::bind_scenario(simulation.scenario, emissions, project.diagnostics);
-    // Computing the first start finds robots that do not fit, before anything is compiled.
+    // The first initial placement is computed here, so that robots that do not fit into the world are reported before
+    // anything is compiled.
     if (project.diagnostics.ok()) (void)simulation::start(simulation.scenario, 0, project.diagnostics);
 }
 
@@ -345,7 +346,7 @@ simulation::Guard::Maker log_maker(const Simulation& simulation, const Options& 
 
 namespace {
 
-/// Trials follow claims only if they are read.
+/// Adds the claims to the hash, because trials follow them. Adds nothing if the settings ignore claims.
 void add_claims(const driver::Project& project, diagnostics::Hasher& hasher) {
     if (project.claims->ignored) return;
     hasher.add(static_cast<std::uint64_t>(project.unit.value_or(0)));

@@ -276,8 +276,8 @@ std::string Console::last_value(const std::string& variable) const {
     return result;
 }
 
-/// The offered read that fits the given inputs: an event that is not given is absent, and a variable that is not given
-/// keeps its last value. No value if none fits.
+/// Selects the offered read that fits the given inputs. If the command does not give an event, its register is read as
+/// empty; if it does not give a variable, the variable is read with its last value. No value if no read fits.
 std::optional<std::size_t> Console::choose_read(const std::map<std::string, std::string>& given) const {
     const std::vector<runs::Offer> offers = stepper_.offers_at(stepper_.current_term());
     std::optional<std::size_t> first;
@@ -317,8 +317,9 @@ bool Console::read_registers(std::map<std::string, std::string> given) {
     return true;
 }
 
-/// Takes the hidden steps here if their order does not matter: they all lead to one state without hidden steps, which
-/// still offers every visible event on the way. Returns false if there is a choice.
+/// Takes the hidden steps that are possible here if their order does not matter. This is the case if all orders lead to
+/// the same state without hidden steps, and this state offers every visible event that a state on the way offers.
+/// Otherwise takes no step and returns false.
 bool Console::take_hidden_steps() {
     struct Node {
         process::TermId term{};
@@ -352,7 +353,7 @@ bool Console::take_hidden_steps() {
     return true;
 }
 
-/// Takes the steps of the execution that have no alternative, then lets the time units of the cycle pass.
+/// Takes steps as long as there is no choice, then lets the time units of the cycle pass.
 void Console::end_cycle() {
     for (std::size_t steps = 0; steps < most_settled; ++steps) {
         options_.run->budget().poll();

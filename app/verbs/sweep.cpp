@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::size_t most_points = 2000;
 
-/// The controllers of the points with the same constants of the model.
+/// The controllers that all points of the sweep with the same values of the model's constants share.
 struct Prepared {
     std::vector<std::string> constants;
     std::unique_ptr<Simulation> simulation;
@@ -109,7 +109,8 @@ private:
 
     [[nodiscard]] bool until_proved() const { return scenario_.variations.front().until_proved; }
 
-    /// If values are tried until one is proved: true if this point can still change the least value.
+    /// True if the point has to be computed. If values are tried until one is proved, this is the case if the point can
+    /// still change a least value.
     [[nodiscard]] bool is_wanted(const simulation::PointResult& point) const {
         if (!until_proved()) return true;
         const std::optional<double> second = point.point.size() > 1 ? std::optional(point.point[1]) : std::nullopt;

@@ -123,7 +123,7 @@ public:
         if (!good) note_unusable(candidate, project);
         if (good) built.digest = digest_of(*built.simulation);
         if (good) built.drives.emplace(drives_of(*built.simulation, *built.controller));
-        // From now on only the plan is needed; the models would use much memory.
+        // The models are freed to save memory, because only the plan is needed from now on.
         if (good) built.simulation->project.reset();
         for (OtherController& other : built.simulation->others)
             if (good) other.project.reset();
@@ -337,7 +337,7 @@ private:
                                       diagnostics::escape_for_display(value), error));
     }
 
-    /// The model of a controller, as first read.
+    /// The model of a controller as it was read first, before the candidates were built.
     [[nodiscard]] const driver::Project& project_of(std::size_t controller) const {
         return controller == 0 ? *project_ : *others_.at(controller - 1).project;
     }

@@ -37,7 +37,8 @@ bool is_syntax(const diagnostics::Rule& rule) {
            std::ranges::find(claims::rules::syntax, &rule) != std::end(claims::rules::syntax);
 }
 
-/// Adds the findings in the claims of a part. They are resolved in its IR, which a model with errors does not have.
+/// Adds the findings in the claims of a part. Claims are resolved in the IR of the part, so nothing is added for a
+/// model with errors, which has no IR.
 void check_claims(driver::Project& project) {
     if (project.claims->files.empty() || !project.diagnostics.ok()) return;
     diagnostics::Diagnostics of_lowering;  // `check` reports them

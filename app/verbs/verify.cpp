@@ -204,8 +204,8 @@ Exit print_report(const Report& report, const Options& options) {
     return report.exit_code();
 }
 
-/// Runs the phases of the verb for one part. `code` is true if code must be generated for its components, which no
-/// earlier part has.
+/// Runs the phases of the verb for one part. `code` is true if code must be generated for the part's components. It is
+/// false if an earlier part has the same components.
 bool run_phases(driver::Project& project, const Options& options, bool code, Report& report) {
     const bool all = options.verb == Verb::verify;
     if (all || options.verb == Verb::check) check_assertions(project, search_context(options), report);
@@ -225,7 +225,8 @@ bool run_phases(driver::Project& project, const Options& options, bool code, Rep
 
 namespace {
 
-/// Writes the scripts of a project under this name. `notes` describes its types.
+/// Writes the scripts of a project under this name. `notes` describe the classes of values in the project, if it has
+/// any; the scripts contain them as comments.
 bool write_scripts(driver::Project& project, const std::string& name, const std::vector<std::string>& notes,
                    const Options& options, Report& report) {
     for (const auto time : {csp_emit::Time::untimed, csp_emit::Time::timed}) {
@@ -413,7 +414,7 @@ bool has_sequences(const ir::System& system) {
 
 namespace {
 
-/// `--concrete` and ranges keep the carriers.
+/// The code is compared over the carriers if `--concrete` or ranges are given, otherwise over all values.
 conformance::Numbers numbers_to_compare(const driver::Project& project, const Options& options) {
     const bool carriers = options.claims.concrete || driver::chooses_ranges(project);
     return carriers ? conformance::Numbers::carriers : conformance::Numbers::all;
@@ -432,7 +433,7 @@ std::shared_ptr<const conformance::CycleClaims> cycle_claims(const driver::Proje
     return std::make_shared<const conformance::CycleClaims>(std::move(claims));
 }
 
-/// The comparison of the code answers the claims about cycles, so the assertions do not list them as undecided.
+/// Removes claims about cycles from the list of undecided assertions if the comparison with the code has answered them.
 void drop_answered(Report& report) {
     const auto answered = [&](const driver::AssertionReport& assertion) {
         return std::ranges::any_of(report.conformance, [&](const ConformanceReport& one) {

@@ -19,8 +19,8 @@
 namespace robochart::claims {
 namespace {
 
-/// True if every event of the one set is in the other, as far as the text shows it: conditions are not compared, so a
-/// set with a condition contains nothing for certain.
+/// True if every event of the first set certainly belongs to the second. Conditions are not compared: a match of the
+/// second set that has a condition is treated as if it contained no event.
 bool is_within(const Events& one, const Events& other) {
     if ((one.start && !other.start) || (one.terminate && !other.terminate)) return false;
     std::set<std::size_t> whole;
@@ -87,7 +87,7 @@ private:
         return result;
     }
 
-    /// If a RoboChart and a RoboSim component are meant, the claim is about the RoboChart component.
+    /// If the name denotes both a RoboChart and a RoboSim component, the claim is about the RoboChart component.
     static void prefer_robochart(std::vector<const Component*>& components) {
         const auto in_robosim = [](const Component* component) { return component->robosim; };
         if (!std::ranges::all_of(components, in_robosim)) std::erase_if(components, in_robosim);
@@ -297,8 +297,8 @@ private:
                     refuse(match.span, "a cycle begins with inputs: `in a cycle with estop`");
     }
 
-    /// In cycles, inputs are raised, and nothing is seen of the events that a machine takes. A claim that is not about
-    /// one cycle only may count time.
+    /// A claim about control cycles observes the inputs that are raised, but not the events that a machine takes. It
+    /// may contain durations unless its scope is a single cycle.
     void check_cycle(const Claim& claim, const CheckedClaim& checked) {
         const bool alone = checked.scope.kind == ScopeKind::cycle;
         if (alone && claim.body.duration) refuse(claim.body.duration->span, "a cycle has no time inside");
@@ -315,7 +315,7 @@ private:
              {&claim.scope.last, &claim.body.events, &claim.body.others, &claim.body.exceptions})
             require_raised(*events, false);
     }
-    /// `whole`: the scope of a cycle, whose event is raised without the word.
+    /// `whole`: true for the event of the scope `in a cycle with E`, which is a raised event without the word `raised`.
     void require_raised(const EventSet& events, bool whole) {
         for (const Pattern& pattern : events.patterns) {
             if (pattern.kind == PatternKind::enter || pattern.kind == PatternKind::leave)
@@ -326,7 +326,7 @@ private:
         }
     }
 
-    /// An assumption restricts only what the environment decides: when inputs come.
+    /// An assumption may restrict only what the environment decides, that is, when inputs occur.
     void check_assumption(const Claim& claim, const CheckedClaim& checked) {
         const CheckedBody& body = checked.body;
         if (body.kind == BodyKind::possible || body.kind == BodyKind::leads || !checked.facts.empty())

@@ -36,13 +36,13 @@ struct Condition {
     friend bool operator==(const Condition&, const Condition&) = default;
 };
 
-/// What a claim sees of a machine besides events: whether it is in a state, or whether its variables satisfy a
-/// condition.
+/// A fact about a machine that a claim reads in addition to events: the machine is in a state, or its variables satisfy
+/// a condition.
 struct Fact {
     std::string machine;  ///< its path in the script: "warehouse::Warehouse::brain::patrol"
     ir::MachineId of;
     std::optional<ir::NodeId> state;
-    Condition condition;  ///< if there is no state
+    Condition condition;  ///< the condition on variables, if the fact is not about a state
     std::string text;     ///< as written
 
     friend bool operator==(const Fact& one, const Fact& other) {
@@ -65,8 +65,8 @@ struct EventMatch {
 /// A union of matches.
 struct Events {
     std::vector<EventMatch> any;
-    bool start = false;      ///< the beginning of the run belongs to it
-    bool terminate = false;  ///< the end of the component belongs to it
+    bool start = false;      ///< true if the set contains the beginning of the run
+    bool terminate = false;  ///< true if the set contains the end of the component
     std::string text;        ///< as written
 
     [[nodiscard]] bool empty() const { return any.empty() && !start && !terminate; }
@@ -96,8 +96,8 @@ struct CheckedClaim {
     CheckedScope scope;
     CheckedBody body;
     std::vector<std::size_t> remembered;  ///< channels whose last value is used
-    std::vector<Fact> facts;              ///< what it reads of states and variables
-    bool raised = false;                  ///< it is about raised events, which only cycles have
+    std::vector<Fact> facts;              ///< the facts about states and variables that the claim reads
+    bool raised = false;  ///< true if the claim is about raised events, which exist only in control cycles
     Span span;
 };
 
@@ -107,7 +107,7 @@ struct CheckedOrder {
         std::string event, dropped;
     };
     Component component;
-    std::vector<std::string> first;  ///< only of a machine
+    std::vector<std::string> first;  ///< empty unless the component is a machine
     std::vector<Drop> drops;
     Span span;
 };

@@ -27,7 +27,8 @@ struct MachinePart {
     ir::MachineId machine;
 };
 
-/// An event that triggers transitions of a machine, and that nothing raises: its triggers fire by themselves.
+/// An event that triggers transitions of a machine although no other element raises it. These transitions fire
+/// spontaneously.
 struct Spontaneous {
     std::string event, machine;
     diagnostics::Span span;  ///< of the event

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The types of conditions, and their operators and literals. What names mean is up to the caller.
+// The types of conditions, and their operators and literals. The caller defines the meaning of names.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace robochart::claims {
 
-/// Thrown after a finding about the claim.
+/// Thrown after a finding about the claim has been reported.
 struct ClaimError {};
 
 /// The type of a part of a condition.
@@ -38,10 +38,10 @@ public:
     /// operators.
     using Leaf = std::function<Typed(const Expr&)>;
     [[nodiscard]] Typed resolve(const Expr& expr, const Leaf& leaf) const;
-    /// The same; what is no truth value is an error.
+    /// Like `resolve`, but reports an error if the expression is not a truth value.
     [[nodiscard]] Condition resolve_truth(const Expr& expr, const Leaf& leaf) const;
     [[nodiscard]] std::optional<Typed> find_literal(const std::string& text) const;
-    /// An operand of the model's type; an error for types whose values conditions do not compare.
+    /// Returns an operand of the model's type. Reports an error if conditions cannot compare values of this type.
     [[nodiscard]] Typed typed_operand(Condition condition, ir::TypeId type, Span span) const;
     [[noreturn]] void refuse(Span span, std::string text) const;
 

@@ -174,7 +174,7 @@ void EventResolver::add_arguments(const Pattern& pattern, const Channel& channel
 
 // ---------------------------------------------------------------- conditions
 
-/// Two remembered values of one channel are one.
+/// A channel is remembered once, even if the claim reads its last value at several places.
 std::size_t EventResolver::remember(const Expr& expr) {
     const std::size_t channel = find_channel({expr.text, expr.span}, Direction::none);
     if (claim_.component.channels[channel].types.size() != 1)

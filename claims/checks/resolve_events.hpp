@@ -12,7 +12,7 @@
 
 namespace robochart::claims {
 
-/// Resolves the events of one claim; adds to its remembered channels.
+/// Resolves the events of one claim. Adds the channels whose last values the claim reads to its remembered channels.
 class EventResolver {
 public:
     EventResolver(const ir::System& system, CheckedClaim& claim, const diagnostics::SourceManager& sources,

@@ -131,7 +131,7 @@ Condition FactResolver::resolve(const Expr& expr) {
     diagnostics::sort_unique(machines);
     const bool joins = expr.op == Op::negation || expr.op == Op::conjunction || expr.op == Op::disjunction;
     if (!joins || (!state && machines.size() == 1)) {
-        // Whoever writes the name of a state as a condition means `in STATE`.
+        // If a user writes the name of a state as a condition, the intended condition is `in STATE`.
         if (expr.op == Op::name && find_variables(expr.text).empty() && has_state(expr.text))
             conditions_.refuse(expr.span, fmt::format("`{}` is a state: write `in {}`", expr.text, expr.text));
         return fact_of_variables(expr, machines);

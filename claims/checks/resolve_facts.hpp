@@ -9,7 +9,7 @@
 
 namespace robochart::claims {
 
-/// Resolves the conditions of one claim; adds to its facts.
+/// Resolves the conditions of one claim, and adds the facts that they read to the claim.
 class FactResolver {
 public:
     FactResolver(const ir::System& system, CheckedClaim& claim, const diagnostics::SourceManager& sources,
@@ -20,7 +20,8 @@ public:
           diagnostics_(diagnostics),
           conditions_(system, diagnostics) {}
 
-    /// A condition whose operands are facts. A part that reads the variables of one machine and no state is one fact.
+    /// Returns a condition whose operands are facts. If a part of it reads variables of only one machine and no state,
+    /// the whole part becomes one fact.
     [[nodiscard]] Condition resolve(const Expr& expr);
     /// The fact that a machine is in the state.
     [[nodiscard]] std::size_t fact_of_state(const Name& name);

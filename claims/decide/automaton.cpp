@@ -76,7 +76,7 @@ private:
         return result;
     }
 
-    /// `now`: the state after the inputs that were collected.
+    /// `now`: the state of the monitor after it has observed the collected inputs.
     [[nodiscard]] Situation after_letter(const Situation& state, const MonitorState& now, std::size_t number) const {
         if (!collected_.empty() && collected_[number]) {
             Situation next = state;
@@ -92,7 +92,8 @@ private:
         return {next, {}};
     }
 
-    /// The monitor observes the inputs of a cycle, without those that others drop.
+    /// Returns the state of the monitor after it has observed the inputs of a cycle. Inputs that a raised input drops
+    /// are left out.
     [[nodiscard]] MonitorState after_inputs(const Situation& state) const {
         std::vector<Occurrence> raised;
         for (const std::size_t number : state.raised) raised.push_back(letters_[number].occurrence);

@@ -15,10 +15,11 @@ struct AutomatonState {
     std::vector<std::optional<std::size_t>> by_letter;
     std::optional<std::size_t> by_tock;
     bool may_end = true;
-    bool owes = false;              ///< an event is demanded
-    bool judges = false;            ///< the states or variables are judged here
-    std::vector<bool> serves = {};  ///< by letter: it is an answer or an exception
-    /// Something is asked here: an event, the passing of time or the end would break the claim.
+    bool owes = false;              ///< the claim demands an event that has not occurred yet
+    bool judges = false;            ///< the claim restricts states or variables in this state
+    std::vector<bool> serves = {};  ///< for each letter, whether it is a response or an exception
+    /// True if the claim can be broken in this state: by an event, by the passing of time, or by the end of the
+    /// component.
     [[nodiscard]] bool asks() const;
 };
 
@@ -29,13 +30,14 @@ using Automaton = std::vector<AutomatonState>;
 [[nodiscard]] Automaton make_automaton(const CheckedClaim& claim, const std::vector<Letter>& letters,
                                        diagnostics::Budget* budget);
 
-/// Channels of two inputs: where `event` is raised, `dropped` does not count.
+/// The channels of two inputs. In a cycle in which `event` is raised, `dropped` does not count as raised.
 struct DroppedChannel {
     std::size_t event = 0, dropped = 0;
 };
 
-/// The automaton for cycles, in which inputs are raised: those of one cycle are simultaneous (Monitor::order_raised),
-/// so it takes them into account when an output, time or the end follows.
+/// The automaton for claims about control cycles. The inputs that are raised in one cycle are simultaneous
+/// (Monitor::order_raised). Therefore the automaton collects them, and observes them when an output, a time unit or the
+/// end follows.
 [[nodiscard]] Automaton make_cycle_automaton(const CheckedClaim& claim, const std::vector<Letter>& letters,
                                              const std::vector<DroppedChannel>& drops, diagnostics::Budget* budget);
 

@@ -109,9 +109,10 @@ private:
         }
     }
 
-    /// For `leads to` without a limit. The process "w" follows the monitor until it selects, in a state that owes
-    /// something, the debt that stays open. The process "c" then shows the time units that pass, and refuses what
-    /// serves the debt and what ends its scope. A debt stays open for ever iff some run has infinitely many of them.
+    /// For `leads to` without a limit. The process "w" follows the monitor until, in a state in which a response is
+    /// pending, it selects this pending response. From then on, the process "c" makes the passing time units visible,
+    /// and refuses the response and the end of its scope. A response stays pending forever iff some run contains
+    /// infinitely many of these visible time units.
     void add_followed_debt(std::vector<DeclPtr>& declarations) const {
         for (std::size_t at = 0; at < automaton_.size(); ++at) {
             const AutomatonState& state = automaton_[at];
@@ -143,7 +144,7 @@ private:
     [[nodiscard]] Tree seen() const { return seen_by(letters_); }
     [[nodiscard]] Tree visible() const { return build::project(process_, seen()); }
 
-    /// Whether an event that the claim restricts occurs at all. Conditions on last values are not judged.
+    /// The assertion that an event that the claim restricts occurs in some run. Conditions on last values are ignored.
     [[nodiscard]] DeclPtr happens() const {
         const BodyKind kind = claim_.body.kind;
         const bool restricts = kind == BodyKind::never || kind == BodyKind::only_after ||

@@ -11,39 +11,43 @@
 
 namespace robochart::claims {
 
-/// The declarations of one claim. Let M be its monitor as a process, with `tock` and the events of its letters, which
-/// refuses what breaks the claim; P the timed process of the component, in which only these events are visible.
+/// The declarations for one claim. Let M be the claim's monitor as a process over `tock` and the events of its letters.
+/// M refuses every event that breaks the claim. Let P be the timed process of the component, in which only these events
+/// are visible.
 ///     holds:      M [T= P   (for `possible`: not)
-///     asked:      not M' [T= P, where M' is M without the states that ask something
+///     asked:      not M' [T= P, where M' is M without the states in which the claim can be broken
 ///     happens:    not SKIP [T= P |\ X, where X are the events that the claim restricts
-///     waiting:    for `leads to` without limit, P in which a time unit that passes while something is owed is
-///                 `claims__waiting`, beside M; no run may have it infinitely often
-///     standstill: (P [| letters, tock |] M with `tock` added to the states that owe nothing), with outputs taken at
-///                 once, can always let time pass
+///     waiting:    for `leads to` without a time limit: P in parallel with M, where M may select a pending response.
+///                 Time units that pass while this response stays pending are `claims__waiting`. The claim fails iff
+///                 some run contains `claims__waiting` infinitely often.
+///     standstill: (P [| letters, tock |] M'') can always let time pass. M'' is M with `tock` added to the states in
+///                 which no response is pending. The environment takes outputs at once.
 struct Decision {
     std::vector<cspm::DeclPtr> declarations;  ///< processes
     cspm::DeclPtr holds;
-    cspm::DeclPtr asked;       ///< null: something is asked from the start
-    cspm::DeclPtr happens;     ///< null: the claim restricts no events of its own
-    cspm::DeclPtr standstill;  ///< null: the claim owes nothing
-    cspm::ExprPtr waiting;     ///< a process; null: every demand has a limit
+    cspm::DeclPtr asked;       ///< null if the claim can already be broken in the initial state
+    cspm::DeclPtr happens;     ///< null if the claim is of a kind that does not restrict its events
+    cspm::DeclPtr standstill;  ///< null if the claim never demands an event
+    cspm::ExprPtr waiting;     ///< a process; null if every demand has a time limit
     static constexpr const char* waiting_event = "claims__waiting";
 };
 
-/// `number`: of the claim, for the names of the processes. `outputs`: events that the environment takes at once.
+/// `number` is the number of the claim, which the names of the processes contain. `outputs` are the events that the
+/// environment takes at once.
 [[nodiscard]] Decision decide_by_processes(const CheckedClaim& claim, const std::vector<Letter>& letters,
                                            const Automaton& automaton, std::size_t number, const cspm::ExprPtr& process,
                                            const std::vector<cspm::ExprPtr>& outputs);
 
-/// An assumption as a process beside the component, which refuses what breaks it and may always end. Where it refuses
-/// to let time pass, the environment has to make an answer: the answer is then the event `due`, which is taken at once
-/// where it is hidden. Otherwise the component would look as if it stopped time.
+/// An assumption as a process in parallel with the component. The process refuses every event that would break the
+/// assumption, and may always terminate. If it refuses to let time pass, the environment must perform the demanded
+/// response. This response is then a separate event `due`, which happens at once when it is hidden. Without this event,
+/// the component would appear to stop time.
 struct Assumed {
-    /// An answer that the assumption demands.
+    /// A response that the assumption demands.
     struct Due {
         std::string event;     ///< "P::M::clear.in"
         cspm::ExprPtr prefix;  ///< the same as an expression
-        std::string due;       ///< its other name
+        std::string due;       ///< the event that replaces it when it is due
     };
     std::vector<cspm::DeclPtr> declarations;
     std::vector<Due> due;

@@ -155,7 +155,7 @@ private:
                 product(left.below, right.below / common)};
     }
 
-    /// At least 0, whatever the sign of the remainder is in the script.
+    /// The remainder is at least 0, even if the remainder in the script is negative.
     [[nodiscard]] static Number remainder(const Number& left, const Number& right, const Condition& divisor) {
         const bool positive = divisor.operand == Operand::constant && divisor.value > Fraction(0);
         if (left.below != 1 || right.below != 1 || !positive)

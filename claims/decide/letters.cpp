@@ -139,7 +139,8 @@ std::string shown_channel(const std::string& machine) {
 
 namespace {
 
-/// All ways in which the claim's facts about a machine may hold. The other facts that the machine shows are any.
+/// One letter for each combination of truth values of the claim's facts about a machine. The letter allows any values
+/// of the other facts that the machine shows.
 std::vector<Letter> fact_letters(const CheckedClaim& claim, const std::string& machine,
                                  const std::vector<Fact>& facts) {
     std::vector<std::optional<std::size_t>> of_claim;  // by the position in the event

@@ -32,8 +32,8 @@ void require_facts(const CheckedClaim& claim, const ir::System& system, const ir
 [[nodiscard]] csp_emit::Shown emitted_facts(const ShownFacts& shown, const ir::System& system,
                                             const ir::Instantiation& instantiation);
 
-/// Events that the claim does not distinguish: one channel, with all values, or with some; or the same truth of the
-/// claim's facts about a machine.
+/// A class of events that the claim does not distinguish. They are the events of one channel with some or all values,
+/// or the events by which a machine shows the same truth values of the claim's facts.
 struct Letter {
     Occurrence occurrence;
     std::vector<FactValue> facts;     ///< not empty: a machine shows these facts, and there is no occurrence
@@ -42,9 +42,9 @@ struct Letter {
     std::string name;                     ///< of the event in the model
 };
 
-/// Why one run does not decide the claim if only its events are known; "" if it does.
+/// The reason why the events of a run do not show whether the run breaks the claim; "" if they do.
 [[nodiscard]] std::string why_not_followed(const CheckedClaim& claim);
-/// The same for monitors, which do not decide claims about control cycles.
+/// Like why_not_followed, but for monitors, which do not decide claims about control cycles.
 [[nodiscard]] std::string why_not_monitored(const CheckedClaim& claim);
 
 /// The letters of the channels that the claim names, by channel and values, and of its facts. Throws NotDecided if a
@@ -66,7 +66,7 @@ void require_channels(const CheckedClaim& claim, const std::vector<Letter>& lett
 [[nodiscard]] std::string text_of(const Letter& letter, const CheckedClaim& claim, const std::string& event);
 
 /// The parts of the claim whose conditions no value of the instantiation satisfies, as written. Conditions on last
-/// values are not judged.
+/// values are ignored.
 [[nodiscard]] std::vector<const EventMatch*> matches_without_value(const CheckedClaim& claim,
                                                                    const std::vector<Letter>& letters);
 

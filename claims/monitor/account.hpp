@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells why a run breaks a claim: what began, what the claim demands, and what broke it (docs/claims.md,
-// "Answers").
+// Explains why a run breaks a claim: which event began the scope or was the trigger, what the claim demands, and what
+// broke it (docs/claims.md, "Answers").
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ public:
     [[nodiscard]] bool is_broken() const { return state_.verdict == Verdict::broken; }
     /// At most three sentences, after the claim was broken.
     [[nodiscard]] std::vector<std::string> reasons() const;
-    /// The sentences if time stops here and something is owed.
+    /// The sentences for the case that time stops here while a response is pending.
     [[nodiscard]] std::vector<std::string> reasons_of_standstill() const;
-    /// The sentences if time passes for ever from here on while something is owed.
+    /// The sentences for the case that time passes forever from here on while a response is pending.
     [[nodiscard]] std::vector<std::string> reasons_of_waiting() const;
     /// "t=30 (3.0 s)".
     [[nodiscard]] std::string time_text(std::int64_t time) const;
@@ -60,7 +60,7 @@ private:
     std::int64_t now_ = 0;
     Moment current_;                    ///< the event that is being observed
     std::optional<Moment> scope_;       ///< what began the scope
-    std::optional<Moment> trigger_;     ///< the oldest open trigger, the youngest delay, the last support
+    std::optional<Moment> trigger_;     ///< the event to count from: the oldest open trigger or the latest OTHERS
     std::optional<std::int64_t> stay_;  ///< for_at_least, for_at_most: when the stay began
     std::vector<Moment> counted_;       ///< at_most: the counted events of the scope
     Breaker breaker_ = Breaker::event;

@@ -157,7 +157,7 @@ void Monitor::enter(MonitorState& state) const {
     if (claim_.body.kind == BodyKind::every) state.left = claim_.body.units.value();
 }
 
-/// The scope ends, with everything that is owed in it.
+/// The scope ends, and nothing is pending any more.
 void Monitor::leave(MonitorState& state, Phase phase) const {
     MonitorState next;
     next.verdict = state.verdict;
@@ -175,7 +175,7 @@ void Monitor::observe(MonitorState& state, const Occurrence& event) const {
         if (claim_.remembered[i] == event.channel) state.last[i] = event.values.at(0);
 }
 
-/// A scope begins behind its first event and ends before its last one. If one event does both, it ends one scope and
+/// A scope begins after its first event and ends before its last event. If one event does both, it ends one scope and
 /// begins the next. `for D after E` ends D time units after the last E, which belongs to the scope.
 void Monitor::observe(MonitorState& state, const Seen& seen) const {
     const CheckedScope& scope = claim_.scope;
@@ -240,7 +240,7 @@ void Monitor::tock(MonitorState& state) const {
     if (state.stay > 0) --state.stay;
 }
 
-/// The end forbids nothing, and breaks what is owed.
+/// The end of the component is never forbidden in itself, but it breaks the claim if a response is pending.
 void Monitor::end(MonitorState& state) const {
     if (state.verdict != Verdict::open) return;
     observe(state, Seen{.terminate = true});
@@ -261,8 +261,9 @@ bool Monitor::judges_facts(const MonitorState& state) const {
 
 // ---------------------------------------------------------------- states and variables
 
-/// States are left, the scope of `while` ends or begins, states are entered. What ends the scope comes behind its end,
-/// and what begins it before its beginning.
+/// The order is as follows: states are left, the scope of `while` ends or begins, states are entered. A change that
+/// ends the scope is observed after the end, and a change that begins the scope before the beginning. So neither is
+/// inside the scope.
 void Monitor::observe(MonitorState& state, const std::vector<FactValue>& values) const {
     if (state.verdict != Verdict::open) return;
     const bool inside = state.phase == Phase::inside;
@@ -309,7 +310,7 @@ bool Monitor::serves(const MonitorState& state, const std::vector<FactValue>& va
     });
 }
 
-/// The body's condition began to hold, goes on, or ended; `inside`: the scope had begun before.
+/// The body's condition begins to hold, continues to hold, or ceases to hold. `inside`: the scope had begun before.
 void Monitor::follow_condition(MonitorState& state, bool before, bool inside) const {
     const bool now = holds(claim_.body.condition, state);
     if (claim_.body.kind == BodyKind::possible && now && state.phase == Phase::inside)
@@ -363,8 +364,8 @@ void Monitor::observe_in_scope(MonitorState& state, const Seen& seen) const {
     }
 }
 
-/// One answer serves all open triggers, of which the oldest decides when time is up. An event that is both serves those
-/// before it and opens its own.
+/// One response answers all open triggers. The oldest of these determines the time limit. An event that is both a
+/// response and a trigger answers the triggers before it and is itself a new trigger.
 void Monitor::observe_response(MonitorState& state, const Seen& seen) const {
     const CheckedBody& body = claim_.body;
     const bool timed = body.kind == BodyKind::leads_within;
@@ -382,7 +383,8 @@ void Monitor::observe_response(MonitorState& state, const Seen& seen) const {
         state.left = opens ? body.units.value() : -1;
 }
 
-/// The youngest of OTHERS decides. An exception ends the wait before the event is judged.
+/// The delay is counted from the latest occurrence of OTHERS. If an exception occurs, the delay ends before the event
+/// is checked.
 void Monitor::observe_delay(MonitorState& state, const Seen& seen) const {
     const CheckedBody& body = claim_.body;
     if (matches(body.exceptions, seen, state)) state.left = -1;

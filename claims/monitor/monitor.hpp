@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meaning of claims (docs/claims.md, "Meaning"): a deterministic monitor, which sees the events of a component, the
-// passing of time and the end, and knows what is owed. Everything that decides a claim uses this monitor.
+// The meaning of claims (docs/claims.md, "Meaning"): a deterministic monitor. It observes the events of a component,
+// the passing of time and the end, and stores the responses that are pending. All code that decides claims uses this
+// monitor.
 #pragma once
 
 #include <compare>
@@ -20,7 +21,7 @@ struct Occurrence {
     friend auto operator<=>(const Occurrence&, const Occurrence&) = default;
 };
 
-/// What a component shows of its states and variables: the truth of some facts of the claim.
+/// The truth value of a fact of the claim, as a component shows it.
 struct FactValue {
     std::size_t fact = 0;
     bool holds = false;
@@ -31,23 +32,23 @@ struct FactValue {
 enum class Verdict : std::uint8_t {
     open,  ///< not broken so far
     broken,
-    satisfied,  ///< `possible E`: E has come
+    satisfied,  ///< `possible E`: E has occurred
 };
 
 enum class Phase : std::uint8_t {
     outside,  ///< the scope has not begun, or has ended and may begin again
     inside,
-    over,  ///< the scope has ended for ever
+    over,  ///< the scope has ended and cannot begin again
 };
 
-/// Everything that a monitor knows of a run. Runs with equal states have the same future.
+/// The state of a monitor during a run. After runs with equal states, the same continuations break the claim.
 struct MonitorState {
     Verdict verdict = Verdict::open;
     Phase phase = Phase::outside;
-    std::int64_t scope_left = 0;                ///< for_after: time units that the scope still lasts
-    bool due = false;                           ///< only_after: OTHERS came; leads, leads_before: OTHERS is owed
-    std::int64_t left = -1;                     ///< time units that something is still owed, held or allowed; -1: not
-    std::int64_t count = 0;                     ///< at_most: events in the scope
+    std::int64_t scope_left = 0;  ///< for_after: time units that the scope still lasts
+    bool due = false;             ///< only_after: OTHERS has occurred; leads, leads_before: OTHERS is pending
+    std::int64_t left = -1;       ///< remaining time units in which an event is pending, forbidden or allowed; -1: none
+    std::int64_t count = 0;       ///< at_most: events in the scope
     std::vector<std::int64_t> ages;             ///< at_most in a duration: time since the last events, youngest first
     std::vector<std::optional<Fraction>> last;  ///< the last values of the remembered channels
     std::vector<std::optional<bool>> facts;     ///< the facts of the claim; no value: not known yet
@@ -67,23 +68,25 @@ public:
     /// Throws NotComputable if a condition cannot be computed.
     void observe(MonitorState& state, const Occurrence& event) const;
     /// The events that are raised at the beginning of a cycle, in the order in which the monitor observes them. They
-    /// are simultaneous: what ends a scope or answers counts before what begins a scope or asks.
+    /// are simultaneous. Therefore an event that ends a scope or is a response comes before an event that begins a
+    /// scope or is a trigger.
     [[nodiscard]] std::vector<Occurrence> order_raised(const MonitorState& state, std::vector<Occurrence> raised) const;
-    /// The truth of these facts is seen, at the beginning and before whatever happens after they may have changed.
+    /// Observes the truth values of these facts. Must be called at the beginning, and whenever they may have changed,
+    /// before the next event or time unit.
     void observe(MonitorState& state, const std::vector<FactValue>& values) const;
     /// One time unit passes.
     void tock(MonitorState& state) const;
     /// The component ends.
     void end(MonitorState& state) const;
-    /// True if the claim demands an event that has not come yet: it is broken if time stops here.
+    /// True if the claim demands an event that has not occurred yet. The claim is then broken if time stops here.
     [[nodiscard]] bool owes(const MonitorState& state) const;
-    /// True if the event, or the change of a fact, is an answer or an exception.
+    /// True if the event, or the change of a fact, is a response or an exception.
     [[nodiscard]] bool serves(const MonitorState& state, const Occurrence& event) const;
     [[nodiscard]] bool serves(const MonitorState& state, const std::vector<FactValue>& values) const;
-    /// True if the claim is about states or variables and judges them in this state.
+    /// True if the claim is about states or variables and restricts them in this state.
     [[nodiscard]] bool judges_facts(const MonitorState& state) const;
 
-    /// True if the event belongs to the set, with the last values of this state.
+    /// True if the event belongs to the set. Conditions of the set read the last values of this state.
     [[nodiscard]] static bool matches(const Events& events, const Occurrence& event, const MonitorState& state);
 
 private:

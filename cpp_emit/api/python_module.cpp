@@ -237,7 +237,8 @@ private:
         out_.gap();
     }
 
-    /// A method that calls the one of Python, or the base's if there is none. `result` converts what Python returns.
+    /// Writes a method that calls the method of the Python class. If the class does not define it, the method of the
+    /// C++ base class is called. `result` converts the value that Python returns.
     void write_override(const std::string& returned, const std::string& method,
                         const std::vector<ir::TypeId>& parameters, const std::string& result, bool needed = false) {
         std::string list, converted, passed;

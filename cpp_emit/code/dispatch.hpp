@@ -12,12 +12,12 @@ namespace robochart::cpp_emit {
 
 /// The events that the platform may raise one at a time, in the order of Inputs; none in RoboSim.
 [[nodiscard]] std::vector<const EventPort*> input_events(const Component&);
-/// The events that a declared order lets drop others. The state remembers that dispatch() was called with one, until
-/// time passes.
+/// The events that drop others according to the declared order. If dispatch() is called with one of these events, the
+/// state stores this until time passes.
 [[nodiscard]] std::vector<const EventPort*> dropping_events(const Generation&);
-/// Writes that dropped events do not count as raised.
+/// Writes the code that clears dropped events, so that they do not count as raised.
 void write_drops(const Generation&, CodeWriter&);
-/// Writes that time passes: what was raised before does not drop anything any more.
+/// Writes the code that runs when time passes: events that were raised before no longer drop others.
 void forget_raised(const Generation&, CodeWriter&);
 /// The name of the enumeration of these events: `Event`, unless the model has a type with that name.
 [[nodiscard]] std::string event_type(const Generation&);

@@ -98,7 +98,7 @@ void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
     current_code().close();
 }
 
-/// The place in which a thread stays after a false precondition; it comes before the place that is being written.
+/// The place in which a thread stays after a false precondition. It is inserted before the place that is being written.
 const std::string& ProgramWriter::stuck_place() {
     assert(!thread_.places.empty() && thread_.labels != nullptr);
     const auto found = thread_.stuck.find(state_.index);

@@ -20,8 +20,8 @@ namespace robochart::cpp_emit {
 [[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
 /// The arguments in calls between the unit's functions: "f", "f, TurnFrame_f".
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
-/// The arguments of a call of the unit's functions in a function of the unit's caller, in which the unit's frame is
-/// `frame`.
+/// The arguments with which a function of `caller` calls the unit's functions. `frame` is the expression for the unit's
+/// frame there.
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&, const Unit& caller, const std::string& frame);
 /// The name of the parameter for the frame of an operation that lends variables or clocks.
 [[nodiscard]] std::string lent_frame(const Unit& owner);
@@ -30,7 +30,8 @@ class ExpressionWriter {
 public:
     /// Writes expressions in the unit's functions.
     ExpressionWriter(const Generation& generation, const Unit& unit) : ExpressionWriter(generation, unit, unit, "f") {}
-    /// Writes expressions in a function of the unit's caller, in which the unit's frame is `frame`: "f.Turn".
+    /// Writes the unit's expressions in a function of `caller`. `frame` is the expression for the unit's frame there,
+    /// for example "f.Turn".
     ExpressionWriter(const Generation& generation, const Unit& unit, const Unit& caller, std::string frame)
         : generation_(generation), unit_(unit), caller_(caller), frame_(std::move(frame)) {}
 

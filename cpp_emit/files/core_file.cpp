@@ -27,8 +27,9 @@ void numeric_aliases(CodeWriter& out) {
 }
 
 std::string bound_text(const Core& core) {
-    // Bounds the steps of a cycle. A cycle may visit each place as often as a loop over a variable does. A model that
-    // needs more steps without the passing of time is assumed to diverge.
+    // Bounds the steps of a cycle. The bound is larger if there are more places, because a loop over a variable may
+    // visit each of its places many times in one cycle. A model that needs more steps without the passing of time is
+    // assumed to diverge.
     std::size_t places = 0;
     for (const MachineCode& machine : core.machines)
         for (const Enumeration& enumeration : machine.enumerations) places += enumeration.values.size();
@@ -365,7 +366,7 @@ void write_outside(const Generation& generation, const StoredVariable& variable,
         out.line(line);
 }
 
-/// RoboSim: a component that can neither continue nor end its cycle stops time.
+/// RoboSim: if a component can neither continue nor end its cycle, time stops.
 void write_end_of_cycle(const Generation& generation, CodeWriter& out) {
     if (generation.mutation.hits(Fault::cycle_stop_hidden)) return;
     std::string ended;

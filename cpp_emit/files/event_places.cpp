@@ -55,7 +55,7 @@ private:
         }
     }
 
-    /// For each event of the platform, whether the platform raises it as this event of the machine.
+    /// For each event that the platform raises, whether it is connected to this event of the machine.
     [[nodiscard]] std::vector<bool> raised_events(const EventUse& use) const {
         std::vector<bool> result(events_.size());
         for (const std::size_t port : use.ports) {

@@ -352,7 +352,8 @@ private:
         out_.close();
     }
 
-    /// A cycle that reads its registers on demand. The bytes of the object are compared, so they are cleared before.
+    /// Writes a cycle that reads its registers on demand. The explorer compares the bytes of the object, so the code
+    /// clears them before.
     void probe_function() {
         out_.gap();
         out_.open("Inputs unread_inputs() noexcept {");
@@ -392,7 +393,7 @@ private:
         out_.close();
     }
 
-    /// The event API, if there is one.
+    /// Writes the functions for the event API, if the component has one.
     void event_functions() {
         const std::size_t events = input_events(generation_.component).size();
         if (events == 0) return;
@@ -457,8 +458,8 @@ private:
         out_.close("};");
     }
 
-    /// The same functions over the types of deployment. Their types are not those of other sources, whose inputs do
-    /// not notice when they are read.
+    /// Writes the same functions over the types of deployment. They use types of their own, because the inputs of other
+    /// sources do not record when they are read.
     void write_deployed() {
         numbers_ = Numbers::deployed;
         out_.gap();

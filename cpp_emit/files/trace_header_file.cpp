@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes NAME_trace.hpp: the transitions of a controller by number, and its cycles in the form of a log
-// (docs/traces.md). Reference API: the metadata and the trace hook of etcd's raft, compiled only on request.
+// (docs/traces.md). The design follows the trace hook of etcd's raft: the metadata and the hook are compiled only on
+// request.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

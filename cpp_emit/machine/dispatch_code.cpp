@@ -226,7 +226,7 @@ void DispatchCode::dispatch_function() {
         leaves += plan_.is_resting_place(row) ? 1U : 0U;
         quiet = quiet || (plan_.is_resting_place(row) && goes_on(row));
     }
-    // The beginning of the machine has a row that does not consume the event.
+    // One row is for the machine before it has started. This row does not consume the event.
     const bool places = std::ranges::any_of(
         rows, [&](NodeId row) { return !plan_.is_resting_place(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
@@ -243,7 +243,8 @@ void DispatchCode::dispatch_function() {
     } else {
         dispatch_switch(rows, columns);
     }
-    // Without such places the loop repeats only after the beginning, which occurs once, so it needs no bound.
+    // Without this column, the loop repeats only after the start of the machine. The machine starts once, so the loop
+    // needs no bound.
     if (columns.back() == nullptr) out_.line("if (!spend()) return this->result(false);");
     out_.close();
     out_.close();
@@ -251,7 +252,7 @@ void DispatchCode::dispatch_function() {
     pass_function_of_time(columns);
 }
 
-/// Clocks start with the machine, so a cycle before the start does not count.
+/// Resets the clocks, because they start with the machine: the time before the start does not count.
 void DispatchCode::begin_machine(CodeWriter& out) {
     for (std::uint32_t index = 0; index < unit_.clock_fields.size(); ++index)
         if (unit_.clock_read[index] &&

@@ -12,11 +12,13 @@ public:
     OrderFaultCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
-    /// Enters a composite and its first child, the child first.
+    /// Writes the code that enters a composite state after its first child.
     void enter_child_first(ProgramWriter&, ir::NodeId);
-    /// Writes the exit actions of a state's parents that run too early, in the exit place of the state.
+    /// Writes those exit actions of enclosing states that the fault runs too early, namely in the exit place of the
+    /// inner state.
     void exit_outer_before(ProgramWriter&, ir::NodeId);
-    /// Writes the actions of a state's outgoing transitions that run too early, in the exit place of the state.
+    /// Writes those actions of a state's outgoing transitions that the fault runs too early, namely in the exit place
+    /// of the state.
     void act_before(ProgramWriter&, ir::NodeId);
     /// Writes a transition's action after the entry of its target.
     void act_late(ProgramWriter&, const ir::Transition&, const std::string& label);

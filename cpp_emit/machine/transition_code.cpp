@@ -83,7 +83,7 @@ std::vector<std::string> TransitionCode::first_calls(NodeId leaf) const {
     return calls;
 }
 
-/// The function that calls those of the active states.
+/// Writes the function that calls the functions of the active states.
 void TransitionCode::choosing_function(const std::string& name, const char* comment, Calls calls_of) {
     const ir::Machine& machine = plan_.machine();
     out_.gap();
@@ -143,7 +143,7 @@ bool TransitionCode::stores_late(const ir::Transition& transition) const {
            generation_.mutation.hits(Fault::cycle_store_late, &unit_, &transition);
 }
 
-/// RoboSim: the values of `$e?v` in the condition, in textual order.
+/// RoboSim: writes the code that stores the values of each `$e?v` in the condition, in textual order.
 void TransitionCode::write_stores(const ir::Transition& transition) {
     for (const ir::StmtPtr& store : transition.stores) out_.write_raw(steps_.straight_program(store, 3));
 }
@@ -159,7 +159,8 @@ void TransitionCode::end_cycle(const ir::Transition& transition, ir::TransitionI
     out_.line(generation_.bound_test().empty() ? "return true;" : "return spend();");
 }
 
-/// Reference API A6: a first pass counts the choices and takes none of them.
+/// Writes a function that takes one of several enabled transitions. A first pass counts the enabled transitions without
+/// taking one; then the platform picks.
 void TransitionCode::pick_function(const std::string& name, const std::string& attempt) {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
     out_.open(function_head("bool " + name));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The capacity of a set in generated code is the number of values of its elements' type, so that no element is lost.
-// The same count is written as C++ text over the policy, and computed over the instantiation's carriers. A set whose
-// elements have more values on the robot than in the carriers has the usual capacity of a list there.
+// This number is both written as a C++ expression over the Types policy and computed for the carriers of the
+// instantiation. If a type has more values on the robot than in its carrier, sets of this type have the usual capacity
+// of a list on the robot.
 #include <fmt/format.h>
 
 #include <algorithm>

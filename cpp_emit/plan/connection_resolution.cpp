@@ -19,7 +19,8 @@ bool is_part(const ConnectionEnd& end, std::size_t part, const std::string& even
     return end.kind == EndKind::part && end.part == part && end.event == event;
 }
 
-/// Visits every connection from both ends. Every connection has a direction, but an event may go either way.
+/// Visits every connection from both ends. A connection is written with a direction, but its events may have either
+/// direction.
 template <class Visit>
 void each_end(const std::vector<ir::Connection>& connections, const Visit& visit) {
     for (std::size_t index = 0; index < connections.size(); ++index) {
@@ -133,7 +134,7 @@ private:
         use.ports.push_back(static_cast<std::size_t>(found - ports.begin()));
     }
 
-    /// The end of the writer fills the buffer, the end of the reader empties it.
+    /// At the writer's end of the connection, the event fills the buffer; at the reader's end, it empties the buffer.
     void add_buffer(EventUse& use, const ConnectionEnd& here, std::size_t connection) {
         assert(module_ != nullptr && connection < module_->connections.size());
         auto& buffers = component_.buffers;

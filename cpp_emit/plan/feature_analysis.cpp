@@ -16,7 +16,8 @@ using ir::TypeKind;
 
 namespace {
 
-/// The types whose values an expression enumerates. A bound variable with a generator ranges over a collection instead.
+/// Returns the types whose values an expression enumerates. A bound variable with a generator is excluded, because it
+/// ranges over a collection and not over a type.
 std::vector<ir::TypeId> visited_types(const ir::System& system, const ir::Expr& expr) {
     std::vector<ir::TypeId> result;
     if (ir::binds_names(expr.kind)) {
@@ -81,7 +82,7 @@ private:
         for (const ir::TypeId type : visited_types(system_, expr)) use_carrier(type);
     }
 
-    /// A value with parts may have to be converted to the type of the variable that receives it.
+    /// A received value with parts needs a conversion, which the toolkit provides, if the variable has another type.
     void use_reception(const ir::Machine& machine, const ir::Communication& communication) {
         if (!communication.event.is_valid() || !communication.variable.is_valid()) return;
         const ir::TypeId variable = machine.variables[communication.variable.index].type;
@@ -90,7 +91,8 @@ private:
         component_.toolkit = component_.toolkit || converts;
     }
 
-    /// Values with parts may have to be converted if they are used as another type.
+    /// True if values of the type have parts. Such values need a conversion when they are used as values of another
+    /// type.
     [[nodiscard]] bool has_parts(ir::TypeId id) const { return is_composed(system_.type(id)); }
 
     void use_carrier(ir::TypeId id) {

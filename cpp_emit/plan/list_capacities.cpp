@@ -88,7 +88,7 @@ private:
             add_parts(type.args, value);
         }
     }
-    /// The parts have one type each, or all the same.
+    /// If `types` has one element, all parts have this type; otherwise it contains the type of each part.
     void add_parts(const std::vector<ir::TypeId>& types, const ir::Value& value) {
         for (std::size_t i = 0; i < value.parts.size(); ++i)
             add_value(types.at(types.size() > 1 ? i : 0), value.parts[i]);
@@ -139,7 +139,7 @@ std::size_t least_longest(const ir::System& system, const Component& component) 
 
 namespace {
 
-/// A function of the toolkits whose result consists of elements of an operand, or is one of them.
+/// A function of the toolkits whose result contains only elements of an operand, or is one of these elements.
 struct Selection {
     std::string_view function;
     std::size_t operand = 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cycle ends in a state, in a junction without an enabled way, or inside an action that waits. A variable is local if
-// it is dead in all states and at all places that wait. A junction never continues if its guards read only variables
-// that nothing else changes meanwhile, so a local variable may be live there: generated code leaves such a junction
-// only in a cycle in which the variable was written.
+// A cycle ends in a state, in a junction without an enabled transition, or inside an action that waits. A variable is
+// local if it is dead in all states and at all places that wait. It may be live in a junction whose guards read only
+// variables that cannot change while control is in the junction. If no guard of such a junction is true when control
+// reaches it, none becomes true later. Generated code therefore leaves the junction only in a cycle in which the
+// variable was written.
 #include "cpp_emit/plan/liveness.hpp"
 
 #include <algorithm>
@@ -106,7 +107,7 @@ private:
         return before_ways(id);
     }
 
-    /// The variables that are live in the state and in the states around it.
+    /// The variables that are live in the state or in one of its enclosing states.
     Variables live_at_rest(NodeId id) {
         Variables result;
         for (; id.is_valid(); id = node(id).parent) add(result, before_ways(id));
@@ -132,7 +133,7 @@ private:
         return live;
     }
 
-    /// Adds what the exit actions of active inner states may use.
+    /// Adds the variables that the exit actions of active inner states may use.
     void add_inner_exits(NodeId id, Variables& live) const {
         for (const NodeId child : node(id).children) {
             add(live, used_by(node(child).exit));
@@ -218,7 +219,7 @@ private:
         return false;
     }
 
-    /// Whether control may have to stay in the node, because no way is enabled.
+    /// Whether control may have to stay in the node, because all outgoing transitions have guards.
     [[nodiscard]] bool may_block(NodeId id) const {
         const bool chooses = node(id).kind == NodeKind::initial || node(id).kind == NodeKind::junction;
         return chooses && std::ranges::all_of(node(id).outgoing, [&](ir::TransitionId way) {
@@ -252,7 +253,8 @@ private:
     Variables in_waiting_;       ///< the variables that are live at a place that waits
 };
 
-/// Whether an operation or precondition makes cycles end elsewhere, or writes of others delay a machine.
+/// Whether cycles may end at further places: at a false precondition of an operation, or because writes of shared
+/// variables delay a machine.
 bool ends_cycles_elsewhere(const Component& component) {
     return std::ranges::any_of(component.units,
                                [](const Unit& unit) { return !unit.machine->preconditions.empty(); }) ||

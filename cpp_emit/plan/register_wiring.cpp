@@ -13,7 +13,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// Registers of machines that one register of a composition stands for.
+/// The registers of the machines that one register of a controller or module represents.
 using RegistersOfParts = std::vector<EventUse*>;
 
 /// The registers of a controller.
@@ -89,14 +89,15 @@ private:
         return std::ranges::find(events, name, &ir::Event::name) != events.end();
     }
 
-    /// A connection between two parts, given by their registers; in either direction.
+    /// Adds the buffer for a connection between two parts, which are given by their registers. The connection may have
+    /// either direction.
     void join(const RegistersOfParts& from_outputs, const RegistersOfParts& from_inputs,
               const RegistersOfParts& to_outputs, const RegistersOfParts& to_inputs, std::size_t connection) {
         if (!from_outputs.empty() && !to_inputs.empty()) return add_buffer(from_outputs, to_inputs, connection);
         if (!to_outputs.empty() && !from_inputs.empty()) add_buffer(to_outputs, from_inputs, connection);
     }
 
-    /// One register for the readers, which several outputs may fill.
+    /// Adds a buffer that all readers share. Several outputs may fill it.
     void add_buffer(const RegistersOfParts& writers, const RegistersOfParts& readers, std::size_t connection) {
         auto& buffers = component_.buffers;
         const EventUse& reader = *readers.front();
@@ -146,7 +147,7 @@ private:
         return end.kind == ir::EndKind::part ? find_use(controller, end.part, end.event) : nullptr;
     }
 
-    /// An event that no connection names is read if a part has an input of its name.
+    /// An event that no connection names is an input if some part has an input with this name.
     [[nodiscard]] bool is_input_somewhere(std::size_t controller, const std::string& name) const {
         return std::ranges::any_of(component_.parts, [&](const Part& part) {
             return part.controller == controller && std::ranges::any_of(part.events, [&](const EventUse& use) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// RoboSim: where the registers of a component's machines lead (docs/robosim.md, "Controllers and modules"). An input is
-// filled by an input of the whole or by an event between parts, and an output is written to outputs of the whole and to
-// events between parts.
+// RoboSim: finds what the registers of a component's machines are connected to (docs/robosim.md, "Controllers and
+// modules"). An input of a machine is connected to an input of the component, or to an event between machines. An
+// output may be connected to several outputs of the component and events between machines.
 #pragma once
 
 #include <vector>

@@ -136,7 +136,8 @@ private:
         return has_parts();
     }
 
-    /// RoboSim: variables that the machines of a composition share are registers of each of them and of the whole.
+    /// RoboSim: rejects variables that several machines of a controller or module share. Each would be a register of
+    /// each machine and of the whole component.
     void refuse_shared_registers() {
         for (const Unit& unit : component_.units) {
             if (!unit.root || contexts_[unit.part] == nullptr) continue;

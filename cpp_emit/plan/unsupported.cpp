@@ -201,7 +201,7 @@ private:
             diagnostics_.report(rules::unsupported_trigger, span, {name, "it does not only receive"});
     }
 
-    /// RoboSim: what the generated frame of a cycle does not do.
+    /// RoboSim: rejects uses of `exec` that the generated code for the end of a cycle does not support.
     void check_cycle(const ir::Machine& machine, const ir::Transition& transition) {
         const auto refuse = [&](const char* what) {
             diagnostics_.report(rules::unsupported_expr, transition.origin.span, {what, transition.origin.element});
@@ -215,7 +215,8 @@ private:
                 refuse("a value of a register that is stored in an output");
     }
 
-    /// RoboSim: beside a during action, the values of an output are computed before it may have to wait.
+    /// RoboSim: generated code computes the values of an output before the output may have to wait. In the meantime, a
+    /// parallel during action could change the variables that these values depend on.
     void check_output(const ir::Machine& machine, const ir::Stmt& stmt) {
         if (!component_.robosim || !has_during_) return;
         const bool call = stmt.kind == ir::StmtKind::call && machine.operations[stmt.operation.index].output;
@@ -250,7 +251,7 @@ private:
     const ir::Instantiation& inst_;
     const Component& component_;
     Diagnostics& diagnostics_;
-    bool has_during_ = false;  ///< RoboSim: actions may run beside each other
+    bool has_during_ = false;  ///< RoboSim: actions may run in parallel
 };
 
 /// Number of numbers and literals in a value.
@@ -261,7 +262,8 @@ std::size_t count_leaves(const ir::Value& value) {
     return count;
 }
 
-/// Whether the values of a type contain too many numbers to be listed. Their number must be within its own limit.
+/// Whether the listed values of a type contain too many numbers and literals. Precondition: the number of these values
+/// is within its own limit.
 bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type) {
     if (!is_composed(system.type(type))) return false;
     std::size_t count = 0;

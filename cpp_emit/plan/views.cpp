@@ -250,7 +250,8 @@ private:
         for (const Expr* condition : conditions_besides_generators(system_, binder)) visit_value(*condition);
     }
 
-    /// A collection that is not built, unless it is no view.
+    /// Visits a collection that the code visits in place. A collection that is not a view has to be built, so it is
+    /// visited as a value.
     void visit_in_place(const Expr& expr) {
         if (const Expr* const sequence = sequence_of_pairs(system_, expr)) return visit_in_place(*sequence);
         if (!is_view(system_, expr)) return visit_value(expr);

@@ -18,7 +18,7 @@ using ir::StmtVisitor;
 void visit(const ir::ExprPtr&, const ExprVisitor&);
 /// Visits the statement and its parts.
 void visit(const ir::StmtPtr&, const StmtVisitor&);
-/// Visits all expressions with values that running code uses, with their operands: ir::visit_running.
+/// Visits all expressions that a running machine evaluates (ir::visit_running), and their operands.
 void visit_expressions(const ir::Machine&, const ExprVisitor&);
 /// Visits the expressions in preconditions that running code tests.
 void visit_tested_preconditions(const Component&, const ir::System&, const ExprVisitor&);

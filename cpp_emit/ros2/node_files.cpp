@@ -367,7 +367,8 @@ private:
         out_.close();
     }
 
-    /// Clocks and timeouts count time units, so the parameter `cycle` changes them. It must not do so silently.
+    /// Clocks and timeouts count time units, so the parameter `cycle` changes their length in seconds. The node
+    /// therefore reports another length than the usual one.
     void write_unit_check() {
         const std::string usual = cycle_seconds(generation_.options);
         const std::string text = cycle_text(generation_.options);
@@ -664,7 +665,7 @@ private:
         write_health();
     }
 
-    /// The node reports its health as the controller does its cycles.
+    /// Writes the function with the facts about the running controller that the node reports as its health.
     void write_health() {
         out_.gap();
         out_.open(fmt::format("::robochart::ros2::Health::Facts {}::facts() const {{", node_));
@@ -762,7 +763,7 @@ private:
         out_.close();
     }
 
-    /// The answer comes in the node's callback group, so never during a cycle or a transition.
+    /// The answer arrives in the node's callback group, so it never arrives during a cycle or a transition.
     void write_calling() {
         out_.gap();
         out_.line("template <class Service, class Answer>");
@@ -787,8 +788,7 @@ private:
         out_.close();
     }
 
-    /// The replies come in the node's callback group, too. Without a server, the earlier goal has been given up as
-    /// well.
+    /// The replies also arrive in the node's callback group. If there is no server, the earlier goal is given up, too.
     void write_goals() {
         out_.gap();
         out_.line("template <class Goal, class Message>");

@@ -108,7 +108,7 @@ private:
         }
     }
 
-    /// Whether the item belongs to a call of another item.
+    /// Whether the item belongs to a service or action that another item calls.
     static bool names_call(const Item& item) {
         return item.transport == Transport::reply || item.transport == Transport::cancel;
     }
@@ -236,7 +236,8 @@ private:
         return plan_.topics.size() - 1;
     }
 
-    /// A message for the end. It has the quality of the topic's other messages, if its item gives none.
+    /// Adds a message that is published when the node stops. If its item gives no quality of service, it has that of
+    /// the other messages on its topic.
     void add_farewell(const Item& item) {
         Element element;
         element.published = true;
@@ -400,7 +401,7 @@ private:
 
     // ------------------------------------------------------------ with one
 
-    /// A reply of a service or an action, or a cancellation.
+    /// Adds an item that belongs to a call: a reply of a service or an action, or a cancellation.
     void add_to_call(const Element& element) {
         const Item& item = *element.item;
         const bool service = item.transport == Transport::reply && item.reply == Reply::answer;
@@ -503,7 +504,8 @@ private:
         plan_.incoming.push_back(std::move(in));
     }
 
-    /// Truth values and texts are only equal or not. A number of the model's text is compared in the field's type.
+    /// Truth values and texts can only be compared for equality. A number in a condition is compared as a value of the
+    /// field's type.
     void plan_test(const Item& item, const Condition& condition, Incoming& in) {
         const std::optional<FieldType> field = field_of(item, condition.field);
         if (!field) return;

@@ -186,12 +186,13 @@ bool is_computation(const ir::Expr& expr) {
            expr.kind == index || expr.kind == concat || ir::binds_names(expr.kind);
 }
 
-/// The size of a sequence, which other notes are about.
+/// True if the expression reads the size of a sequence. Other entries of the basis are about sizes.
 bool reads_size(const ir::Expr& expr) {
     return expr.text == "sequence_toolkit_size" || expr.text == "sequence_toolkit_isNonEmpty";
 }
 
-/// A condition or a time in a machine. `trigger`: the event whose value it reads; no value if it reads none.
+/// A condition or a time in a machine. `trigger` is the event whose received value the expression reads; it has no
+/// value if the expression reads no received value.
 struct ReadExpression {
     const ir::Expr* expr = nullptr;
     std::optional<ir::EventId> trigger;
@@ -287,7 +288,8 @@ private:
     std::optional<ir::EventId> trigger_;
 };
 
-/// An entry for some expressions: the first one and their number, with the verb.
+/// An entry of the basis about some expressions. Its text contains the first expression, the number of the others, and
+/// the given noun and verb.
 std::optional<Ground> ground_for(const Project& project, const std::vector<const ir::Expr*>& expressions,
                                  const char* noun, const char* verb) {
     std::vector<std::string> texts;

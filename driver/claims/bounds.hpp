@@ -53,11 +53,11 @@ public:
 
     /// The basis of one claim. `met` contains the bounds that the searches for this and other claims observed.
     [[nodiscard]] Basis basis_of_claim(const csp_emit::Obligation& claim, const std::vector<Ground>& met);
-    /// Conditions of the claim's machines that compare values of carriers in a way that the carriers do not cover. A
-    /// carrier reaches beyond each literal with which a value is compared, but not beyond other values: for carriers
-    /// 0..2, x > y /\ y > z /\ z > 0 is never true. It does not cover values that are computed or converted from
-    /// inputs either (semantics/data/derived_values.hpp), nor times that are inputs: a wait for x is short for x in
-    /// 0..2. Empty if the user chose the carriers (--range).
+    /// Conditions of the claim's machines whose outcomes may not all occur with the values of the carriers. A carrier
+    /// contains a value beyond each literal with which a value is compared, but not beyond other values. For example,
+    /// with carriers 0..2 the condition x > y /\ y > z /\ z > 0 is never true. Conditions on values that are computed
+    /// or converted from inputs may also have further outcomes (semantics/data/derived_values.hpp), and so may times
+    /// that are inputs: with x in 0..2, a wait for x is always short. Empty if the user chose the carriers (--range).
     [[nodiscard]] Basis comparisons_in(const csp_emit::Obligation& claim);
     /// The basis for one process.
     [[nodiscard]] Basis basis_of_process(const cspm::ExprPtr& process, const std::vector<Ground>& met);

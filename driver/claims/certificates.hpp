@@ -13,7 +13,7 @@ namespace robochart::driver {
 
 /// The claim of certificates.
 struct CertifiedClaim {
-    std::string number;  ///< in the names of folders
+    std::string number;  ///< the number of the claim, which the names of folders contain
     std::string title;
     std::string place;
     std::vector<const cspm::Decl*> assertions;  ///< all of them hold, and together they are the claim

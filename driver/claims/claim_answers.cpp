@@ -88,7 +88,7 @@ private:
         run.end.allowed.clear();
     }
 
-    /// Marks the steps after which the claim's scope lasts, or something is owed.
+    /// Marks the steps after which the claim's scope is active, or a response is pending.
     void mark_scopes(runs::Run& run) const {
         claims::Account account(claim_, project_.claims->checked.unit);
         std::size_t at = 0;
@@ -101,7 +101,7 @@ private:
         }
     }
 
-    /// A claim that holds of all runs is broken if time can stop while an event is owed.
+    /// A claim that no run breaks is nevertheless broken if time can stop while a response is pending.
     void decide_standstill() {
         const refine::Verdict verdict = check(scripted_.decision.standstill);
         report_.statistics.states = std::max(report_.statistics.states, verdict.statistics.states);
@@ -120,7 +120,8 @@ private:
         }
     }
 
-    /// If a response has no limit, a run in which time passes forever while the response is owed breaks the claim.
+    /// If a response has no time limit, a run in which time passes forever while the response is pending breaks the
+    /// claim.
     void decide_waiting() {
         const refine::Limits bounds = limits_of_check(search_, obligation_.title);
         try {
@@ -175,7 +176,8 @@ private:
         if (decision.happens && check(decision.happens).outcome == refine::Outcome::fails)
             never(fmt::format("never asked: no run has {}", claim_.body.events.text));
     }
-    /// The events without which a claim without scope requires nothing.
+    /// The events that trigger the requirement of a claim without scope. If none of them occurs, the claim requires
+    /// nothing.
     [[nodiscard]] const std::string& asked_text() const {
         return claim_.body.kind == claims::BodyKind::at_least ? claim_.body.others.text : claim_.body.events.text;
     }

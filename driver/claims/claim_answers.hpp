@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completes the answers to claims of claims files: why a run breaks a claim, whether time can stop while an answer is
-// owed, and whether the situation of the claim ever occurs.
+// Completes the answers to claims of claims files. It explains why a run breaks a claim, and decides whether time can
+// stop while a response is pending, and whether the events that the claim is about ever occur.
 #pragma once
 
 #include "checker/cspm/session.hpp"

@@ -30,8 +30,9 @@ bool FreeData::comes_first() {
 
 namespace {
 
-/// Whether the answer is missing, or rests on carriers without a run that shows it. Other evaluation errors are faults
-/// of the model.
+/// Whether the carriers limit the answer: it is missing, or its basis contains a limit of the carriers and no run
+/// proves it. An evaluation error counts only if it is about a large set, because other evaluation errors are faults of
+/// the model.
 bool is_limited_by_carriers(const AssertionReport& one) {
     if (one.answer == Answer::inconclusive) return true;
     if (one.answer == Answer::error) return is_about_large_set(one.reason);
@@ -41,7 +42,8 @@ bool is_limited_by_carriers(const AssertionReport& one) {
            });
 }
 
-/// One of these parts of the rest of the turn; of forty seconds if the turn ends with the run.
+/// A turn that gets a fraction, 1 / `parts`, of the remaining time of the given turn. If that turn ends only with the
+/// run, its remaining time counts as forty seconds.
 Turn part_of(const Turn& turn, int parts) {
     constexpr std::chrono::seconds usual{40};
     Turn result = turn;

@@ -19,7 +19,7 @@ public:
     /// All arguments must outlive the object. `classes` is the result for the same project.
     FreeData(const Project& project, const Settings& settings, const ClassProject& classes);
 
-    /// False if no data can be free. The project is not made for this answer.
+    /// False if it is known that no data can be free. The function does not make the project to find this out.
     [[nodiscard]] bool may_exist() const { return possible_ && (!made_ || made_->project); }
     /// Makes the project if it has not been made.
     [[nodiscard]] const FreeProject& project();
@@ -36,8 +36,8 @@ private:
     std::optional<bool> large_;  ///< a carrier of the model, or of its classes, is large
 };
 
-/// Decides the claims of one list. A claim that carriers may limit is also decided with free data, in a list that the
-/// results do not contain.
+/// Decides the claims of one list. If the carriers may limit the answer to a claim, the claim is also decided with free
+/// data. The claims with free data are in a separate list that the results do not contain.
 class FreeClaims {
 public:
     /// All arguments must outlive the object.

@@ -42,7 +42,7 @@ void report_unchecked(const Project& project, const SearchContext& search, Claim
             if (part.claims) unchecked(part.name, part.span, fmt::format("`{}` is for another tool", part.form));
 }
 
-/// The places in the results of claims in one semantics that are decided in two projects.
+/// The indices in the results of the claims in one semantics, if two projects decide these claims.
 struct DividedClaims {
     Time time;
     std::size_t first, end;
@@ -62,16 +62,15 @@ void order_claims(const Project& project, const csp_emit::Emission& emission, co
                              });
 }
 
-/// Adds the claims of a list, each of which is decided in this list only.
+/// Adds the claims of a list. Each of them is decided only in this list, and not also with free data.
 void add_claims(TimeClaims& list, std::vector<WaitingClaim>& claims) {
     for (const ListedClaim& claim : list.claims())
         claims.push_back(TimeClaims::waiting(
             claim, [&list, claim](const Turn& turn) { return list.store(list.decide(turn, claim), claim); }));
 }
 
-/// A class of values has no probability, so probabilistic claims are about the values of carriers. The report says so
-/// if it lists data that classes replace in other claims.
-/// `first`: the first claim of the project.
+/// A class of values has no probability, so probabilistic claims are decided for the values of carriers. The report
+/// states this if it also lists data that classes replace in other claims. `first`: the first claim of the project.
 void note_carriers_of_probabilities(const SearchContext& search, std::size_t first, ClaimResults& results) {
     const auto edit = search.services.edit();
     for (std::size_t i = first; i < results.assertions.size(); ++i) {

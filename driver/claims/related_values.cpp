@@ -43,8 +43,8 @@ public:
     }
     void forget() { known_ = false; }
 
-    /// Shows the variables instead of their holder. If the values are not in the class that the holder has, they are
-    /// not known.
+    /// In the class model, one variable, the holder, stores the class of the term. This function shows the related
+    /// variables in its place. If the values of these variables are not in the holder's class, they count as not known.
     void show(runs::Machine& machine) {
         const auto holder = std::ranges::find(machine.variables, related_.holder, &runs::Variable::name);
         if (holder == machine.variables.end()) return;

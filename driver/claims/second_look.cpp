@@ -176,8 +176,8 @@ void SecondLook::add_no_time(const cspm::Assertion& assertion, AssertionReport& 
                      name)});
 }
 
-/// Adds the events of the specification that never occur. The part of the specification after such an event does not
-/// influence the answer.
+/// Adds those events of the specification that never occur in the implementation. What the specification requires after
+/// such an event does not influence the answer.
 void SecondLook::note_unreached_events(const cspm::Assertion& assertion, AssertionReport& report) {
     const auto named = prefixed_events(emission_, assertion.specification);
     if (named.empty()) return;
@@ -199,7 +199,8 @@ void SecondLook::add_of_refinement(const cspm::Decl& decl, bool timed, Assertion
     if (assertion.kind != cspm::AssertionKind::refinement || assertion.negated) return;
     if (timed && report.answer == Answer::fails) add_no_time(assertion, report);
     if (report.answer != Answer::holds) return;
-    // The entry is added only for components, because a process that a block defines may stop time on purpose.
+    // The entry is added only for processes of components. A process that a CSP block defines may stop time
+    // intentionally.
     const bool of_model = !csp_emit::components_in(emission_, {assertion.implementation}).empty();
     if (timed && of_model) add_time_stops(assertion.implementation, report);
     if (assertion.model == cspm::Model::failures) {

@@ -310,7 +310,8 @@ std::string cycles_of(const runs::Run& run) {
     return result;
 }
 
-/// A deadlock-free RoboSim component may stop time. States after which inputs it does.
+/// A RoboSim component that is deadlock-free may still stop time. If it does, adds the inputs after which time stops to
+/// the report.
 void note_time_stop(const ClaimContext& context, const csp_emit::Obligation& claim, AssertionReport& report) {
     csp_emit::Obligation obligation;
     obligation.kind = ir::PropertyKind::refines;
@@ -487,8 +488,8 @@ void add_bounds(const Basis& basis, Time time, std::vector<BoundReport>& bounds)
     }
 }
 
-/// The claims of the model come first, then the core properties, of small components first. Information that nobody
-/// asked for must not use up the time of other claims.
+/// The claims of the model come first, then the core properties, of small components first. Informative properties are
+/// decided last, so that they do not use the time of other claims.
 int rank_of(const csp_emit::Obligation& obligation) {
     constexpr int of_information = 4;
     if (obligation.component.empty()) return 0;
@@ -502,7 +503,8 @@ int rank_of(const csp_emit::Obligation& obligation) {
 void Premises::apply_premise(const ClaimContext& context, const csp_emit::Obligation& obligation,
                              AssertionReport& report) {
     if (obligation.premise == nullptr) return;
-    // The premise of a claim of a claims file is an assumption, under which time may stop.
+    // For a claim of a claims file, the premise states that the component does not stop time under the assumptions. It
+    // matters even if the claim fails.
     const bool of_failures = claim_of(context.project, obligation).has_value();
     if (report.answer != Answer::holds && !(of_failures && report.answer == Answer::fails)) return;
     const AssertionReport premise = answer_premise(context, obligation);
@@ -557,7 +559,7 @@ void TimeClaims::give_back() {
 }
 
 void TimeClaims::measure_if_asked() {
-    if (is_in_carriers()) return;  // the sizes are those of the other claims
+    if (is_in_carriers()) return;  // the sizes are measured only for the other claims
     if (search_.settings.claims.sizes && given_back_ && !session_) (void)open_session();
     if (session_ && search_.settings.claims.sizes)
         measure_sizes(project_, *session_, emission_, time_, search_, results_);
@@ -644,7 +646,8 @@ std::vector<cspm::DeclPtr> TimeClaims::decide_whole(const ClaimContext& context,
             "inputs or outputs of different values have one name here; --concrete decides it for finite carriers";
     }
     premises_.apply_premise(context, obligation, one);
-    // Where a machine shows its states, no time passes, although the model does not stop it.
+    // A script in which machines show their states contains additional moments at which no time passes, although the
+    // model does not stop time there. So the second look would report wrong facts.
     const bool shows = claim && !context.project.claims->checked.claims[*claim].facts.empty();
     if (!shows) second_look_->add_to(obligation, one);
     if (is_in_carriers() && (one.answer == Answer::holds || one.answer == Answer::fails))

@@ -25,7 +25,8 @@ double first_turn(const SearchContext& search) {
                                                       : usual;
 }
 
-/// A claim that starts again loses the work of its last turn. Each turn is so much longer that the loss is small.
+/// The factor by which a turn is longer than the claim's turn before. A claim that starts again loses the work of its
+/// last turn; with this factor, the loss is small.
 constexpr double longer = 8;
 
 /// A turn that ends after `seconds`. If `seconds` is 0, it ends with the run.

@@ -32,7 +32,7 @@ struct DecidedClaim {
     std::string answer;
     std::uint64_t trials = 0;
     std::uint64_t successes = 0;
-    double low = 0;  ///< the interval at the last look
+    double low = 0;  ///< the confidence interval when it was last computed
     double high = 1;
 
     friend bool operator==(const DecidedClaim&, const DecidedClaim&) = default;

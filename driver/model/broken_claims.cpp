@@ -91,8 +91,8 @@ public:
 
     [[nodiscard]] const std::vector<Item>& all_items() const { return items_; }
 
-    /// Finds the items that an error touches. `add_stray_neighbours` finds the items for an error in a text between two
-    /// items. Returns false if the error is before all items and not in a claim that could not be parsed. `head` is set
+    /// Finds the items that an error may affect. For an error in a text between two items, `add_stray_neighbours` finds
+    /// them. Returns false if the error is before all items and not in a claim that could not be parsed. `head` is set
     /// to the beginning of the first such claim.
     bool touched_by(diagnostics::Span error, std::vector<Item>& found, std::size_t& head) const {
         if (items_.empty()) return false;

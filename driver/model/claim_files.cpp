@@ -96,8 +96,8 @@ bool is_about(const ClaimFile& file, const frontend::Model& model) {
 /// How the claims of a file are used.
 enum class Use {
     named,   ///< the user names the file
-    beside,  ///< it is beside the model, and may be about another one
-    orders,  ///< beside a named file: only its unit and its orders count
+    beside,  ///< the file is in the folder of the model, but may be about another model
+    orders,  ///< the file is in the folder of a named file; only its unit and its orders are used
 };
 
 void add_file(Project& project, const std::string& path, Use use) {
@@ -256,7 +256,8 @@ void check_claim_files(Project& project, const ir::System& system) {
 
 namespace {
 
-/// `can take E within D` as the assertion that E is not missed for D + 1 time units.
+/// Expresses `can take E within D` as the assertion that the component never refuses E for D + 1 consecutive time
+/// units.
 ir::Property readiness(const claims::CheckedClaim& claim, const Project& project) {
     const claims::Component& component = claim.component;
     ir::Property result;

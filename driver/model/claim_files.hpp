@@ -18,17 +18,17 @@ namespace robochart::driver {
 /// above.
 [[nodiscard]] std::vector<std::string> model_inputs(const std::vector<std::string>& inputs);
 
-/// Reads the claims files of the inputs into the project, whose model has been read: those below a folder, those beside
-/// a file that are about its model, and those that are inputs. If the settings ignore claims, only their time unit is
-/// used, and their errors are not reported.
+/// Reads the claims files of the inputs into the project, whose model has been read. These are the claims files that
+/// are inputs, those below an input folder, and those in the folder of an input file that are about its model. If the
+/// settings ignore claims, only their time unit is used, and their errors are not reported.
 void read_claim_files(Project& project, const LoadSettings& settings);
 
 /// Sets the project's time unit from its claims files. Errors of the declarations are reported here only if claims are
 /// ignored, otherwise with the claims.
 void find_unit(Project& project);
 
-/// The time unit that claims files beside these files, or below these folders, declare. Errors of the declarations are
-/// reported; other errors of the files are not.
+/// The time unit that is declared in the claims files in the folders of these files, or below these folders. Errors of
+/// the declarations are reported; other errors of the files are not.
 [[nodiscard]] std::optional<claims::DeclaredUnit> unit_beside(const std::vector<std::string>& paths,
                                                               diagnostics::SourceManager& sources,
                                                               diagnostics::Diagnostics& diagnostics);

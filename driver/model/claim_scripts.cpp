@@ -23,7 +23,8 @@ namespace {
 namespace build = cspm::build;
 using claims::CheckedClaim;
 
-/// The facts of all claims of a script make one event of each machine: two to the power of their number.
+/// The largest number of facts that one machine shows. A machine shows all its facts by one event, so the event has two
+/// to the power of this number values.
 constexpr std::size_t most_facts = 6;
 
 const csp_emit::ComponentProcesses& processes_of(const CheckedClaim& claim, const csp_emit::Emission& emission) {
@@ -106,8 +107,9 @@ private:
         return letters;
     }
 
-    /// With several machines, another machine may act between a step of a machine and the moment at which it shows its
-    /// facts. This makes no difference to what holds when time passes, nor to the facts of one machine alone.
+    /// If there are several machines, another machine may act after a step of a machine and before the machine shows
+    /// its facts. This delay does not affect claims about what holds whenever time passes, nor claims about the facts
+    /// of a single machine.
     [[nodiscard]] static bool sees_exactly(const CheckedClaim& claim) {
         if (claim.facts.empty() || claim.component.machines.size() == 1) return true;
         const bool whole = claim.scope.kind == claims::ScopeKind::whole;
@@ -122,8 +124,9 @@ private:
         return one && !events;
     }
 
-    /// The component with the assumptions about it, which refuse what breaks them. They must not stop time.
-    /// Answers that assumptions demand are outputs of the environment, which are taken at once, too.
+    /// The component in parallel with the assumptions about it. An assumption refuses every event that breaks it, but
+    /// must not stop time. A response that an assumption demands is an output of the environment. Like other outputs,
+    /// it is taken at once.
     cspm::ExprPtr with_assumptions(const CheckedClaim& claim, cspm::ExprPtr process,
                                    std::vector<cspm::ExprPtr>& outputs, std::vector<claims::Letter>& letters,
                                    csp_emit::Obligation& obligation) {
@@ -170,7 +173,7 @@ private:
         return made;
     }
 
-    /// Claims, later assumptions and reports read both names of an answer as one event.
+    /// A demanded response has two names. Claims, later assumptions and reports treat both names as one event.
     void add_name(const claims::Assumed::Due& due, std::vector<claims::Letter>& letters) {
         if (const auto known = emission_.provenance.events.find(due.event); known != emission_.provenance.events.end())
             emission_.provenance.events.emplace(due.due, csp_emit::EventMeaning(known->second));
@@ -203,7 +206,7 @@ bool is_translatable(const Project& project, const CheckedClaim& claim) {
     }
 }
 
-/// Divides the claims that read facts, so that no machine shows too many.
+/// Divides the claims that read facts among scripts, so that no machine shows too many facts in one script.
 std::vector<ShowingScript> divide_claims(const Project& project) {
     std::vector<ShowingScript> result;
     for (const CheckedClaim& claim : project.claims->checked.claims) {

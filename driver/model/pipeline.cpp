@@ -85,7 +85,8 @@ std::vector<ir::ComponentRef> all_components(const ir::System& system) {
     return all;
 }
 
-/// Whether the command needs the RoboSim components: for scripts, or because it handles the selected ones.
+/// Whether the command needs the RoboSim components: it writes or checks scripts, or it handles RoboSim components and
+/// one is selected.
 bool uses_robosim(const ir::System& system, const LoadSettings& settings) {
     if (settings.claims == ClaimUse::decide || settings.claims == ClaimUse::write) return true;
     if (!settings.robosim) return false;
@@ -211,7 +212,7 @@ std::vector<std::string> names_of(const Project& whole, const std::vector<fronte
     return names;
 }
 
-/// The part that consists of these files. Some files may be given with changed texts.
+/// Makes the part that consists of these files. `other_texts` replaces the texts of some files.
 std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& unit, const std::string& name,
                                  const LoadSettings& settings,
                                  const std::map<std::size_t, std::string>& other_texts = {}) {
@@ -229,8 +230,8 @@ std::unique_ptr<Project> part_of(const Project& whole, const frontend::Unit& uni
     part->claims->ignored = whole.claims->ignored;
     prepare_project(*part, settings, whole.diagnostics.budget());
     part->model = frontend::load_texts(part->sources, texts, part->diagnostics);
-    // If the whole project has errors in these texts, its findings are used, because a name that is unknown here may be
-    // in another part.
+    // If the whole project has errors in these texts, the part gets the findings of the whole project. A name that is
+    // unknown in this part may be declared in another part, so the part's own findings could be wrong.
     const std::set<diagnostics::SourceId> own(texts.begin(), texts.end());
     const auto wrong = [&](diagnostics::SourceId text) { return whole.diagnostics.has_errors_in(text); };
     if (!part->diagnostics.ok() && std::ranges::any_of(own, wrong))

@@ -59,7 +59,7 @@ struct ProbabilityReport {
 
 /// The result of robochart-certify for certificates.
 enum class Certification {
-    unchecked,  ///< it was not run, or did not decide
+    unchecked,  ///< robochart-certify was not run, or did not decide
     certified,
     refused,
 };

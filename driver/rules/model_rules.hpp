@@ -30,8 +30,8 @@ struct JudgedRule {
     std::optional<runs::Run> run;  ///< no value: no run in terms of the model was found
 };
 
-/// States whether time can stop in a component although its platform accepts every output and call at once. If it can,
-/// no rule is broken from then on.
+/// States whether time can stop in a component although its platform accepts every output and call at once. After time
+/// has stopped, no rule is broken any more, so the report has to mention it.
 struct TimeStops {
     bool stops = false;
     std::string unknown;  ///< why it is not known; "" if it is known

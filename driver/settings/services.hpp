@@ -29,7 +29,7 @@ public:
     [[nodiscard]] virtual std::function<void(const refine::Progress&)> progress(const std::string& /*subject*/) {
         return {};
     }
-    /// True if searches continue from stored states, so that a claim needs only one turn.
+    /// True if an interrupted search can continue from stored states, so that a claim needs only one turn.
     [[nodiscard]] virtual bool continues_searches() const { return false; }
     /// The strategy for searches in files or by several programs; null for searches in memory. All calls return the
     /// same object.

@@ -94,7 +94,7 @@ struct LimitSettings {
     double timeout_seconds = 0;      ///< limit of the whole run; 0: no limit
     double assertion_seconds = 0;    ///< limit of each claim; 0: no limit
     std::uint64_t max_states = 500'000'000;
-    bool reduction = true;  ///< skips states that only lead on by confluent taus
+    bool reduction = true;  ///< skips states whose only steps are confluent taus
     unsigned threads = 0;   ///< 0: one per core
     bool progress = true;   ///< the progress of searches is reported
 };

@@ -22,7 +22,7 @@ using Renaming = std::function<std::string(const Expr& name)>;
 /// An expression as it must be written in RoboSim, after the renaming of its names.
 [[nodiscard]] std::string robosim_text(const Expr& expr, const Renaming& renaming);
 
-/// True if the expression is a single word or has brackets, so that it needs none as an operand.
+/// True if the expression needs no brackets as an operand, because it is a single word or has brackets already.
 [[nodiscard]] bool is_closed(const Expr& expr);
 
 }  // namespace robochart::frontend

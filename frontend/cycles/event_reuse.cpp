@@ -35,7 +35,7 @@ bool entry_waits(const State& state, const Callers& callers) {
     });
 }
 
-/// True if the only way through an operation ends a cycle.
+/// True if every run of the operation ends a cycle before the operation branches for the first time.
 bool operation_waits(const Machine& operation, const Callers& callers) {
     const State* node = initial_of(operation);
     for (std::size_t steps = 0; node != nullptr && steps <= operation.nodes.size(); ++steps) {

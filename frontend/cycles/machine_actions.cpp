@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statements. One that ends no cycle, or a known small number of cycles, stays in its action. Others become junctions
-// between transitions: the machine cannot be interrupted there, as it cannot be in the middle of an action.
+// Writes statements. A statement that ends no cycle, or a known small number of cycles, stays in its action. Other
+// statements become transitions with junctions between them. No other transition interrupts the machine in a junction,
+// just as none interrupts an action.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,9 +19,9 @@ namespace robochart::frontend {
 
 namespace {
 
-/// A wait of more cycles than this is a loop and not a sequence of `exec`.
+/// A wait of more cycles than this is written as a loop, not as a sequence of `exec`.
 constexpr std::int64_t cycles_in_sequence = 3;
-/// The largest number of cycles where a loop is not possible.
+/// The largest number of cycles of a wait at a place where a loop is not possible.
 constexpr std::int64_t cycles_anywhere = 60;
 
 std::optional<std::int64_t> literal_value(const Expr& expr) {
@@ -56,7 +57,7 @@ void MachineWriter::need(const Variable& variable) {
                     fmt::format("{} {} : {}", word, robosim_name(outer.name), robosim_text(*outer.type_expr)));
 }
 
-/// Notes that an operation uses a clock of its caller.
+/// Records that an operation uses a clock of its caller.
 void MachineWriter::need_clock(const Declaration& clock) {
     const bool own = clock.parent == &machine_ || &machine_ == &callers_.root();
     if (!own) needed_.emplace(clock.name, "clock " + robosim_name(clock.name));
@@ -88,7 +89,7 @@ std::string MachineWriter::store_text(const Communication& communication) {
                        robosim_name(variable.name));
 }
 
-/// The variable for received values that a condition only tests.
+/// The variable that stores a received value that the model does not store, but that a condition tests.
 std::string MachineWriter::received(const Event& event) {
     const auto [known, added] = received_.try_emplace(event.name);
     if (!added) return known->second;
@@ -105,7 +106,7 @@ std::string MachineWriter::flag(const std::string& event) {
     return name;
 }
 
-/// The assignments after the end of a cycle: each input can be taken again.
+/// The assignments after the end of a cycle. They record that each input can be taken again.
 std::string MachineWriter::reset_text() {
     std::string text;
     for (const std::string& event : reusable_) text += fmt::format("; {} = true", flag(event));
@@ -211,7 +212,7 @@ std::optional<std::int64_t> MachineWriter::longest_time(const Stmt& statement) c
     return 0;
 }
 
-/// A deadline has no effect if the action surely takes less time: in cycles, an output never waits.
+/// A deadline has no effect if the action never takes more time. In cycles, an output never waits.
 void MachineWriter::check_deadline(const Stmt& statement) const {
     const std::optional<std::int64_t> time = longest_time(*statement.body[0]);
     const std::optional<std::int64_t> bound = literal_value(*statement.value);
@@ -256,7 +257,7 @@ std::string MachineWriter::simple_text(const Stmt& statement) {
 
 // ---------------------------------------------------------------- statements with junctions
 
-/// Writes the last transition of a way.
+/// Writes the last transition of a path.
 void MachineWriter::finish(const Way& way, const std::string& to) {
     std::string text = fmt::format("transition {} {{ from {} to {} {}", way.name, way.from, to, way.begin);
     if (!way.condition.empty()) text += " condition " + way.condition;
@@ -264,7 +265,7 @@ void MachineWriter::finish(const Way& way, const std::string& to) {
     line(text + " }");
 }
 
-/// Ends the transition of a way at a new junction, where the way continues.
+/// Ends the current transition of a path at a new junction, from which the path continues.
 std::string MachineWriter::next_junction(Way& way, const std::string& stem) {
     const std::string junction = new_name(stem);
     line("junction " + junction);
@@ -331,7 +332,7 @@ bool has_during_action(const Machine& machine) {
 
 }  // namespace
 
-/// The time of a wait is a multiple of the cycle, and stays the same during the wait.
+/// Checks that the time of a wait is a multiple of the cycle, and that it cannot change during the wait.
 void MachineWriter::check_time(const Expr& time) const {
     (void)cycles_of(time);
     walk_tree(time, [&](const Expr& part) {

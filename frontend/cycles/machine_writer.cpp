@@ -116,8 +116,8 @@ std::string MachineWriter::contexts() const {
     return text("input", usage.inputs, input) + text("output", usage.outputs, output);
 }
 
-/// A clock for each state whose time since entry a transition tests: conditions inside the state test it too, and there
-/// `sinceEntry` is not allowed.
+/// Adds a clock for each state S for which a transition tests `sinceEntry(S)`. Conditions inside S also have to test
+/// this time, but `sinceEntry(S)` is not allowed there.
 void MachineWriter::add_entry_clocks() {
     for_transitions(machine_, [&](const Transition& transition) {
         if (!transition.condition) return;
@@ -168,7 +168,7 @@ bool MachineWriter::tests_value(const Transition& transition) const {
            mentions(*transition.condition, transition.trigger->variable_target);
 }
 
-/// The condition of a transition, with the value that it receives in the variable `by`.
+/// The condition of a transition, in which the variable `by` replaces the received value.
 std::string MachineWriter::tested_value(const Transition& transition, const std::string& by) {
     const auto* variable = dynamic_cast<const Variable*>(transition.trigger->variable_target);
     return expression(*transition.condition, variable, by);
@@ -181,7 +181,7 @@ void MachineWriter::check_trigger(const Communication& trigger) const {
                            "in RoboSim, an input has no condition on its sender and no given value");
 }
 
-/// The condition under which a transition is taken, with the stores of its values; "": always.
+/// The condition under which a transition is taken, including the parts that store received values; "": always.
 std::string MachineWriter::taken_condition(const Transition& transition) {
     if (!transition.trigger) return transition.condition ? expression(*transition.condition) : "";
     const Communication& trigger = *transition.trigger;
@@ -207,8 +207,8 @@ std::string MachineWriter::taken_condition(const Transition& transition) {
     return conjunction(text, free);
 }
 
-/// The condition under which a transition is not enabled: the negation of `taken_condition`, without stores in
-/// variables of the model.
+/// The condition under which a transition is not enabled. It is the negation of `taken_condition`, without the parts
+/// that store values in variables of the model.
 std::string MachineWriter::rest_condition(const Transition& transition) {
     if (!transition.trigger) return fmt::format("not ({})", expression(*transition.condition));
     const auto& event = dynamic_cast<const Event&>(*transition.trigger->event_target);
@@ -290,7 +290,7 @@ void flatten_action(const Stmt& statement, std::vector<const Stmt*>& parts) {
 
 }  // namespace
 
-/// A state. A final state in a composite state becomes a state too, in which cycles pass.
+/// Writes a state. A final state in a composite state also becomes a state, in which cycles pass.
 void MachineWriter::write_state(const NodeContainer& container, const State& state, const Surroundings& around) {
     Surroundings inside{&state, ways_from(container, state), around.busy, {}, {}};
     inside.outgoing.insert(inside.outgoing.end(), around.outgoing.begin(), around.outgoing.end());
@@ -335,7 +335,7 @@ void MachineWriter::write_state(const NodeContainer& container, const State& sta
     line("}");
 }
 
-/// The inside of a state without inner nodes: cycles pass while no transition is enabled.
+/// Writes the contents of a state without inner nodes, in which cycles pass while no transition is enabled.
 void MachineWriter::write_rest(const Surroundings& inside) {
     const bool moves_on = inside.busy.empty() && std::ranges::any_of(inside.outgoing, [](const Transition* transition) {
                               return !transition->trigger && !transition->condition;
@@ -361,7 +361,7 @@ void MachineWriter::write_rest(const Surroundings& inside) {
 
 namespace {
 
-/// True if an operation needs no time and no input.
+/// True if an operation certainly ends without time passing and without an input.
 bool takes_no_time(const Machine& operation, const Callers& callers);
 
 /// True if an action may end a cycle.
@@ -395,7 +395,7 @@ bool takes_no_time(const Machine& operation, const Callers& callers) {
 
 }  // namespace
 
-/// The during action, at whose end the variable `busy` becomes false. The cycle ends only then.
+/// The during action. At its end, it sets the variable `busy` to false; the cycle ends only then.
 std::string MachineWriter::during_text(const State& state, const std::string& busy) {
     std::string text;
     for (const Action& action : state.actions) {
@@ -417,7 +417,8 @@ std::string MachineWriter::during_text(const State& state, const std::string& bu
 
 namespace {
 
-/// The time at which a comparison of a clock with a number changes its value: once, at `n` or after it.
+/// The time at which the value of a comparison of a clock with a number `n` changes. It changes once: at `n`, or one
+/// time unit later.
 std::optional<std::int64_t> time_of_change(const Expr& comparison) {
     if (comparison.kind != ExprKind::binary || comparison.args[1]->kind != ExprKind::integer) return std::nullopt;
     const ExprKind left = comparison.args[0]->kind;
@@ -437,7 +438,8 @@ std::optional<std::int64_t> time_of_change(const Expr& comparison) {
 
 }  // namespace
 
-/// A transition without trigger is taken as soon as its condition holds, which must be at the beginning of a cycle.
+/// A transition without trigger is taken as soon as its condition holds. Checks that the condition becomes true only at
+/// the beginning of a cycle.
 void MachineWriter::check_times(const Transition& transition) const {
     if (component_.cycle == 1 || transition.trigger || !transition.condition) return;
     std::size_t clocks = 0, checked = 0;

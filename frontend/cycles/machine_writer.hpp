@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a state machine of RoboChart, or an operation that it calls, as a machine of RoboSim that behaves as the
-// machine does when it is run in cycles (docs/robosim.md, "From RoboChart"). The text has no layout.
+// Writes a state machine of RoboChart, or an operation that it calls, as a RoboSim machine. The RoboSim machine behaves
+// like the RoboChart machine when the latter is run in cycles (docs/robosim.md, "From RoboChart"). The text is not
+// formatted.
 #pragma once
 
 #include <cstdint>
@@ -26,12 +27,12 @@ struct SharedInterfaces {
     std::string callers;    ///< variables and clocks of the machine that its operations use
 };
 
-/// What one component and its machines have in common.
+/// The data that the texts of a component and of its machines share.
 struct CyclicComponent {
     std::uint32_t cycle = 1;
     SharedInterfaces interfaces;
     Usage usage;         ///< of all machines
-    bool alone = false;  ///< the component is a machine, whose contexts then have all these registers
+    bool alone = false;  ///< the component is a machine; its contexts then contain all these registers
 };
 
 /// Whether a register of this name belongs to an interface: `read`, `written` or `both`.
@@ -44,25 +45,25 @@ public:
         : component_(component), callers_(callers), machine_(machine), reusable_(reusable), usage_(std::move(usage)) {}
 
     // `usage`: the registers of the contexts.
-    /// The machine under this name. Throws NoCyclicForm.
+    /// Returns the text of the machine, which gets this name. Throws NoCyclicForm.
     [[nodiscard]] std::string write(const std::string& name);
-    /// Members of the interface `callers` that the operation needs: lines by name. Filled by `write`.
+    /// The members of the interface `callers` that the operation needs: their declarations, by name. `write` sets them.
     [[nodiscard]] const std::map<std::string, std::string>& needed_of_caller() const { return needed_; }
 
 private:
-    /// A way from one node to another with several transitions and junctions between them.
+    /// A path from one node to another, which may consist of several transitions with junctions between them.
     struct Way {
         std::string from, name;
         std::string begin;      ///< probability and resets of the first transition
         std::string condition;  ///< "": none
         std::vector<std::string> actions;
     };
-    /// What surrounds the nodes of a container.
+    /// The context of the nodes in a container.
     struct Surroundings {
         const State* state = nullptr;             ///< null: the machine itself
-        std::vector<const Transition*> outgoing;  ///< of all states around
+        std::vector<const Transition*> outgoing;  ///< of all enclosing states
         std::vector<std::string> busy;            ///< variables that are true while a during action runs
-        std::vector<const Stmt*> first;           ///< actions before the inner initial node is left
+        std::vector<const Stmt*> first;           ///< actions to execute before control leaves the inner initial node
         std::string entry_clock;                  ///< for sinceEntry of the state; "": none
     };
 

@@ -105,8 +105,8 @@ private:
         }
     }
 
-    /// The environment may write every variable that the component requires, also one that it does not use: in the
-    /// simulation, each is a register in both directions.
+    /// The environment may write every variable that the component requires, even one that the component does not use.
+    /// In the RoboSim model, each of these variables is therefore both an input and an output register.
     void add_required(const Context& subject) {
         reads_ = !component_.usage.read.empty();
         for (const Variable* variable : required_variables(subject)) {
@@ -165,7 +165,8 @@ private:
                            robosim_name(operation.name), fmt::join(parameters, ", "));
     }
 
-    /// The operations and the machine. The first pass over the operations finds what they need of their caller.
+    /// Writes the operations and the machine. The operations are written twice: the first pass finds the variables and
+    /// clocks of the caller that they need.
     std::string write_machine(const CyclicMachine& machine) {
         callers_.clear();
         (void)write_operations(machine);
@@ -204,7 +205,8 @@ private:
         }
     }
 
-    /// A machine inside a controller has the operations of the controller, which a machine of RoboSim has not.
+    /// In RoboChart, a machine inside a controller may call operations that the controller defines. A machine of
+    /// RoboSim may not.
     void check_calls(const Machine& machine, const Usage& usage) const {
         const auto* controller = dynamic_cast<const Component*>(machine.parent);
         if (controller == nullptr) return;
@@ -257,7 +259,8 @@ private:
         }
     }
 
-    /// Machines that meet in an event or share a variable do so at once in RoboChart, and a cycle later in RoboSim.
+    /// Rejects machines that communicate with each other. In RoboChart, an event or a write of a shared variable
+    /// reaches another machine at once; in RoboSim, it reaches the machine one cycle later.
     static void check_independent(const Component& controller, const std::vector<CyclicMachine>& machines) {
         for (const auto& connection : controller.connections)
             if (connection->from.node.text() != controller.name && connection->to.node.text() != controller.name)
@@ -284,7 +287,7 @@ private:
             }
     }
 
-    /// The events of a node of `outer` that its connections name.
+    /// Declares the events of a node of `outer` that the connections of `outer` name.
     static std::string event_lines(const std::vector<const Event*>& events, const Component& outer,
                                    const std::string& node) {
         std::string text;
@@ -436,7 +439,8 @@ private:
 
     // ------------------------------------------------------------ files
 
-    /// The name of the component. In the unnamed package, its old name is the name of the RoboChart component only.
+    /// The name of the RoboSim component. In the unnamed package it needs a new name, because the RoboChart component
+    /// has the old one.
     std::string new_name() const {
         const std::string& name = subject_.context->name;
         return robosim_name(subject_.file->package.empty() ? name + "_sim" : name);
@@ -447,7 +451,8 @@ private:
         return name.empty() ? "sim" : name + "_sim";
     }
 
-    /// The names of the model are visible: its packages and the imports of its files.
+    /// Imports the packages of the model, and the packages that its files import, so that the names of the model are
+    /// visible.
     std::string imports() const {
         std::set<std::string> imports;
         for (const auto& file : model_.files) {
@@ -549,7 +554,7 @@ private:
         return text;
     }
 
-    /// The contexts of the simulation of a machine are those of the machine in RoboSim.
+    /// If the component is a machine, the contexts are those of the RoboSim machine.
     std::string contexts() const {
         const std::size_t begin = body_.find("input context");
         const std::size_t output = body_.find("output context", begin);
@@ -597,7 +602,7 @@ WrittenComponent find_subject(const Model& model, const std::string& name) {
     return found;
 }
 
-/// The standard layout of a text that was written here.
+/// Formats a text that this file has written.
 std::string in_layout(const std::string& text, bool claims) {
     diagnostics::SourceManager sources;
     diagnostics::Diagnostics findings;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From RoboChart to RoboSim: writes a component as a RoboSim model that behaves as the component does when it is run in
-// cycles, with claims that say so (docs/robosim.md, "From RoboChart").
+// Translates RoboChart to RoboSim. Writes a RoboSim model that behaves like a RoboChart component when the component is
+// run in cycles. Also writes claims that state this (docs/robosim.md, "From RoboChart").
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace robochart::frontend {
 struct RoboSimFiles {
     std::string model;    ///< text of the `.rst` file
     std::string claims;   ///< text of the `.rsa` file
-    std::string one_way;  ///< the reason why the claims do not say that the component refines the model; "": they do
+    std::string one_way;  ///< why the claims do not state that the component refines the model; "": they do
 };
 
 /// Writes the component with this full name. Returns no value and reports the cause (RC-Y17) if it has no equal in

@@ -26,7 +26,7 @@ private:
     std::string construct_;
 };
 
-/// Where the value of a variable or constant is.
+/// Where the value of a variable or constant is stored.
 enum class VariableRole {
     own,       ///< in the machine or operation itself
     callers,   ///< in the machine that calls the operation
@@ -41,11 +41,12 @@ public:
         : root_(&root), definitions_(std::move(definitions)) {}
 
     [[nodiscard]] const Machine& root() const { return *root_; }
-    /// The definition of an operation; null if the platform has it.
+    /// The definition of an operation; null if the platform implements the operation.
     [[nodiscard]] const Machine* definition(std::string_view operation) const;
     /// The role of a variable or constant in the machine or in an operation that it calls.
     [[nodiscard]] VariableRole role(const Machine& where, const Variable& variable) const;
-    /// The variable of the machine itself with the name of a variable that an operation requires.
+    /// The variable with this name that the calling machine itself has. `name` is the name of a variable that an
+    /// operation requires.
     [[nodiscard]] const Variable* variable_of_root(std::string_view name) const;
 
 private:

@@ -134,7 +134,8 @@ public:
         return result;
     }
 
-    /// Makes a conflict from a run to an instant that never ends. The conflict contains each duty that is due.
+    /// Makes a conflict from a run that leads to an instant that never ends, because due events trigger further demands
+    /// without end. The conflict contains each duty that is due.
     Conflict make_endless_conflict(const std::vector<lts::Event>& steps) {
         for (const lts::Event step : steps) replay_event(step);
         Conflict result;

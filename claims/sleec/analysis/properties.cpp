@@ -266,7 +266,8 @@ private:
         steps_[before].push_back({known->second, std::move(happening)});
     }
 
-    /// True if no further event is needed: every open duty has a prohibition that can still be satisfied.
+    /// True if no further event is needed, because every open duty has a prohibition that is not broken yet. The duty
+    /// is then fulfilled if no further event occurs.
     [[nodiscard]] bool is_quiet(const State& state) const {
         return is_property_met(state) && std::ranges::all_of(state.open, [&](const OpenDuty& duty) {
                    const Obligation& obligation = obligations_[duty.obligation];

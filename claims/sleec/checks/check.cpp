@@ -262,7 +262,8 @@ private:
 
     // numbers
 
-    /// Reports a cycle of constants once, at its first constant.
+    /// Reports constants that are defined in terms of each other in a cycle. The cycle is reported once, at its first
+    /// constant.
     void refuse_circle(const Constant& constant) {
         std::set<std::string> seen{constant.name.text};
         const Expr* at = constant.value.get();

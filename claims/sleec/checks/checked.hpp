@@ -34,8 +34,8 @@ using Valuation = std::vector<std::int64_t>;
 /// The value of a condition, or of a number in it.
 [[nodiscard]] std::int64_t evaluate_condition(const Condition& condition, const Valuation& values);
 
-/// The cases of an event for which a part of a rule is written: one, unless an argument is `_`. They differ only in
-/// the arguments that are `_`.
+/// The cases of an event that an event in a rule denotes. There is one case, unless an argument in the rule is `_`.
+/// Several cases differ only in the arguments that are `_` in the rule.
 class EventCases {
 public:
     // NOLINTNEXTLINE(google-explicit-constructor): an event without arguments is its only case
@@ -97,7 +97,7 @@ struct CheckedProperty {
     const Property* written = nullptr;
 };
 
-/// What values the rules give an argument of an event.
+/// The type of the values that the rules give to an argument of an event.
 enum class ArgumentKind : std::uint8_t { any, number, truth, literal };
 
 /// An argument of an event in all rules of the file.

@@ -231,8 +231,8 @@ std::vector<std::string> Watch::state_channels() const {
     return result;
 }
 
-/// Takes what a machine shows, and continues as `process`. `first`: the argument that belongs to the first measure.
-/// `follow`: whether the arguments of the states become what is shown.
+/// Receives the facts that a machine shows, and continues as `process`. `first` is the index of the argument for the
+/// first measure. If `follow` is true, the arguments for the states of this machine are set to the shown facts.
 Tree Watch::show_states(const std::string& channel, const std::string& process, Exprs arguments, std::size_t first,
                         bool follow) const {
     std::vector<cspm::Field> fields;
@@ -247,12 +247,12 @@ Tree Watch::show_states(const std::string& channel, const std::string& process, 
     return build::prefix(build::name(channel), std::move(fields), build::call(process, std::move(arguments)));
 }
 
-/// Any of these events, then a process.
+/// A process that performs any of these events and then continues as `then`.
 Tree Watch::any_event(const EventCases& events, const Tree& then) const {
     Exprs prefixes;
     for (const std::size_t event : events)
         for (const Tree& prefix : linking_.events[event].value().prefixes) prefixes.push_back(prefix);
-    if (prefixes.empty()) return build::stop();  // no value of the instantiation is meant
+    if (prefixes.empty()) return build::stop();  // the instantiation contains none of the values that the rule names
     return build::replicated(ExprKind::replicated_external,
                              {build::generator("x", build::productions(std::move(prefixes)))},
                              build::prefix(build::name("x"), then));

@@ -24,7 +24,7 @@ struct LinkedEvent {
         : events(std::move(names)), prefixes(std::move(expressions)) {}
 
     std::vector<std::string> events;  ///< "P::M::goToCall.3"; events of the script are equal or continue it with '.'.
-                                      ///< Empty if no value of the instantiation is meant
+                                      ///< Empty if the instantiation contains none of the values
     std::vector<cspm::ExprPtr> prefixes;  ///< the same as expressions
 };
 
@@ -52,7 +52,7 @@ struct Asked {
 
 /// The treatment of a component that reads different values of a measure within one instant.
 enum class Readings : std::uint8_t {
-    one_value,  ///< a trigger at this instant is not judged: a measure has one value per instant, as in SLEEC-TK
+    one_value,  ///< triggers at this instant are ignored, because in SLEEC-TK a measure has one value per instant
     any,        ///< the last value before the trigger is used; without one, the first after it
 };
 

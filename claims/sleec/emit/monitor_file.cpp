@@ -84,8 +84,9 @@ private:
         return plain && part.op != Op::negation ? condition_text(part) : "(" + condition_text(part) + ")";
     }
 
-    /// Comparisons that compilers warn about are evaluated here: a measure with itself, and two numbers. So are those
-    /// of a scale with a number that none of its literals has: they have one result for all literals.
+    /// Some comparisons are evaluated here. Compilers would warn about comparisons of a measure with itself and of two
+    /// numbers. A comparison of a scale with a number that is none of its literals has the same result for all
+    /// literals.
     [[nodiscard]] std::string comparison_text(const Condition& condition) const {
         const Condition& left = condition.parts[0];
         const Condition& right = condition.parts[1];
@@ -302,7 +303,8 @@ private:
         return fmt::format("{}", fmt::join(tests, " && "));
     }
 
-    /// The number of the event in demands: the case, or a number after all cases for several of them.
+    /// The number by which demands refer to an event. For a single case it is the number of the case; a set of several
+    /// cases gets a number after those of all cases.
     std::size_t number_of(const EventCases& cases) {
         if (cases.size() == 1) return *cases.begin();
         const auto found = std::ranges::find(several_, cases);
@@ -310,7 +312,8 @@ private:
         if (found == several_.end()) several_.push_back(cases);
         return rules_.events.size() + place;
     }
-    /// The relation between numbers of demands and cases, if a demand has several.
+    /// The generated struct that states which cases a number in a demand stands for; "" if every demand has a single
+    /// case.
     [[nodiscard]] std::string cases_text() const {
         if (several_.empty()) return "";
         std::string text =
@@ -404,7 +407,7 @@ private:
             if (defeater.event)
                 for (const std::size_t event : *defeater.event)
                     out_ += fmt::format("        duty.ended_by({});\n", event);
-        // The last true defeater decides.
+        // If several defeaters are true, the last one decides, so it is tested first.
         for (std::size_t i = defeaters.size(); i-- > 0;)
             if (!duty->defeaters[i].event)
                 out_ += fmt::format("        if ({}) return {};\n",

@@ -119,7 +119,8 @@ private:
         return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
     }
 
-    /// An event whose values no rule names is its channel. Otherwise each case has its letters.
+    /// If no rule names values of the event, the event is linked to its whole channel. Otherwise each case is linked to
+    /// the letters with its values.
     void link_cases(std::size_t declared, const std::string& channel, const std::string& model) {
         const bool whole = std::ranges::all_of(rules_.arguments[declared],
                                                [](const Argument& argument) { return argument.values.empty(); });
@@ -197,7 +198,8 @@ private:
         if (known == facts.end()) facts.push_back(fact);
         return {claims::shown_channel(fact.machine), {}, place, 0};
     }
-    /// When all states are linked, their machines and the number of facts that these show are known.
+    /// Sets the number of facts that the machine of each linked state shows. Must be called after all states are
+    /// linked.
     void count_facts() {
         for (auto& linked : result_.linking.measures)
             for (const auto& [machine, facts] : result_.shown)

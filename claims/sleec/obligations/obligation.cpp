@@ -76,8 +76,8 @@ std::vector<Window> demand_windows(const Obligation& obligation, std::size_t eve
     return result;
 }
 
-/// True if some prohibition in `of` cannot be broken without violating what is assumed: `assumed`, if there is one,
-/// forbids its events. Outside of the assumed windows, the event would fulfil a positive demand of the same obligation.
+/// True if `of` contains a prohibition that no history breaks under two assumptions: no event fulfils a positive demand
+/// of `of`, and `assumed`, if it is given, is obeyed.
 bool some_prohibition_within(const Obligation& of, const Demand* assumed) {
     return std::ranges::any_of(of.any, [&](const Demand& prohibition) {
         if (!prohibition.forbids) return false;

@@ -13,7 +13,7 @@ enum class Effect : std::uint8_t { open, fulfilled, broken };
 
 /// The progress of an open obligation.
 struct Progress {
-    std::int64_t elapsed = 0;  ///< seconds since its trigger, up to the last relevant one
+    std::int64_t elapsed = 0;  ///< seconds since its trigger; not counted beyond the last relevant second
     std::uint32_t broken = 0;  ///< bit set of its broken prohibitions, by index
 
     friend auto operator<=>(const Progress&, const Progress&) = default;

@@ -21,7 +21,8 @@ ExprPtr Parser::make_node(Op op, Span from, std::vector<ExprPtr> parts) {
     return std::make_shared<const Expr>(std::move(expr));
 }
 
-/// Chains of operators may be long. Their trees are left-deep, so traversals recurse as deep as the chain is long.
+/// A chain of operators becomes a left-deep tree. Traversals of the tree recurse as deep as the chain is long, so the
+/// length is limited.
 ExprPtr Parser::parse_condition() {
     const Depth depth(*this);
     const Span from = peek().span;
