@@ -3,7 +3,6 @@
 #include "frontend/cycles/event_reuse.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "frontend/syntax/expression_visitor.hpp"
 
@@ -88,9 +87,9 @@ public:
 
     /// True if the machine may be offered the input again after it has taken it.
     bool takes_twice() {
-        for (const auto& [owner, place] : places_)
-            for (const auto& transition : place.container->transitions)
-                if (takes(*transition)) follow(*transition);
+        for_transitions(callers_.root(), [&](const Transition& transition) {
+            if (takes(transition)) follow(transition);
+        });
         return again_;
     }
 
@@ -101,7 +100,6 @@ private:
     };
 
     void note_containers(const NodeContainer& container, const State* around) {
-        places_.push_back({around, {&container, around}});
         for (const auto& node : container.nodes) {
             node_places_[node.get()] = {&container, around};
             if (!node->nodes.empty()) note_containers(*node, node.get());
@@ -138,14 +136,13 @@ private:
 
     const Callers& callers_;
     const std::string& event_;
-    std::vector<std::pair<const State*, NodePlace>> places_;
     std::map<const State*, NodePlace> node_places_;
     std::set<const State*> seen_;
     bool again_ = false;
 };
 
 /// The inputs that statements, or the operations that the machine calls, take.
-std::set<std::string> taken_in_actions(const Callers& callers) {
+std::set<std::string> taken_in_actions(const Callers& callers, const Usage& usage) {
     std::set<std::string> result;
     const auto add_statements = [&](const NodeContainer& top) {
         for_actions(top, [&](const Stmt& action) {
@@ -157,7 +154,7 @@ std::set<std::string> taken_in_actions(const Callers& callers) {
         });
     };
     add_statements(callers.root());
-    for (const auto& [name, signature] : usage_of(callers.root(), callers).software) {
+    for (const auto& [name, signature] : usage.software) {
         const Machine& definition = *callers.definition(name);
         for (const auto& [input, event] : usage_of(definition, callers).inputs) result.insert(input);
     }
@@ -167,8 +164,9 @@ std::set<std::string> taken_in_actions(const Callers& callers) {
 }  // namespace
 
 std::set<std::string> reusable_inputs(const Callers& callers) {
-    std::set<std::string> result = taken_in_actions(callers);
-    for (const auto& [input, event] : usage_of(callers.root(), callers).inputs)
+    const Usage usage = usage_of(callers.root(), callers);
+    std::set<std::string> result = taken_in_actions(callers, usage);
+    for (const auto& [input, event] : usage.inputs)
         if (!result.contains(input) && SameCycle(callers, input).takes_twice()) result.insert(input);
     return result;
 }

@@ -401,8 +401,9 @@ std::string MachineWriter::during_text(const State& state, const std::string& bu
     for (const Action& action : state.actions) {
         if (action.kind != ActionKind::during || !action.statement) continue;
         if (may_wait(*action.statement, callers_))
-            throw NoCyclicForm(action.span, fmt::format("the during action of state `{}`", state.name),
-                               "it waits or receives an event, and cycles would end in it and beside it");
+            throw NoCyclicForm(
+                action.span, fmt::format("the during action of state `{}`", state.name),
+                "it waits or receives an event, and other actions that run at the same time end cycles, too");
         bool inner_waits = false;
         for_actions(state, [&](const Stmt& inner) { inner_waits = inner_waits || may_wait(inner, callers_); });
         if (inner_waits)

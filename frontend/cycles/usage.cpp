@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "frontend/names/scopes.hpp"
 #include "frontend/syntax/expression_visitor.hpp"
@@ -53,19 +52,6 @@ const Variable* assigned_variable(const Stmt& assignment) {
     while (target != nullptr && target->kind != ExprKind::name)
         target = target->args.empty() ? nullptr : target->args[0].get();
     return target == nullptr ? nullptr : dynamic_cast<const Variable*>(target->target);
-}
-
-void for_transitions(const NodeContainer& top, const std::function<void(const Transition&)>& visit) {
-    walk_tree(top, [&](const NodeContainer& container) {
-        for (const auto& transition : container.transitions) visit(*transition);
-    });
-}
-
-void for_states(const NodeContainer& top, const std::function<void(const State&)>& visit) {
-    walk_tree(top, [&](const NodeContainer& container) {
-        for (const auto& node : container.nodes)
-            if (node->kind == DeclKind::state) visit(*node);
-    });
 }
 
 namespace {

@@ -3,7 +3,6 @@
 // machine that runs it in cycles.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -69,9 +68,5 @@ struct Usage {
 
 /// The variable on the left side of an assignment; null if it was not found.
 [[nodiscard]] const Variable* assigned_variable(const Stmt& assignment);
-
-/// Calls `visit` for every transition of a machine, and for every state.
-void for_transitions(const NodeContainer& top, const std::function<void(const Transition&)>& visit);
-void for_states(const NodeContainer& top, const std::function<void(const State&)>& visit);
 
 }  // namespace robochart::frontend

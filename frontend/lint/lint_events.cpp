@@ -89,11 +89,9 @@ private:
 /// The first trigger of the machine with this event.
 std::optional<Span> trigger_of(const Machine& machine, const std::string& event) {
     std::optional<Span> result;
-    walk_tree(machine, [&](const NodeContainer& container) {
-        for (const auto& transition : container.transitions) {
-            const Declaration* const target = transition->trigger ? transition->trigger->event_target : nullptr;
-            if (!result && target != nullptr && target->name == event) result = transition->trigger->span;
-        }
+    for_transitions(machine, [&](const Transition& transition) {
+        const Declaration* const target = transition.trigger ? transition.trigger->event_target : nullptr;
+        if (!result && target != nullptr && target->name == event) result = transition.trigger->span;
     });
     return result;
 }

@@ -46,4 +46,17 @@ void for_actions(const NodeContainer& top, const std::function<void(const Stmt&)
     });
 }
 
+void for_transitions(const NodeContainer& top, const std::function<void(const Transition&)>& visit) {
+    walk_tree(top, [&](const NodeContainer& container) {
+        for (const auto& transition : container.transitions) visit(*transition);
+    });
+}
+
+void for_states(const NodeContainer& top, const std::function<void(const State&)>& visit) {
+    walk_tree(top, [&](const NodeContainer& container) {
+        for (const auto& node : container.nodes)
+            if (node->kind == DeclKind::state) visit(*node);
+    });
+}
+
 }  // namespace robochart::frontend

@@ -21,5 +21,9 @@ void for_expressions(const Stmt& statement, const std::function<void(const Expr&
 void walk_tree(const NodeContainer& top, const std::function<void(const NodeContainer&)>& visit);
 /// Calls `visit` for every action of the states and transitions of a machine.
 void for_actions(const NodeContainer& top, const std::function<void(const Stmt&)>& visit);
+/// Calls `visit` for every transition of a machine.
+void for_transitions(const NodeContainer& top, const std::function<void(const Transition&)>& visit);
+/// Calls `visit` for every state of a machine, without its initial and final nodes and junctions.
+void for_states(const NodeContainer& top, const std::function<void(const State&)>& visit);
 
 }  // namespace robochart::frontend
