@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/base/numbers.hpp"
 #include "app/command/rules.hpp"
 #include "app/command/run.hpp"
 #include "app/verbs/verbs.hpp"
@@ -18,12 +19,6 @@
 
 namespace robochart::app {
 namespace {
-
-/// A file that is written.
-struct TextFile {
-    std::string path;
-    std::string text;
-};
 
 /// A sentence for why a component cannot be run in cycles, with the code of its cause; "" if it can be.
 std::string cause_text(const conformance::Result& result) {
@@ -93,9 +88,8 @@ bool write_robosim(driver::Project& project, const Options& options, Report& rep
         const std::string name = ir::qualified_name(component);
         const diagnostics::Budget::Phase phase(options.run->budget(), "writing " + name + " in RoboSim");
         if (const std::string cause = refusal(project, options, component); !cause.empty()) {
-            project.diagnostics.report(
-                frontend::rules::not_schedulable, driver::declared_at(project.system, component),
-                {name, fmt::format("{} time unit{}", options.code.cycle, options.code.cycle == 1 ? "" : "s"), cause});
+            project.diagnostics.report(frontend::rules::not_schedulable, driver::declared_at(project.system, component),
+                                       {name, count_text(options.code.cycle, "time unit"), cause});
             continue;
         }
         const auto written = frontend::write_robosim(*project.model, name, options.code.cycle, project.diagnostics);
@@ -106,7 +100,8 @@ bool write_robosim(driver::Project& project, const Options& options, Report& rep
             continue;
         }
         const std::string file = file_name(project, component) + "_sim";
-        const std::vector<TextFile> files{{file + ".rst", written->model}, {file + ".rsa", written->claims}};
+        const std::vector<csp_emit::OutputFile> files{{file + ".rst", written->model},
+                                                      {file + ".rsa", written->claims}};
         if (!write_all("rst/" + project.folder, files, report.rst_files, options, project)) return false;
         const auto edit = options.run->edit();
         report.remarks.push_back(
