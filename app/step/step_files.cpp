@@ -45,10 +45,15 @@ std::string register_name(const std::string& name) {
     return "";
 }
 
+/// True for a read of the register of a variable, whose text is "x = 3".
+bool reads_variable(const runs::Event& event) {
+    return event.text.find(" = ") != std::string::npos;
+}
+
 /// The values of an event in a log. RoboSim: the truth value that states whether a register is full is left out.
 std::vector<runs::Value> logged_values(const runs::Event& event) {
     std::vector<runs::Value> result = event.values;
-    const bool of_event = event.kind == Kind::read && event.text.find(" = ") == std::string::npos;
+    const bool of_event = event.kind == Kind::read && !reads_variable(event);
     if (of_event && !result.empty()) result.erase(result.begin());
     return result;
 }
@@ -334,10 +339,9 @@ std::optional<std::string> log_word(const runs::Event& event, std::string name, 
 std::optional<ReadRegister> read_register(const runs::Offer& offer) {
     const runs::Event& event = offer.happening.event;
     if (event.kind != Kind::read && event.kind != Kind::empty_read) return std::nullopt;
-    const bool variable = event.text.find(" = ") != std::string::npos;
     const std::vector<runs::Value> values = logged_values(event);
     const bool valued = event.kind == Kind::read && !values.empty();
-    return ReadRegister{register_name(offer.name), valued ? values.front().text : "", !variable};
+    return ReadRegister{register_name(offer.name), valued ? values.front().text : "", !reads_variable(event)};
 }
 
 std::string log_head(const Stepped& stepped) {
