@@ -699,8 +699,9 @@ void decide_claims_in_carriers(Result& result, const TimedModel& timed, const ir
     const Result again = judge_values(timed, component, timed.model.instantiation, timed.script, carriers, apart);
     if (again.outcome != Outcome::conforms) return;
     for (const CycleAnswers& answers : again.claims) {
-        *std::ranges::find(result.claims, answers.claim, &CycleAnswers::claim) = answers;
-        std::ranges::find(result.claims, answers.claim, &CycleAnswers::claim)->in_carriers = true;
+        CycleAnswers& open_answers = *std::ranges::find(result.claims, answers.claim, &CycleAnswers::claim);
+        open_answers = answers;
+        open_answers.in_carriers = true;
     }
 }
 
