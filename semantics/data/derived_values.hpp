@@ -3,8 +3,8 @@
 //
 // The carrier of a type extends beyond each literal with which values of this type are compared. So every such
 // comparison of an input can be true and can be false. This is not so for values that are computed or converted: for x
-// in 0..8, `x / 2` is never greater than 7; and for x : nat in 0..2, `q = x` makes q : int never greater than 2,
-// whatever q is compared with.
+// in 0..8, `x / 2` is never greater than 7; and for x : nat in 0..2, `q = x` makes q : int never greater than 2, even
+// if the model compares q with 5.
 #pragma once
 
 #include <cstdint>

@@ -919,7 +919,7 @@ TEST(Carriers, OfUnusedTypesAreNotListed) {
     }
 }
 
-/// A function that calls itself for ever has no value. The message names the place.
+/// A function that calls itself without end has no value. The message names the place.
 TEST(Carriers, ARecursionWithoutEndIsAnError) {
     const testing::TemporaryFile model(
         "m.rct",
@@ -1084,7 +1084,7 @@ TEST(Shortcuts, CarriersOfInputsDoNotCoverTimes) {
         << "y is always 2";
 }
 
-/// The operation waits for ever with p = 1000 / 2.
+/// With p = 1000 / 2, the operation stays in D.
 TEST(Shortcuts, CarriersOfInputsDoNotCoverArguments) {
     const Answers found = answers_for_text(
         "interface O { op(p : int) } interface E { event e : int } operation op(p : int) { initial i state D { } final "
@@ -1117,7 +1117,7 @@ TEST(Carriers, ContainTheNumbersThatConvertedValuesAreComparedWith) {
     }
 }
 
-/// A counter takes only the numbers that the machine computes, whatever comes from outside.
+/// A counter takes only the numbers that the machine computes. Inputs do not change them.
 TEST(Carriers, ACounterDoesNotRestOnThem) {
     const Answers found = answers_for_text(
         "stm S { event e var n : nat = 0 initial i state A { } state B { } transition t0 { from i to A } "

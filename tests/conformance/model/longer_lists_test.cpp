@@ -25,7 +25,7 @@ std::vector<std::int64_t> bounds_of(const std::string& body) {
     return bounds;
 }
 
-/// Variables each of which is twice the one before; the first one is received and has at most two items.
+/// Variables in a row. Each one is the one before, written twice; the first is received and has at most two items.
 std::string doubled(int count) {
     std::string text = "var x0 : Seq(boolean) transition r { from A to A trigger e ? x0 }\n";
     for (int i = 1; i <= count; ++i)
