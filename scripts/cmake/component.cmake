@@ -16,17 +16,19 @@ function(sources_of result)
 endfunction()
 
 # unite(TARGET SOURCES ...): with ROBOCHART_UNITY these sources are compiled in groups of at most twenty, each of which
-# parses the common headers once. So names without linkage differ in the folders that are united.
+# parses the common headers once. So names without linkage differ in the folders that are united. A group includes its
+# sources by their places in the project: CMake's own UNITY_BUILD writes absolute paths, which become part of the
+# preprocessed text, so that ccache would find nothing in another clone.
 function(unite target)
   list(LENGTH ARGN count)
   if(NOT ROBOCHART_UNITY OR count EQUAL 0)
     return()
   endif()
   set(most 20)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # The first of these warnings treats an included source as a header; the second finds names of other sources. Builds
   # without ROBOCHART_UNITY use both.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage> -Wno-shadow)
+  set_source_files_properties(${ARGN} PROPERTIES HEADER_FILE_ONLY ON)
   list(GET ARGN 0 first)
   get_filename_component(folder ${first} DIRECTORY)
   get_filename_component(folder ${folder} NAME)
@@ -34,8 +36,15 @@ function(unite target)
   set(number 0)
   foreach(source ${ARGN})
     math(EXPR group "${number} * ${groups} / ${count}")
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${group})
+    file(RELATIVE_PATH place ${CMAKE_SOURCE_DIR} ${source})
+    string(APPEND includes_${group} "#include \"${place}\"\n")
     math(EXPR number "${number} + 1")
+  endforeach()
+  math(EXPR last "${groups} - 1")
+  foreach(group RANGE ${last})
+    set(united ${CMAKE_CURRENT_BINARY_DIR}/united/${target}/${folder}_${group}.cpp)
+    file(CONFIGURE OUTPUT ${united} CONTENT "${includes_${group}}" @ONLY)
+    target_sources(${target} PRIVATE ${united})
   endforeach()
 endfunction()
 
