@@ -237,10 +237,6 @@ ExprPtr Translator::replaced_entry(ir::TypeId id, const ExprPtr& whole, const b:
 
 namespace {
 
-bool is_set_like(TypeKind kind) {
-    return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
-}
-
 /// The types of a tuple's parts; empty for other types.
 std::vector<ir::TypeId> tuple_types(const ir::Type& type) {
     if (type.kind == TypeKind::product || type.kind == TypeKind::record) return type.args;

@@ -12,10 +12,6 @@
 
 namespace robochart::ir {
 
-[[nodiscard]] inline bool is_set_like(TypeKind kind) {
-    return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
-}
-
 [[nodiscard]] inline bool is_composed(TypeKind kind) {
     return kind == TypeKind::vector || kind == TypeKind::matrix;
 }

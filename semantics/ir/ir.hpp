@@ -74,6 +74,11 @@ enum class TypeKind {
     unit
 };
 
+/// True for sets, and for relations and functions, which are sets of pairs.
+[[nodiscard]] constexpr bool is_set_like(TypeKind kind) {
+    return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
+}
+
 /// A type; equal types have one TypeId.
 struct Type {
     TypeKind kind = TypeKind::unit;

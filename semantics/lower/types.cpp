@@ -215,10 +215,6 @@ TypeId wider_type(TypeId a, TypeId b) {
     return std::max(a, b);  // nat < int < real by id
 }
 
-bool is_set_like(TypeKind kind) {
-    return kind == TypeKind::set || kind == TypeKind::relation || kind == TypeKind::function;
-}
-
 bool is_open(const System& system, TypeId id) {
     if (!id.is_valid() || system.type(id).kind == TypeKind::unit) return true;
     const Type& type = system.type(id);

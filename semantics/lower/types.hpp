@@ -17,7 +17,6 @@ void intern_core_types(Lowering&);
 /// The wider of two number types; for other types `a`.
 [[nodiscard]] TypeId wider_type(TypeId a, TypeId b);
 [[nodiscard]] bool is_number(TypeId);
-[[nodiscard]] bool is_set_like(TypeKind);
 /// True if a part of the type is unknown, such as the element type of `{}`.
 [[nodiscard]] bool is_open(const System&, TypeId);
 /// The type in which values of both types are compared. It has the wider number type and the known element types, and a
