@@ -41,7 +41,8 @@ bool StateStore::add_states(StateIndex first, StateIndex end, const Add& add) co
     return true;
 }
 
-/// Rebuilds the table from the states in order, so that old and new table never coexist.
+/// Rebuilds the table from the states in order. The old table is freed first, so that both never exist at the same
+/// time.
 void StateStore::rebuild_table(std::uint64_t states, const Sharing& share) {
     constexpr std::uint64_t piece = 1U << 16U;
     const auto all = static_cast<StateIndex>(size_);
