@@ -17,10 +17,11 @@
 
 namespace robochart::refine {
 
-/// The description, which is the same at all ranks of a search.
+/// Describes the row stores of a search; the description is the same at all ranks.
 struct RowKeeping {
-    std::string folder;                  ///< used only by this search, created by the first rank; "": rows are only in
-                                         ///< memory
+    /// used only by this search, created by the first rank; "" if rows are stored only in memory
+    std::string folder;
+    ///< memory
     std::string run;                     ///< the contents of the folder's file `run_name`: every rank must see the same
                                          ///< folder
     diagnostics::Digest search{};        ///< identifies the search
