@@ -7,9 +7,9 @@
 
 namespace robochart::refine {
 
-/// Returns the violation with descriptions of its states. The caller fills in `required`.
+/// Returns the counterexample for a violation, with descriptions of its states. The caller must fill in `required`.
 [[nodiscard]] Counterexample make_counterexample(const Confirmed& confirmed);
-/// For nondeterminism: adds the run that accepts the event that the counterexample's run refuses.
+/// Adds to a counterexample of determinism the run that accepts the event which its own run refuses.
 void tell_accepting(const Confirmed& accepting, Counterexample& counterexample);
 
 }  // namespace robochart::refine

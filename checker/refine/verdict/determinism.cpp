@@ -47,7 +47,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
         Event event;
     };
     std::vector<Arrival> arrivals{
-        {0, process::tau}};  // by node: how it was first reached; nodes are numbered in that order
+        {0, process::tau}};  // by node: how it was first reached, in the order of the nodes' numbers
     normal.initial();
     for (NormalForm::Node node = 0; node < arrivals.size(); ++node) {
         if (const std::optional<Event> event = refusable_event(normal, node)) {
@@ -63,7 +63,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
     return std::nullopt;
 }
 
-/// Returns the shortest run of the trace to a state that can refuse the event.
+/// Returns the shortest run with the trace of the ambiguity to a state that can refuse its event.
 Violation refusing_run(lts::TransitionSystem& system, const Ambiguity& ambiguity, Budget& budget) {
     TraceMonitor monitor(ambiguity.trace, ambiguity.trace.size(), ambiguity.event);
     Search search(system, monitor, budget);
@@ -87,7 +87,7 @@ std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& bu
     return first_divergence(search);
 }
 
-/// Counts and reports nodes while they are created, even if a limit ends the normalisation.
+/// Counts nodes while they are created and reports them, even if a limit ends the normalisation.
 class Normalising {
 public:
     Normalising(const NormalForm& normal, Budget& budget, Statistics& statistics)
@@ -126,8 +126,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The process P'. Its nodes are the states in which the first taus end. Termination comes before any other event
-/// (stability.hpp).
+/// The process P'. Its nodes are the states that are reached by following first taus as long as there are any.
+/// Termination comes before any other event (stability.hpp).
 class Resolution final : public Monitor {
 public:
     Resolution(lts::TransitionSystem& system, Budget& budget) : graph_(system, budget) {}
@@ -199,7 +199,7 @@ std::optional<Ambiguity> ambiguity_of(lts::TransitionSystem& system, Budget& bud
     }
 }
 
-/// Whether the rules exclude every choice between transitions with the same event, and every tau.
+/// Returns true if the rules exclude every tau, and every choice between transitions with the same event.
 bool is_choice_free(const lts::TransitionSystem& system, Budget& budget) {
     return budget.limits().reduction && system.excludes_choices(budget);
 }
@@ -217,7 +217,7 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, bool may_d
     return violation;
 }
 
-/// If a limit ends the search for the accepting run, the verdict is reported without it.
+/// Adds a run that accepts the event. If a limit ends the search for this run, the verdict is reported without it.
 void add_accepting_run(lts::TransitionSystem& system, const Violation& refusing, Budget& budget,
                        Counterexample& counterexample) {
     std::vector<Event> trace = refusing.run.trace();
@@ -245,7 +245,7 @@ std::optional<Violation> find_choice(lts::TransitionSystem& system, Model model,
         [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
             return search_choice(searched, may_diverge, own, size, known);
         },
-        // A state and its image under a symmetry may have resolutions with different choices.
+        // No symmetry may be used: a state and its image may have resolutions with different choices.
         [](const lts::EventPermutation&) { return false; }};
     return search_reduced(system, budget, statistics, question);
 }
