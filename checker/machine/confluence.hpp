@@ -142,11 +142,11 @@ private:
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
     ProofPlan plan_;
-    std::vector<std::vector<double>> share_;  // by slot and event: the fraction of the component's states that can
-                                              // perform it
+    // By slot and event: the fraction of the states of the component in which it can perform the event.
+    std::vector<std::vector<double>> share_;
     std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the candidates listed there
-    std::vector<std::vector<std::uint32_t>> known_;              // by slot and state: one more than an index into
-                                                                 // lists_
+    // By slot and state: one more than the index of the list in lists_; 0 if the list has not been made.
+    std::vector<std::vector<std::uint32_t>> known_;
     std::vector<std::vector<RuleNumber>> lists_;
     std::deque<Tracked> tracked_;
     std::map<Slots, Asking> asking_;                                 // by slots

@@ -68,12 +68,12 @@ struct Rule {
 /// perform its event in the fewest states. So rules that cannot fire are seldom examined.
 struct Region {
     std::vector<Participant> participants;
-    std::vector<Leading> leading;                        ///< by participant, set by list_leading; empty for regions
-    std::vector<EventSet> alphabets;                     ///< by participant
-    std::vector<Rule> rules;                             ///< sorted by first participant and its event
-    std::vector<std::vector<std::uint32_t>> by_event;    ///< by index in the alphabet: the rules
-    std::vector<double> chance;                          ///< by index: an estimate of the fraction of states in which
-                                                         ///< it happens
+    std::vector<Leading> leading;                      ///< by participant, set by list_leading; empty for regions
+    std::vector<EventSet> alphabets;                   ///< by participant
+    std::vector<Rule> rules;                           ///< sorted by first participant and its event
+    std::vector<std::vector<std::uint32_t>> by_event;  ///< by index in the alphabet: the rules
+    /// By index: an estimate of the fraction of states in which the event is possible.
+    std::vector<double> chance;
     std::vector<std::vector<std::uint32_t>> first_rule;  ///< by participant and event, one more at the end
     std::vector<Requirement> requirements;
     std::vector<Assignment> assignments;

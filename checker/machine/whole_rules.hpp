@@ -16,8 +16,8 @@ namespace robochart::machine {
 /// What a rule of the whole process does with the component in one slot.
 struct Part {
     std::uint32_t slot = 0;
-    std::optional<std::uint32_t> event;  ///< the event that the component performs, by its index in the component's
-                                         ///< alphabet
+    /// The event that the component performs, as an index in its alphabet.
+    std::optional<std::uint32_t> event;
     std::optional<Local> assigned;  ///< the state that the rule assigns to the component, independently of its event
 };
 
@@ -36,8 +36,8 @@ struct WholeRule {
     std::vector<Part> parts;         ///< ascending by slot, one for each slot
     /// The regions that can prevent the rule, because its level in them is not the first.
     std::vector<Passage> prevented;
-    std::vector<std::uint32_t> preventing;  ///< the regions in which it prevents everything that does not have the
-                                            ///< first level
+    /// The regions in which the rule prevents all events that do not have the first level.
+    std::vector<std::uint32_t> preventing;
 
     [[nodiscard]] const Part* find_part(std::uint32_t slot) const;
 };

@@ -47,18 +47,21 @@ enum class Op : std::uint8_t {
     sync_choice,      ///< [+ set +], n children
     sync_interrupt,   ///< P /+ set +\ Q
     parallel,         ///< n children, all synchronise on `set` and on tick (interleaving: empty set)
-    alphabetised,     ///< n children with one alphabet each in `sets`; all children whose alphabet contains an event
-                      ///< perform it together; tick needs all
+    /// Each of the n children has an alphabet in `sets`. All children whose alphabet contains an event perform it
+    /// together; all children perform tick together.
+    alphabetised,
     hide,
     rename,            ///< one child; set / renaming
     prioritise,        ///< one child; order
     prioritise_order,  ///< one child; payload: the pairs (higher, lower) of priority_order, stored as a renaming
     chase,             ///< one child: its taus are followed immediately; if there are several, the first one
-    compress,          ///< one child; payload: Compression. Meaning: the child's, in the models that the compression
-                       ///< preserves
-    machine,           ///< a state of a compressed machine; children: a term that it represents, the compressed term,
-                       ///< and the first state unless it is the first itself; created only by the semantics
-    chaos_offer,       ///< set: the state of chaos(set) that offers the whole set; created only by the firing rules
+    /// One child; the payload is a Compression. In the models that the compression preserves, the meaning is that of
+    /// the child.
+    compress,
+    /// A state of a compressed machine, which only the semantics creates. Children: a term that it represents, the
+    /// compressed term, and the first state (unless it is the first state itself).
+    machine,
+    chaos_offer,  ///< set: the state of chaos(set) that offers the whole set; created only by the firing rules
 };
 
 /// The compressions of FDR by name. docs/cspm.md describes how this program implements them.

@@ -41,8 +41,8 @@ struct Checkpoint {
     std::uint32_t levels = 0;      ///< number of closed levels
     std::vector<SavedFile> files;  ///< files with the rows of the levels, in the order of levels
     SavedFile marks;               ///< rows of level 0
-    SavedFile unsure;              ///< rows followed by their levels; each may be a duplicate of a row in an earlier
-                                   ///< levels
+    /// Rows followed by their levels. Each of them may be a duplicate of a row in an earlier level.
+    SavedFile unsure;
     std::vector<SavedFigures> expanded;  ///< by level
 };
 

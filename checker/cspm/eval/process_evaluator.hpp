@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions that denote processes. Processes are built lazily: the term of a call or prefix contains only
-// its name and its values (process_terms.hpp). It is evaluated only when the search needs its transitions
+// its name and its values (process_terms.hpp). The term is evaluated only when the search needs its transitions
 // (process/term.hpp, Definitions).
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace robochart::cspm {
 
-/// Evaluates processes. Values belong to the evaluator, and terms to ProcessTerms.
+/// Evaluates processes. The evaluator owns the values, and ProcessTerms owns the terms.
 class ProcessEvaluator final : public process::Definitions {
 public:
-    /// Data shared with the evaluator of values.
+    /// The data that this class shares with the evaluator of values.
     struct Tables {
         Program& program;
         ValueStore& store;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes the steps of sequential processes directly from their bytes, without building terms.
 //
-// Supported are calls, conditions, prefixes, choices, sequential composition, hiding and renaming. The rules are those
-// of eval/processes.cpp, eval/prefixes.cpp and process/firing_rules.cpp, which define the meaning of processes. For all
+// It supports calls, conditions, prefixes, choices, sequential composition, hiding and renaming. Its rules are those of
+// eval/processes.cpp, eval/prefixes.cpp and process/firing_rules.cpp, which define the meaning of processes. For all
 // other operators, and after any error, the caller must compute the steps with terms.
 #pragma once
 
@@ -31,18 +31,18 @@ public:
     [[nodiscard]] std::span<const std::uint8_t> target(const Step& step) const {
         return std::span(bytes).subspan(step.begin, step.end - step.begin);
     }
-    /// Adds a step whose target consists of all bytes from `begin` on.
+    /// Adds a step. The bytes from `begin` to the end are its target.
     void add(process::Event event, process::Event revealed, std::size_t begin) {
         steps.push_back({event, revealed, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(bytes.size())});
     }
-    /// Sorts the steps from index `first` on by event and removes duplicates. The sort is stable.
+    /// Sorts the steps from index `first` on by event, and removes duplicates. The sort is stable.
     void put_in_order(std::size_t first);
 
     std::vector<Step> steps;
     Bytes bytes;
 };
 
-/// Finds steps. Reuses its buffers, so that calls rarely allocate memory.
+/// Computes steps. It reuses its buffers, so calls rarely allocate memory.
 class DirectSteps {
 public:
     DirectSteps(Evaluator& values, TermCodec& codec, PackedParts& parts);
@@ -113,7 +113,7 @@ private:
     std::deque<Frame> frames_;
     std::size_t borrowed_ = 0;
     unsigned nested_ = 0;
-    unsigned unanswered_ = 0;  // consecutive failed calls; after 32 of them, most calls fail at once
+    unsigned unanswered_ = 0;  // number of consecutive failed calls; after 32 of them, most calls fail immediately
     unsigned passed_ = 0;
     Value unread_;
     struct Dotted {

@@ -28,7 +28,6 @@ public:
         std::uint64_t rolled_back = 0;   ///< number of times that the search rolled back
         std::uint64_t in_error = 0;      ///< number of rows taken for duplicates by mistake
         std::uint64_t runs_written = 0;  ///< number of times that a part of an open level was written
-                                         ///< complete
         std::uint64_t peak_bytes = 0;
     };
     struct Bounds {

@@ -21,9 +21,8 @@ namespace robochart::refine {
 struct RowKeeping {
     /// used only by this search, created by the first rank; "" if rows are stored only in memory
     std::string folder;
-    ///< memory
-    std::string run;                     ///< the contents of the folder's file `run_name`: every rank must see the same
-                                         ///< folder
+    /// The contents of the folder's file `run_name`, by which a rank recognises the folder of the first rank.
+    std::string run;
     diagnostics::Digest search{};        ///< identifies the search
     storage::Newest from;                ///< the checkpoint to continue from
     std::chrono::milliseconds every{0};  ///< time between checkpoints

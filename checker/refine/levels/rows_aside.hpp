@@ -44,12 +44,12 @@ private:
     void write();
     void each_of_runs(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
 
-    std::uint64_t most_;                                     ///< maximal number of rows in memory
-    std::unique_ptr<lts::StateStore> store_;                 ///< the rows added last
-    std::vector<std::pair<Level, lts::StateIndex>> levels_;  ///< a level, and the first row of the store with this
-                                                             ///< level
-    std::vector<lts::Word> unwritten_;                       ///< further rows with their levels, to be written as a run
-    storage::SortedRuns runs_;                               ///< the other rows
+    std::uint64_t most_;                      ///< maximal number of rows in memory
+    std::unique_ptr<lts::StateStore> store_;  ///< the rows added last
+    /// Each level in the store, with the first row of the store that has this level.
+    std::vector<std::pair<Level, lts::StateIndex>> levels_;
+    std::vector<lts::Word> unwritten_;  ///< further rows with their levels, to be written as a run
+    storage::SortedRuns runs_;          ///< the other rows
 };
 
 }  // namespace robochart::refine

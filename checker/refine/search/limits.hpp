@@ -75,11 +75,11 @@ struct Statistics {
     bool divergence_open = false;  ///< with searched_steps: divergence was not excluded for these runs
     std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes
     double seconds = 0;
-    std::uint64_t chased = 0;    ///< number of skipped states, from which a confluent step was followed
-    std::uint64_t replicas = 0;  ///< greatest number of equal components whose exchange leads to no further state; 0:
-                                 ///< none
-    std::uint64_t distinguished = 0;  ///< number of equal components that the assertion distinguishes, which prevents
-                                      ///< the reduction
+    std::uint64_t chased = 0;  ///< number of skipped states, from which a confluent step was followed
+    /// Greatest number of equal components whose exchange leads to no further state; 0 if there are none.
+    std::uint64_t replicas = 0;
+    /// Number of equal components that the assertion distinguishes, which prevents the reduction by symmetry.
+    std::uint64_t distinguished = 0;
     std::uint64_t diagram_nodes = 0;  ///< decision diagrams: number of nodes of the set of reachable states
     double log10_states = 0;          ///< decision diagrams: decimal logarithm of the number of reachable states
     std::uint64_t ranks = 0;          ///< number of ranks in all programs, for a search by levels; 0: another search

@@ -59,8 +59,8 @@ struct Verdict {
     Outcome outcome = Outcome::inconclusive;
     /// inconclusive: the limit that was reached, or the evaluation error
     std::string reason;
-    std::optional<Counterexample> counterexample;  ///< present iff the assertion fails (for has trace: iff the trace is
-                                                   ///< impossible)
+    /// It exists iff the assertion fails, and for has trace iff the trace is impossible.
+    std::optional<Counterexample> counterexample;
     Statistics statistics;
     bool known = false;  ///< whether answer and statistics are from an earlier search of the same systems
 };
