@@ -32,10 +32,10 @@ public:
 /// The memory that diagrams may use.
 struct Space {
     std::size_t bytes = std::size_t{1} << 30U;  ///< for nodes, tables and results
-    /// for tests: number of stored results of operations, a power of 2
+    /// For tests: number of stored results of operations, a power of 2.
     std::size_t most_results = std::size_t{1} << 25U;
     std::size_t first_collection = std::size_t{1} << 24U;  ///< size of the nodes at the first collection
-    /// for tests: whether garbage is collected before every new node
+    /// For tests: whether garbage is collected before every new node.
     bool always_collect = false;
 };
 

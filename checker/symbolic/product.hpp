@@ -43,7 +43,7 @@ private:
     Diagrams& diagrams_;
     diagnostics::Pollable& budget_;
     std::map<process::Event, std::vector<Step>> by_event_;  // steps of the implementation
-    // by events: the states in which none of them is possible
+    // The states in which none of the events is possible.
     std::map<std::vector<process::Event>, Node> not_possible_;
     std::vector<Step> steps_;
 };

@@ -51,7 +51,7 @@ Variables make_variables(const machine::Supercombinator& combined, const std::ve
     for (const std::uint32_t slot : order) {
         variables.level_of[slot] = static_cast<Level>(variables.slot_at.size());
         variables.slot_at.push_back(slot);
-        // the last value means that the component is off
+        // The last value means that the component is off.
         variables.domains.push_back(static_cast<Value>(combined.components[slot]->size()) + 1);
     }
     return variables;

@@ -19,10 +19,10 @@ namespace robochart::symbolic {
 struct StageOptions {
     std::chrono::duration<double> delay{3};  ///< CPU time that the explicit search uses before the stage starts
     std::chrono::duration<double> share{3};  ///< CPU time that the stage may use
-    /// part of the time that is left after a violation is found: for its shortest run
+    /// After a violation is found: the part of the remaining time that may be used to find its shortest run.
     double part_for_rings = 0.5;
     Space space = {};  ///< uses at most an eighth of the memory of the run
-    /// for tests: slots from the lowest level up; if empty, a good order is computed
+    /// For tests: slots from the lowest level up; if empty, a good order is computed.
     std::vector<std::uint32_t> order = {};
 };
 

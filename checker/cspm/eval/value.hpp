@@ -40,7 +40,7 @@ enum class Kind : std::uint8_t {
     sequences_over,  ///< Seq(items[0])
     subsets_of,      ///< Set(items[0])
     maps_over,       ///< Map(items[0], items[1])
-    /// a union of sets that cannot all be listed: these sets sorted, and then at most one explicit set
+    /// A union of sets that cannot all be listed. Items: these sets, sorted, and then at most one explicit set.
     united,
     sequence_from,  ///< <n..>
     stream,         ///< a sequence whose elements are not all stored, possibly infinite (streams.cpp)

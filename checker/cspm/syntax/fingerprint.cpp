@@ -80,7 +80,7 @@ private:
         result_.size += 2;
     }
     void add_field(const Field& field) {
-        // the same conversion as in syntax.cpp
+        // The same conversion as in syntax.cpp.
         const FieldKind kind = field.kind == FieldKind::dot ? FieldKind::output : field.kind;
         add_word(static_cast<std::uint64_t>(kind));
         add_expr(field.value);

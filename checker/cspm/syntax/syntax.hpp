@@ -168,7 +168,7 @@ struct Constructor {
 // ---------------------------------------------------------------- declarations
 
 enum class DeclKind {
-    /// name(patterns)...(patterns) = body: one clause; consecutive clauses with the same name belong together
+    /// One clause, `name(patterns)...(patterns) = body`. Consecutive clauses with the same name belong together.
     function,
     value,  ///< pattern = body
     channel,

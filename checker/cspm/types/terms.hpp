@@ -44,7 +44,7 @@ struct TypeVariable {
 
 /// A resolved type from an annotation.
 struct TypeTerm {
-    /// extendable: args are the variable and the type; function: the result is last
+    /// For an extendable, `args` are the variable and the type. For a function, the result is the last of them.
     TypeKind kind = TypeKind::integer;
     std::vector<TypeTerm> args;
     TypeVariable* variable = nullptr;  ///< kind variable

@@ -40,7 +40,7 @@ struct Limits : diagnostics::Limits {
     /// Whether static proofs may replace searches, and searches may skip states by confluence and symmetry
     /// (docs/search.md). Verdicts do not depend on it.
     bool reduction = false;
-    /// whether another search follows if a limit ends this one; partial answers are then useless
+    /// Whether another search follows if a limit ends this one; partial answers are then useless.
     bool first_of_two = false;
     /// The strategy of searches by levels (verdict/level_strategy.hpp). If it is null, other searches are used.
     /// Verdicts do not depend on it.

@@ -83,7 +83,7 @@ private:
     void record_block(const ParallelLevel::Block& block);
 
     lts::TransitionSystem& system_;
-    // follows only taus that may lie on cycles; null: all taus are followed
+    // The system with only those taus that may lie on cycles. If it is null, all taus are followed.
     std::unique_ptr<lts::TransitionSystem> cycle_system_;
     Monitor& monitor_;
     Budget& budget_;

@@ -60,7 +60,7 @@ public:
 private:
     /// A whole choice is a choice that is a single state, because its taus are not followed.
     struct Whole {
-        /// by operand: the operand and the states that its taus reach
+        /// By operand: the operand and the states that its taus reach.
         std::vector<std::vector<lts::StateIndex>> reached;
         std::vector<Edge> operands;  ///< taus to the operands
         std::vector<Edge> edges;     ///< sorted, without duplicates

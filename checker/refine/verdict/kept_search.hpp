@@ -24,7 +24,7 @@ namespace robochart::refine {
 
 struct KeptSettings {
     std::string folder;
-    /// whether to continue from the contents of the folder; otherwise it must be empty or missing
+    /// Whether to continue from the contents of the folder; otherwise it must be empty or missing.
     bool resume = false;
     bool disk = false;  ///< whether rows that do not fit into memory are stored in files
     std::chrono::milliseconds every = std::chrono::minutes(10);  ///< time between checkpoints

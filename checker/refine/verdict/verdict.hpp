@@ -57,7 +57,7 @@ struct Counterexample {
 /// The result of an assertion, with its counterexample and the size of the search.
 struct Verdict {
     Outcome outcome = Outcome::inconclusive;
-    /// inconclusive: the limit that was reached, or the evaluation error
+    /// Inconclusive: the limit that was reached, or the evaluation error.
     std::string reason;
     /// It exists iff the assertion fails, and for has trace iff the trace is impossible.
     std::optional<Counterexample> counterexample;
