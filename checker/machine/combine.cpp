@@ -229,7 +229,7 @@ EventSet events_of(const Vectors& vectors) {
     return events;
 }
 
-// P [|A|] Q: all operands together perform an event of A or tick. One operand performs any other event.
+// Combines P [|A|] Q: all operands together perform an event of A or tick. One operand performs any other event.
 Vectors Combiner::combine_parallel(const Node& node, std::vector<Vectors> operands) {
     const process::SetId set{terms_[node.term].payload};
     const auto joint = [&](Event event) { return event == tick || (event != tau && terms_.contains(set, event)); };
@@ -254,8 +254,8 @@ Vectors Combiner::combine_parallel(const Node& node, std::vector<Vectors> operan
     return result;
 }
 
-// Alphabetised parallel: all operands whose alphabet contains an event perform it together. One operand performs a tau,
-// and all operands perform tick.
+// Combines an alphabetised parallel: all operands whose alphabet contains an event perform it together. One operand
+// performs a tau, and all operands perform tick.
 Vectors Combiner::combine_alphabetised(const Node& node, std::vector<Vectors> operands) {
     const Term& term = terms_[node.term];
     Vectors result;
@@ -279,7 +279,7 @@ Vectors Combiner::combine_alphabetised(const Node& node, std::vector<Vectors> op
     return result;
 }
 
-// P \ A: an event of A becomes tau.
+// Applies P \ A: an event of A becomes tau.
 Vectors Combiner::apply_hiding(const Node& node, Vectors operand) {
     const process::SetId set{terms_[node.term].payload};
     for (Vector& vector : operand)
@@ -287,7 +287,7 @@ Vectors Combiner::apply_hiding(const Node& node, Vectors operand) {
     return operand;
 }
 
-// P[[R]]: an event becomes each of its images under R, or stays unchanged if it has no image.
+// Applies P[[R]]: an event becomes each of its images under R, or stays unchanged if it has no image.
 Vectors Combiner::apply_renaming(const Node& node, const Vectors& operand) {
     const process::Renaming& pairs = terms_[process::RenamingId{terms_[node.term].payload}];
     Vectors result;

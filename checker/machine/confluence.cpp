@@ -467,7 +467,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
     return true;
 }
 
-/// Condition 2: every part is possible and has exactly one result.
+/// Checks condition 2: every part is possible and has exactly one result.
 bool Confluence::is_deterministic(const WholeRule& rule, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
         if (!part.event) return true;

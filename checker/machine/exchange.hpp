@@ -19,7 +19,8 @@ namespace robochart::machine {
 /// are mapped to each other.
 class Exchange {
 public:
-    /// `shapes`: by slot, for the slots in both ranges. The ranges must be disjoint and have the same length.
+    /// `shapes`: the shapes of the components, by slot, for the slots in both ranges. The ranges must be disjoint and
+    /// have the same length.
     Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
              SlotRange second);
 

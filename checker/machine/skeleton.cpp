@@ -31,7 +31,7 @@ public:
 
 class Builder {
 public:
-    /// `through_prefixes`: whether parallel operators after prefixes are searched for.
+    /// `through_prefixes`: whether to look for parallel operators after prefixes.
     Builder(process::TermStore& terms, const std::set<TermId>& leaves, const std::set<TermId>& left_out,
             bool through_prefixes, diagnostics::Pollable& budget)
         : terms_(terms), leaves_(leaves), left_out_(left_out), through_prefixes_(through_prefixes), budget_(budget) {}

@@ -34,7 +34,7 @@ private:
 /// A compiled process whose components have not been minimised.
 class UnminimisedSystem final : public lts::FinerSystem {
 public:
-    /// `maps`: by slot: the mapping from the component of `combined` to that of `minimised`.
+    /// `maps`: for each slot, the mapping from the component of `combined` to that of `minimised`.
     UnminimisedSystem(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const Supercombinator> minimised,
                       std::vector<StateMap> maps, const process::TermStore& terms)
         : system_(combined, terms),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The run of a part of a process is divided into segments. In a segment, a sequential component runs, or an operator
-// stays while its operands move. A segment ends when its operator is resolved and an operand that had not run before
+// Divides the run of a part of a process into segments. In a segment, a sequential component runs, or an operator stays
+// while its operands move. A segment ends when its operator is resolved and an operand that had not run before
 // continues.
 #include "checker/process/behaviour.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The firing rules of the operators that compose a system: parallel, hiding, renaming, priority, chase. The notation
-// and the sources are those of firing_rules.cpp.
+// Implements the firing rules of the operators that compose a system: parallel, hiding, renaming, priority, chase. The
+// notation and the sources are those of firing_rules.cpp.
 #include <algorithm>
 #include <unordered_set>
 

@@ -14,7 +14,7 @@ namespace robochart::symbolic {
 
 class Saturation {
 public:
-    /// The functions poll the budget.
+    /// The computation polls the budget.
     Saturation(const Relations& relations, const std::vector<Step>& steps, Diagrams& diagrams,
                diagnostics::Pollable& budget);
     ~Saturation() { diagrams_.set_users({}); }

@@ -47,7 +47,7 @@ public:
           builtins_(tables.builtins),
           text_(tables.program) {}
 
-    // streams.cpp
+    // The following functions are in streams.cpp.
     /// Returns `first ^ rest`, where `rest` may be unevaluated.
     Value append(Value first, Value rest);
     /// Returns the sequence that begins with `first` and continues with the elements that the comprehension makes from
@@ -67,7 +67,7 @@ public:
     bool is_less_or_equal(Value a, Value b, Span span);
     bool is_less(Value a, Value b, Span span);
 
-    // builtins_by_need.cpp
+    // The following functions are in builtins_by_need.cpp.
     /// Calls any built-in. Evaluates its arguments only as far as the built-in needs them.
     Value call(Value builtin, Values arguments, Span span);
     /// Calls a built-in for maps. The keys of maps are always evaluated; their values may be unevaluated.

@@ -32,7 +32,7 @@ public:
           text_(program),
           evaluate_(std::move(evaluate)) {}
 
-    // sets.cpp
+    // The following functions are in sets.cpp.
     const Values& elements(Value set, Span span);
     bool member_of(Value value, Value set, Span span);
     Value set_union(Value a, Value b, Span span);
@@ -48,7 +48,7 @@ public:
     bool can_be_listed(Value set, Span span);
     Value union_of_all(const Values& sets, Span span);
 
-    // dots.cpp
+    // The following functions are in dots.cpp.
     Value head_value(int head);
     /// Returns the set that a type expression denotes.
     Value type_set(Value type, Span span);

@@ -103,7 +103,7 @@ public:
     bool match_pattern(const MatchCode& pattern, Value& value, Frame& frame);
 
 private:
-    // eval.cpp: expressions
+    // The following functions evaluate expressions (eval.cpp).
     Value eval_operator(const Code& code, Frame& frame);
     Value eval_arithmetic(const Code& code, Frame& frame);
     Value eval_comparison(const Code& code, Frame& frame);
@@ -123,7 +123,7 @@ private:
     void generate(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Value source,
                   Frame& frame, const Use& use);
 
-    // calls.cpp: functions, constants, groups
+    // The following functions evaluate functions, constants and groups (calls.cpp).
     Value run_function(const Function& function, const Values& environment, Values& arguments, Span span);
     void report_call(const Function& function, const Values& arguments, Value result, Span span);
     void fill_frame(const Unit& unit, const Function& function, const Values& environment, Frame& frame);

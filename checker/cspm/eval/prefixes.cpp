@@ -23,7 +23,7 @@ TermId ProcessEvaluator::process_prefix(const Code& code, Frame& frame) {
         work_.fail("a $ field stands before all ? and ! fields", code.span);
     }
     if (last == code.fields.begin()) return processes_.make_prefix(PrefixKind::script, std::move(key));
-    // The choice c$x -> P is |~| x @ c.x -> P.
+    // A prefix c$x -> P is the choice |~| x @ c.x -> P.
     Frame inside(static_cast<std::size_t>(code.unit->size), nullptr);
     for (std::size_t i = 0; i < code.unit->captures.size(); ++i) {
         inside[static_cast<std::size_t>(code.unit->captures[i].second)] = key[i + 1];

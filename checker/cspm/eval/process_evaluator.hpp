@@ -48,7 +48,7 @@ public:
 private:
     using Frame = Values;
 
-    // processes.cpp
+    // The following functions are in processes.cpp.
     process::TermId process_name(const Code& code, Frame& frame);
     process::TermId process_apply(const Code& code, Frame& frame);
     process::TermId process_operator(const Code& code, Frame& frame);
@@ -61,7 +61,7 @@ private:
     void collect_operands(const Code& code, ExprKind kind, Frame& frame, std::vector<process::TermId>& out);
     std::int64_t event_duration(TimedSection& timed, Value event, Span span);
 
-    // prefixes.cpp
+    // The following functions are in prefixes.cpp.
     process::TermId process_prefix(const Code& code, Frame& frame);
     void choose_fields(const Code& code, std::size_t field, Value base, Frame& frame,
                        std::vector<process::TermId>& out);

@@ -56,7 +56,7 @@ private:
     class Borrowed;
     class Nested;
 
-    // steps of encoded terms
+    // The following functions compute steps of encoded terms.
     void steps_of_row(ByteReader& in);
     void row_call(ByteReader& in);
     void row_prefix(ByteReader& in);
@@ -66,7 +66,7 @@ private:
     void row_hide(ByteReader& in);
     void row_rename(ByteReader& in);
 
-    // steps of process expressions
+    // The following functions compute steps of process expressions.
     void steps_of_process(const Code& code, Frame& frame);
     void steps_of_name(const Code& code, Frame& frame);
     void steps_of_apply(const Code& code, Frame& frame);
@@ -82,14 +82,14 @@ private:
     void input_field(const Code& code, std::size_t field, Value base, Frame& frame);
     void input_parts(const Code& code, std::size_t field, std::size_t part, Value base, Frame& frame);
 
-    // transformations of the steps from index `first` on by an operator
+    // The following functions apply an operator to the steps from index `first` on.
     void refuse_taus(std::size_t first) const;
     void append_next_process(std::size_t first, std::span<const std::uint8_t> next);
     void hide_events(std::size_t first, process::SetId set);
     void rename_events(std::size_t first, process::RenamingId renaming);
     std::size_t wrap_target(process::Op op, std::uint32_t part, const PackedSteps::Step& step);
 
-    // bytes of process expressions (direct_bytes.cpp)
+    // The following functions write the bytes of process expressions (direct_bytes.cpp).
     void write_process(const Code& code, Frame& frame);
     void write_name(const Code& code, Frame& frame);
     void write_apply(const Code& code, Frame& frame);

@@ -168,7 +168,7 @@ private:
     [[nodiscard]] bool at_brace() const { return at_token(Tok::r_brace) || at_token(Tok::end); }
     [[nodiscard]] bool annotation_ahead() const;
 
-    // types in annotations, stored as text in a canonical form
+    // The following functions parse types in annotations, which are stored as text in a canonical form.
     std::string parse_type();
     std::string parse_type_operand(bool& grouped);
     std::string parse_type_scheme();

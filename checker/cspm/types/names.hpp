@@ -54,7 +54,7 @@ private:
     };
     using Items = std::vector<Item>;
 
-    // declarations, in phases: modules, labels, other names, bodies
+    // The following functions resolve declarations in phases: modules, labels, other names, bodies.
     DeclarationList* resolve_declarations(const std::vector<DeclPtr>& decls, const Place& place);
     void flatten(const std::vector<DeclPtr>& decls, const Place& place, Items& items);
     Item& add_item(Items& items, const DeclPtr& decl, const Place& place);

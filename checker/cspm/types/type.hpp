@@ -78,7 +78,7 @@ public:
 
     TypeStore();
 
-    // making types
+    // The following functions create types.
     [[nodiscard]] TypeId fresh_variable(Constraints constraints = 0);
     [[nodiscard]] TypeId rigid_variable(const std::string& name, Constraints constraints);
     [[nodiscard]] TypeId atom(TypeKind kind) const { return static_cast<TypeId>(kind); }
@@ -97,7 +97,7 @@ public:
         return make_type(TypeKind::extendable, {result, arguments});
     }
 
-    // looking at types
+    // The following functions read types.
     /// Returns the type to which a variable is bound. Replaces an extendable with known arguments by its value.
     [[nodiscard]] TypeId head(TypeId type);
     [[nodiscard]] const TypeNode& node(TypeId type) const { return nodes_[type]; }
@@ -112,7 +112,7 @@ public:
     /// are their own result.
     [[nodiscard]] TypeId split(TypeId type, std::vector<TypeId>& arguments);
 
-    // changing variables
+    // The following functions change variables.
     void bind(TypeId variable, TypeId type);
     void constrain(TypeId variable, Constraints constraints);
     void lower_level(TypeId variable, std::uint32_t level);

@@ -28,7 +28,7 @@ public:
 
     /// Makes both types equal and returns the result. Throws TypeFault if they cannot be equal.
     TypeId unify(TypeId expected, TypeId actual);
-    /// Unifies the types of patterns and arguments, in which a dotted value must not be split.
+    /// Unifies the types of a pattern and its argument. A dotted value in them must not be split.
     TypeId unify_one_way(TypeId expected, TypeId actual);
     /// Makes a type satisfy a constraint. Throws TypeFault if this is impossible.
     void constrain(Constraint constraint, TypeId type);

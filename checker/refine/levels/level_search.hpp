@@ -59,8 +59,8 @@ public:
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // The following statistics cover this rank. This one is the processor time for each level, to expand it and to
-    // enter the rows found.
+    // The following statistics cover only this rank. For each level, returns the processor time for expanding it and
+    // for entering the rows found.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
     /// Returns the number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }

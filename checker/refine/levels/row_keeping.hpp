@@ -37,7 +37,7 @@ struct RowKeeping {
 /// on the file (flock), so that no other run begins before an earlier one has ended.
 inline constexpr const char* const run_name = "run";
 
-/// The store for the rows of this rank, with `width` words each. The store polls the budget during long work.
+/// Creates the store for the rows of this rank, which have `width` words. The store polls the budget during long work.
 /// `report`: see DiskRowStore::Bounds. Throws storage::BadFile, also if this rank does not see the right folder, and
 /// storage::CannotWrite.
 [[nodiscard]] std::unique_ptr<RowStore> make_row_store(const RowKeeping& keeping, std::size_t width,

@@ -51,7 +51,8 @@ public:
     /// to end the work that polls the budget.
     void call_after(std::chrono::duration<double> cpu_time, CallMoment moment, std::function<void()> function);
     void cancel_call();
-    /// Called by a search while no thread of it uses its systems.
+    /// Makes the call of call_after if it is due. A search calls this function while none of its threads uses its
+    /// systems.
     void between_states() {
         if (call_is_due_) make_call();
     }
@@ -76,7 +77,7 @@ private:
     std::function<void(Progress&)> source_;
     std::function<void()> call_;  // empty if nothing is to be called
     CallMoment call_moment_ = CallMoment::any_poll;
-    std::clock_t call_time_ = 0;  // CPU time of the program for the call
+    std::clock_t call_time_ = 0;  // CPU time of the program at which the call is due
     bool call_is_due_ = false;    // the call waits for between_states
 };
 

@@ -37,7 +37,7 @@ struct Counterexample {
     /// For a refusal: the minimal acceptances of the specification; there are none if it has no stable state. For a
     /// forbidden event: one set with the events that the specification allows.
     std::vector<process::EventSet> required;
-    std::vector<Step> loop;               ///< divergence: the tau loop
+    std::vector<Step> loop;               ///< divergence: the loop of taus
     std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the forbidden event
     /// For nondeterminism: another run with the same events, followed by the event that this run refuses. It is empty
     /// if a limit ended the search for it.
