@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source texts: stores them, reads files, and converts byte offsets to lines and columns.
+// Stores source texts, reads files, and converts byte offsets to lines and columns.
 #include "base/diagnostics/source.hpp"
 
 #include <fcntl.h>
