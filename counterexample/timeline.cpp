@@ -77,7 +77,7 @@ void Builder::add_compressed(const Behaviour& part, const std::vector<Point>& mo
             --visible_left;
             continue;
         }
-        // After the last visible event, no later event exists before which the step could be inserted.
+        // If no later step is visible, the step is inserted after the last visible one.
         Point before = entries_.end();
         if (any) before = visible_left > 0 ? moments[at] : std::next(moments[at]);
         own.push_back(entries_.insert(before, {any ? moments[at]->raw : 0, false, 0, {}, {}}));
