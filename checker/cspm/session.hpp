@@ -36,7 +36,7 @@ struct Packing {
     /// if steps can be computed without terms (packed/direct_steps.hpp), and 1,000,000 otherwise.
     std::optional<std::size_t> from_terms;
     std::optional<std::size_t>
-        most_kept;             ///< most stored values and terms; 0: those of one state; no value: by the memory limit
+        most_kept;             ///< maximal number of values and terms; 0: those of one state; none: by memory limit
     bool terms_alone = false;  ///< whether all steps are computed with terms
 };
 

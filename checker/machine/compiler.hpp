@@ -34,7 +34,7 @@ struct Bounds {
     /// Whether the operands of parallel operators that hide events are compressed before they are combined (inductive
     /// compression; docs/search.md, "Compressed parts"). This preserves T, F and FD, but not the steps of a run.
     bool compress_parts = false;
-    /// With `compress_parts`: the maximal number of states of all parts together.
+    /// With `compress_parts`: the maximal number of states of all parts in total.
     std::size_t part_states = 200'000;
 };
 

@@ -63,7 +63,7 @@ private:
     std::vector<TermId> meaning_;
     std::vector<std::uint32_t> first_;
     std::vector<Edge> edges_;
-    std::vector<std::uint32_t> by_event_;  // state * (alphabet + 1) + event; empty if the table would be large
+    std::vector<std::uint32_t> by_event_;  // index: state * (alphabet + 1) + event; empty if it would be large
 };
 
 using ComponentPtr = std::shared_ptr<const Component>;

@@ -335,7 +335,7 @@ std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     locals_ = begin_;
     std::size_t steps = 0;
     for (; locals_ != least_; ++steps) {
-        assert(steps < most_steps_);  // run has passed the state
+        assert(steps < most_steps_);  // the sequence has reached this state before
         follow_step();
     }
     return steps;

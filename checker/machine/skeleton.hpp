@@ -44,8 +44,8 @@ struct Skeleton {
 };
 
 /// Splits a term at its operators, down to the terms in `leaves` and terms without operators that stay in place.
-/// Compressed terms in `left_out` are replaced by their operands. No value if there is no parallel operator to split.
-/// May evaluate definitions and throw their exceptions. Polls the budget.
+/// Compressed terms in `left_out` are replaced by their operands. Returns no value if there is no parallel operator to
+/// split. May evaluate definitions and throw their exceptions. Polls the budget.
 ///
 /// The function also looks for parallel operators after prefixes, because a process may perform events before it starts
 /// its components, or switch between modes. This fails if the prefixes never lead back to an earlier term, as in

@@ -62,7 +62,7 @@ public:
 
     /// A function that passes rows piece by piece. The rows of each piece are ascending, without duplicates.
     using GivePieces = std::function<void(const TakeRows&)>;
-    /// The contents of a checkpoint in addition to the levels.
+    /// The contents of a checkpoint besides the levels.
     struct Beside {
         std::vector<Word> marks;  ///< rows of level 0, ascending
         GivePieces unsure;        ///< rows followed by their levels as another word; may be empty

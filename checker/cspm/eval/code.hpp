@@ -21,7 +21,7 @@ struct Unit {
     Unit* parent = nullptr;
     const Group* group = nullptr;               ///< the let whose environment this unit represents
     const Group* member_of = nullptr;           ///< the let that contains this unit's member
-    std::vector<std::pair<int, int>> captures;  ///< (slot in the parent's frame, slot here)
+    std::vector<std::pair<int, int>> captures;  ///< captured variables: (slot in the parent's frame, slot here)
     int self_slot = -1;                         ///< the slot for the group that contains the member
     int size = 0;
 };

@@ -23,7 +23,7 @@ using NewNames = std::map<std::string, std::string>;
 /// itself declares, is renamed like a plain name.
 struct QualifiedNames {
     NewNames plain;
-    NewNames first, inside, last;  ///< for `A::b::c`: A, b and c
+    NewNames first, inside, last;  ///< new names for A, b and c in `A::b::c`
     std::set<std::string> modules;
 };
 [[nodiscard]] std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const QualifiedNames& names);

@@ -56,7 +56,8 @@ TypeId ExpressionTypes::expect_type(const Term& term, TypeId type, std::string_v
     return unify(inside_parentheses(term).syntax->span, type, actual, because);
 }
 
-// Reports the error at a branch or at a let's body rather than at the whole expression.
+// Requires a type of this kind. An error is reported at a branch or at a let's body rather than at the whole
+// expression.
 void ExpressionTypes::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
     const Term& at = inside_parentheses(term);
     if (at.syntax->kind == ExprKind::if_then_else) {

@@ -40,7 +40,8 @@ public:
     // Requires a type. If the term has another type, the finding is at this term or span, and its note is the reason
     // `because`.
     TypeId expect_type(const Term& term, TypeId type, std::string_view because = {});
-    /// Reports the error at a branch or at a let's body rather than at the whole expression.
+    /// Requires a type of this kind. An error is reported at a branch or at a let's body rather than at the whole
+    /// expression.
     void expect_atom(const Term& term, TypeKind kind, std::string_view because);
     TypeId unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because = {});
     void constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because);

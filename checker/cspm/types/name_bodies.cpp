@@ -47,7 +47,7 @@ void NameResolver::resolve_name(const Expr& expr, Term& term) {
     term.symbol = value_named(expr.text, expr.span);
 }
 
-// Every pattern of a lambda is a separate scope, so names in a later pattern hide those in an earlier one.
+// Resolves a lambda. Every pattern of it is a separate scope, so names in a later pattern hide those in an earlier one.
 void NameResolver::resolve_lambda(const Expr& expr, Term& term) {
     for (const PatternPtr& pattern : expr.patterns) {
         scope_ = new_scope(scope_);

@@ -52,8 +52,8 @@ const Entry* NameResolver::find_plain(std::string_view name) const {
     return nullptr;
 }
 
-// In FDR, M::x is one name in the scope. A variable called M does not hide it. An inner module M without x does not
-// hide an outer module M with x, but an inner module with a private x does.
+// Finds the meaning of a name. In FDR, M::x is one name in the scope. A variable called M does not hide it. An inner
+// module M without x does not hide an outer module M with x, but an inner module with a private x does.
 NameResolver::Lookup NameResolver::find(std::string_view name) {
     const std::size_t colons = name.find("::");
     if (colons == std::string_view::npos) {

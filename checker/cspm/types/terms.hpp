@@ -173,7 +173,7 @@ struct ResolvedScript {
     std::deque<DeclarationList> lists;
     DeclarationList* top = nullptr;
     std::vector<Symbol*> shown;  ///< the names to print with their types, in order
-    bool names_missing = false;  ///< some name was not in scope, so types may stay open
+    bool names_missing = false;  ///< whether some name was not in scope; types may then stay open
 };
 
 }  // namespace robochart::cspm::types

@@ -104,8 +104,8 @@ TypeId TypeStore::follow_links(TypeId type) {
     return end;
 }
 
-// If the variable of an extendable is bound to `argument, rest`, the extendable is equal to the dotable of the argument
-// and the rest.
+// Returns the type after following all bindings. If the variable of an extendable is bound to `argument, rest`, the
+// extendable is equal to the dotable of the argument and the rest.
 TypeId TypeStore::head(TypeId type) {
     for (;;) {
         type = follow_links(type);

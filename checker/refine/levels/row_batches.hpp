@@ -31,7 +31,7 @@ public:
             at += message.front;
             message.front += width_;
         }
-        for (std::size_t i = 0; i < width_; ++i) out_.words[at + i] = row[i];  // a loop, because rows are short
+        for (std::size_t i = 0; i < width_; ++i) out_.words[at + i] = row[i];  // a loop is fast, because rows are short
         largest_ = std::max(largest_, message.front + message.back);
         ++waiting_;
     }

@@ -26,7 +26,7 @@ struct RowKeeping {
     diagnostics::Digest search{};        ///< identifies the search
     storage::Newest from;                ///< the checkpoint to continue from
     std::chrono::milliseconds every{0};  ///< time between checkpoints
-    bool disk = false;                   ///< rows that do not fit into memory are stored in files
+    bool disk = false;                   ///< whether rows that do not fit into memory are stored in files
     std::uint64_t most_bytes = 0;        ///< disk: memory limit for all ranks of a program together
     // disk: see DiskRowStore::Bounds
     unsigned filter_bits = DiskRowStore::Bounds{}.filter_bits;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a specification, in which an external choice whose operands have taus is a single state. Its operands
-// resolve their taus independently of each other. So the taus of n operands with d states each lead to d^n states, but
-// all that refinement needs of them follows from the operands alone (UCS 9.2, the rules of []; Roscoe, The Theory and
-// Practice of Concurrency, 1998, 8.2 to 8.4, for the resulting equations in T, N and F):
+// Explores a specification so that an external choice whose operands have taus is a single state. The operands resolve
+// their taus independently of each other. So the taus of n operands with d states each lead to d^n states, but all that
+// refinement needs to know about these states follows from the operands alone (UCS 9.2, the rules of []; Roscoe, The
+// Theory and Practice of Concurrency, 1998, 8.2 to 8.4, for the resulting equations in T, N and F):
 //
 //   1. The states that taus reach from P1 [] ... [] Pn are the choices Q1 [] ... [] Qn in which taus lead from each Pi
 //      to Qi, because a tau of one operand changes only this operand.

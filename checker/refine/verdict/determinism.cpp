@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determinism by its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are no
-// trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. Decided in up to three steps:
-//   * if no visited state has a tau or two transitions with the same event, P is deterministic;
-//   * otherwise by FDR's method (Lazic's; UCS 10.5 and 20). A process P' resolves every choice of P by the first
+// Decides determinism by its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are
+// no trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. The decision takes up to three
+// steps:
+//   * If no visited state has a tau or two transitions with the same event, P is deterministic.
+//   * Otherwise FDR's method is used (Lazic's; UCS 10.5 and 20). A process P' resolves every choice of P by the first
 //     transition. It is a deterministic process whose nodes are single states of P, and P is deterministic iff P
 //     refines P'. The reason is as follows. Let s be a shortest trace after which P both accepts and refuses an event.
 //     Before the end of s, all stable states agree. So P' has a stable state after s. Another state of P after s
 //     contradicts it: it accepts an event that the state of P' refuses, or refuses an event that the state of P'
-//     accepts;
-//   * in F, if the resolution finds a divergence: in the normal form, every acceptance of every node contains all
-//     events that the node can perform. A divergent state contributes no acceptance.
+//     accepts.
+//   * In F, if the resolution finds a divergence, the normal form is used: P is deterministic iff every acceptance of
+//     every node contains all events that the node can perform. A divergent state contributes no acceptance.
 #include <algorithm>
 #include <stdexcept>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches by levels that store their rows in files of a folder: as checkpoints, or because they do not fit into memory
-// (docs/search.md, "Checkpoints", "Out of core"). The folder contains
+// Manages searches by levels that store their rows in files of a folder, either as checkpoints or because they do not
+// fit into memory (docs/search.md, "Checkpoints", "Out of core"). The folder contains
 //
 //   lock               locked by a run as long as it uses the folder
 //   questions          the assertions so far, in order, and the program that checked them
-//   answers/           the results of those that are decided
+//   answers/           the results of the decided assertions
 //   search-HEX/        the levels and checkpoints of a search of an assertion that is not decided
 //
 // Another run that checks the same assertions in the same order continues from there.
