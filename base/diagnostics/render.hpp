@@ -16,7 +16,7 @@ struct TextStyle {
     std::size_t max_width = 160;  ///< longer source lines are cut around the caret
 };
 
-/// One diagnostic with excerpt and caret:
+/// Draws one diagnostic with excerpt and caret:
 ///   error[J1]: message
 ///     --> path:line:column
 ///      |

@@ -145,7 +145,7 @@ private:
         }
     }
 
-    /// Replaces tabs by four blanks, and comments that state expected findings by arrows.
+    /// Draws a line of an example. Tabs become four blanks, and comments that state expected findings become arrows.
     void code_line(std::string_view line) {
         constexpr std::string_view expectation = " expect: ";
         const std::size_t at = line.find(expectation);
