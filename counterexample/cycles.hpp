@@ -11,7 +11,7 @@
 
 namespace robochart::runs {
 
-/// A cycle of a run.
+/// What a component does in one cycle of a run.
 struct RunCycle {
     std::int64_t time = 0;             ///< number of time units before the cycle
     std::vector<std::string> inputs;   ///< the contents of the registers, without empty registers: "pressed", "x = 3"

@@ -14,7 +14,7 @@
 
 namespace robochart::runs {
 
-/// The results of a search.
+/// The elements that a search has found.
 struct Exercised {
     /// The elements (see element_in) that may cause a step. If a step has several candidates, all of them are included.
     /// An element that is not in this set causes no step.
