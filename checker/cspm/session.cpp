@@ -273,7 +273,7 @@ struct Session::Impl {
     }
 
     struct Sides {
-        /// `second` is null unless the assertion is a refinement
+        /// `second` is null unless the assertion is a refinement.
         std::unique_ptr<lts::TransitionSystem> first, second;
     };
 

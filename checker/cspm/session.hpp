@@ -36,7 +36,7 @@ struct Packing {
     /// if steps can be computed without terms (packed/direct_steps.hpp), and 1,000,000 otherwise.
     std::optional<std::size_t> from_terms;
     std::optional<std::size_t>
-        most_kept;             ///< maximal number of values and terms; 0: those of one state; none: by memory limit
+        most_kept;             ///< maximal number of values and terms; 0: as for one state; none: by memory limit
     bool terms_alone = false;  ///< whether all steps are computed with terms
 };
 
@@ -77,8 +77,8 @@ public:
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, bool offers = true);
     /// Splits the run within limits. Returns no value if a limit is reached.
     [[nodiscard]] std::optional<process::Behaviour> behaviour(const refine::Counterexample&, const refine::Limits&);
-    /// Splits the run for display. Adds values to the counterexample that the terms of its states do not contain,
-    /// because they are arguments that are never read. The terms of the result belong to another session.
+    /// Splits the run for display. Adds the values of arguments that are never read to the counterexample, because the
+    /// terms of its states do not contain these values. The terms of the result belong to another session.
     [[nodiscard]] std::optional<process::Behaviour> behaviour_with_values(const Decl& assertion,
                                                                           refine::Counterexample&,
                                                                           const refine::Limits&);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transition systems that are stored as graphs: one array contains the edges of all states, state by state. State 0 is
-// the initial state.
+// Stores transition systems as graphs: one array contains the edges of all states, state by state. State 0 is the
+// initial state.
 #pragma once
 
 #include <cassert>

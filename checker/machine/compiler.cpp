@@ -246,8 +246,8 @@ std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, diagnos
     return result;
 }
 
-/// Builds the skeleton without the compressions whose operands are too large. To find out, it tries each compression
-/// before its term becomes a component.
+/// Builds the skeleton without the compressions whose operands are too large. It tries each compression before the
+/// compressed term becomes a component.
 std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves, diagnostics::Pollable& budget) {
     constexpr int deepest_call = 100;
     process::TermStore& terms = semantics_.terms();

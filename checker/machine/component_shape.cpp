@@ -48,8 +48,8 @@ public:
     [[nodiscard]] const std::vector<Colour>& events() const { return events_; }
 
 private:
-    /// Computes the new colours. That of a state depends on its old colour and on the colours of all adjacent edges,
-    /// independently of the order of the edges.
+    /// Computes the new colours. The new colour of a state depends on its old colour and on the colours of all adjacent
+    /// edges, independently of the order of the edges.
     void refine_colours() {
         std::vector<Colour> states = states_;
         std::vector<Colour> events = events_;

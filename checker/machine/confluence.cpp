@@ -58,7 +58,8 @@ void Confluence::count_offers() {
     }
 }
 
-/// Lists each candidate at one of its components: the one that can perform its event in the fewest states.
+/// Lists each candidate at one of its components. This is the component that can perform its event in the fewest of its
+/// states.
 void Confluence::list_candidates(lts::Followed followed) {
     const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
@@ -316,8 +317,8 @@ public:
     [[nodiscard]] const std::vector<std::uint64_t>& state_keys() const { return keys_; }
     /// Returns the number of rules that the last proof examined.
     [[nodiscard]] std::uint64_t rules() const { return next_.rules; }
-    /// After a failed proof, returns the rule that disturbs it and then the rules on the path to the state of the
-    /// failure, the last rule of the path first.
+    /// After a failed proof, returns the rule that disturbs it, followed by the rules on the path to the state of the
+    /// failure, in reverse order.
     [[nodiscard]] const std::vector<RuleNumber>& blamed_rules() const { return blamed_; }
     /// After a failed proof, returns the keys of the states on the path, from the state of the failure back to the
     /// first state. The rules between the n-th of these states and the failure are the first n - 1 of blamed_rules().

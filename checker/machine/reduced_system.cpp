@@ -278,8 +278,8 @@ bool ReducedSystem::pass_followed_step(lts::StateView state) {
     return true;
 }
 
-/// Returns the cycle system of the original process: each cycle of the reduced system is one of its cycles without the
-/// followed taus.
+/// Reduces the cycle system of the whole process. A cycle of the reduced system is a cycle of the process in which the
+/// followed taus are left out.
 std::unique_ptr<lts::TransitionSystem> ReducedSystem::make_cycle_system(diagnostics::Pollable& budget) const {
     std::unique_ptr<lts::TransitionSystem> whole = whole_->make_cycle_system(budget);
     if (!whole || followed_ != lts::Followed::taus) return nullptr;

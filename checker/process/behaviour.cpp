@@ -35,9 +35,9 @@ struct Work {
     std::size_t parts = 0;
 };
 
-/// Searches for a shortest run with these events to a stable state with the offer of `end`, if `end` is stable;
-/// otherwise to any state. Searches breadth first over pairs of a term and the number of events performed. Returns no
-/// value if the work limit is reached.
+/// Searches for a shortest run with these events. If `end` is stable, the run must end in a stable state with the same
+/// offer. Searches breadth first over pairs of a term and the number of events performed. Returns no value if the work
+/// limit is reached.
 std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantics, TermId from,
                                                   const std::vector<Event>& events, const Behaviour& end, Work& work) {
     struct Node {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the firing rules of every operator; each has its published statement. Private to checker/process.
+// Implements the firing rules of every operator, each with its published statement. Private to checker/process.
 #pragma once
 
 #include <optional>

@@ -54,8 +54,8 @@ public:
     /// definitions.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
-    /// Returns the first state of the machine as which a compressed term behaves. Returns no value if the term is not
-    /// compressed, there is no compressor, the compression is omitted, or the term has no transitions. Throws as
+    /// Returns the first state of the machine that gives a compressed term its behaviour. Returns no value if the term
+    /// is not compressed, there is no compressor, the compression is omitted, or the term has no transitions. Throws as
     /// `successors`.
     std::optional<TermId> first_machine_state(TermId term);
     /// Returns the terms whose compression was omitted so far because their operands have too many states.

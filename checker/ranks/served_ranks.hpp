@@ -46,9 +46,9 @@ private:
 };
 
 /// Every program except the first one runs this function. It takes part in each search until rank 0 ends. The first
-/// program reports why a search ended. This function only throws errors of its own program for which the other ranks
-/// wait. `program`: the identity of this program. If another version has sent the search, its rows and messages may
-/// have another form, so all ranks leave the search together (storage::BadFile).
+/// program reports why a search ended. This function throws only errors that occur in its own program while the other
+/// ranks wait for this program. `program`: the identity of this program. If another version has sent the search, its
+/// rows and messages may have another form, so all ranks leave the search together (storage::BadFile).
 void serve_searches(refine::Exchange& exchange, const std::string& program);
 
 }  // namespace robochart::ranks

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes with sets of values and with dotted values. The latter are channels and constructors with their fields,
+// Computes with sets of values and with dotted values. Dotted values are channels and constructors with their fields,
 // their extensions, and events.
 #pragma once
 

@@ -126,9 +126,9 @@ Value Evaluator::delay_argument(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// Evaluates a part of a value early if this takes little work, because the part may never be needed. If the work limit
-// is reached, the evaluations in progress are completed with unevaluated parts. If that also takes too long, the whole
-// part stays unevaluated.
+// Evaluates a part of a value early, but only if this takes little work: the part may never be needed. If the work
+// limit is reached, the evaluations in progress are completed with unevaluated parts. If that also takes too long, the
+// whole part stays unevaluated.
 Value Evaluator::promise_part(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
     if (code.constant != nullptr) return code.constant;

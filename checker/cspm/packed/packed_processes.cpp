@@ -99,8 +99,8 @@ std::size_t PackedProcesses::kept_object_count() const {
     return loaded_->store.size() + loaded_->terms.size();
 }
 
-/// Drops all evaluated data if they are much more than the data of the first state. The latter are mainly the constants
-/// of the script, which are needed again after every reload.
+/// Drops all evaluated data if they are much more than the data of the first state. The data of the first state are
+/// mainly the constants of the script, which are needed again after every reload.
 void PackedProcesses::forget_if_large() {
     const std::size_t now = kept_object_count();
     if (kept_at_start_ == 0) kept_at_start_ = now;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives suggestions for errors in a script. What the parser expected and what it found select a suggestion
+// Gives suggestions for errors in a script. A suggestion is selected by what the parser expected and what it found
 // (parser.hpp).
 #pragma once
 

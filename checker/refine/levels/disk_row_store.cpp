@@ -79,8 +79,8 @@ std::uint64_t DiskRowStore::rows_sorted_at_once() const {
     return std::max<std::uint64_t>(most_open_ / 4, 64);
 }
 
-/// Sorts the rows of the open level in pieces, because each row of a piece exists three times in memory while it is
-/// sorted, and writes each piece as a run.
+/// Writes the rows of the open level as runs. The rows are sorted in pieces, because each row of a piece exists three
+/// times in memory while it is sorted.
 void DiskRowStore::write_open() {
     note_peak();
     const auto piece = static_cast<StateIndex>(rows_sorted_at_once());
@@ -134,8 +134,8 @@ void DiskRowStore::add_to_filter(std::span<const Word> rows) {
         });
 }
 
-/// Fills the filter with the rows of the levels and the rows put aside. The latter are included because an unsure row
-/// must stay unsure until it is settled, but a filter of another size might reject it.
+/// Fills the filter with the rows of the levels and the rows put aside. Rows put aside are included, because an unsure
+/// row must stay unsure until it is settled; a filter of another size might reject it.
 void DiskRowStore::fill_filter() {
     filter_.reset(kept_.files().rows());
     if (filter_.capacity() == 0) return;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A store for more rows than fit into memory (docs/search.md, "Out of core"). Sorted files contain all closed levels.
-// Memory contains a filter over all closed levels, and rows of the open level. The latter are written as sorted runs
-// when they need too much memory. A row that the filter rejects is new. A row that it accepts is almost certainly a
-// duplicate: it is put aside, in files if there are many such rows. From time to time, and before any verdict, the
-// store settles these rows: it reads all levels and looks for them. A row that no level contains was taken for a
-// duplicate by mistake. If it belongs to the open level, it is added to this level. Otherwise the search rolls back to
-// the level of the row.
+// Memory contains a filter over all closed levels, and rows of the open level. Rows of the open level are written as
+// sorted runs when they need too much memory. A row that the filter rejects is new. A row that it accepts is almost
+// certainly a duplicate: it is put aside, in files if there are many such rows. From time to time, and before any
+// verdict, the store settles these rows: it reads all levels and looks for them. A row that no level contains was taken
+// for a duplicate by mistake. If it belongs to the open level, it is added to this level. Otherwise the search rolls
+// back to the level of the row.
 #pragma once
 
 #include <algorithm>

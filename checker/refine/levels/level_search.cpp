@@ -330,7 +330,7 @@ void LevelSearch::roll_back_to(Level level) {
         work_.execute_part([this] { close_level_of_store(); });
 }
 
-/// Closes the open level, because the expanded level and the open level are complete.
+/// Closes the open level. The expanded level and the open level must be complete.
 void LevelSearch::close_level() {
     work_.execute_part([this] {
         // All closed levels except the last one have been expanded before.

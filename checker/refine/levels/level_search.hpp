@@ -5,7 +5,7 @@
 // levels again.
 //
 // The result does not depend on the number of ranks, nor on where rows are stored. If there are several violations at
-// the least level, a state's fault comes before a forbidden event. Among several faults, that of the least row is
+// the least level, a state's fault comes before a forbidden event. Among several faults, the fault of the least row is
 // reported; rows are compared by their words. If a row has several predecessors, the run contains the least of them, by
 // words, then by event and revealed event. If a violation is found, the statistics include its whole level.
 #pragma once

@@ -19,7 +19,7 @@ namespace robochart::refine {
 
 /// Describes the row stores of a search; the description is the same at all ranks.
 struct RowKeeping {
-    /// Used only by this search, created by the first rank; "" if rows are stored only in memory.
+    /// A folder that the first rank has created and that only this search uses; "" if rows are stored only in memory.
     std::string folder;
     /// The contents of the folder's file `run_name`, by which a rank recognises the folder of the first rank.
     std::string run;

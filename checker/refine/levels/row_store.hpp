@@ -82,9 +82,9 @@ public:
     /// which one of the other rows belongs. The search calls this function if a rank wants to settle its rows, and
     /// before any verdict.
     [[nodiscard]] virtual std::optional<Level> settle_unsure_rows() { return std::nullopt; }
-    /// Opens `level` again, which is at most the open level, with its rows and with the settled rows that belong to it.
-    /// Drops later levels and unsure rows. Rows that were mistaken for duplicates are stored exactly afterwards. All
-    /// ranks call it with the least level of all ranks.
+    /// Opens `level` again, which is at most the open level. It keeps the rows of this level, adds the settled rows
+    /// that belong to it, and drops later levels and unsure rows. Rows that were mistaken for duplicates are stored
+    /// exactly afterwards. All ranks call it with the least level of all ranks.
     virtual void roll_back_to(Level /*level*/) {}
 
     /// Returns true if it is time to write a checkpoint.

@@ -136,7 +136,7 @@ void TauElimination::find_reached_rows() {
         });
 }
 
-/// Removes all rows to which no tau of a remaining row leads, until there are no more such rows.
+/// Removes rows to which no tau of a remaining row leads, until no such row is left.
 void TauElimination::eliminate() {
     for (StateIndex row = 0; row < taus_to_.size(); ++row)
         if (taus_to_[row] == 0) dropped_.push_back(row);

@@ -10,7 +10,7 @@
 namespace robochart::refine {
 
 /// Forwards all calls to another exchange. During each call it holds the object that Limits::undisturbed returns. If a
-/// limit has been reached during a call, it holds that object until it is destroyed itself. By then, all ranks have
+/// limit has been reached during a call, it holds that object until its own destruction. By then, all ranks have
 /// learned of the limit and written their results.
 class UndisturbedExchange final : public Exchange {
 public:

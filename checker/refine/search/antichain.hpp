@@ -22,7 +22,7 @@ public:
 
     /// Returns the number of a state, in the order of first appearance.
     lts::StateIndex number_state(lts::StateView state);
-    /// Returns true if a pair with this state has been entered whose node is included in `node`.
+    /// Returns true if an entered pair has this state and a node that is included in `node`.
     [[nodiscard]] bool is_covered(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
     void enter_node(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair);
     /// Returns true if one of the state's pairs has a node that is included in `node` and differs from it.

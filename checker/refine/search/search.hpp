@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches, breadth first, the pairs of a state of the system and a node of a monitor that observes its runs. States
-// are expanded in the order of discovery. So the first finding has a shortest run and is the same every time.
+// Searches pairs breadth first. A pair consists of a state of the system and a node of a monitor, which observes the
+// runs of the system. States are expanded in the order of discovery. So the first finding has a shortest run and is the
+// same every time.
 #pragma once
 
 #include <limits>

@@ -9,7 +9,7 @@ namespace robochart::refine {
 
 /// Returns the counterexample for a violation, with descriptions of its states. The caller must fill in `required`.
 [[nodiscard]] Counterexample make_counterexample(const Confirmed& confirmed);
-/// Adds to a counterexample of determinism the run that accepts the event which its own run refuses.
+/// Adds a second run to a counterexample of determinism. This run accepts the event that the first run refuses.
 void tell_accepting(const Confirmed& accepting, Counterexample& counterexample);
 
 }  // namespace robochart::refine

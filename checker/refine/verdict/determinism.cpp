@@ -64,7 +64,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
     return std::nullopt;
 }
 
-/// Returns the shortest run with the trace of the ambiguity to a state that can refuse its event.
+/// Returns the shortest run with the trace of the ambiguity to a state that can refuse the event of the ambiguity.
 Violation refusing_run(lts::TransitionSystem& system, const Ambiguity& ambiguity, Budget& budget) {
     TraceMonitor monitor(ambiguity.trace, ambiguity.trace.size(), ambiguity.event);
     Search search(system, monitor, budget);

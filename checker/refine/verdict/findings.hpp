@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a search before its confirmation. It can be encoded as bytes for use by another run of the program.
+// Represents the result of a search before it is confirmed. The result can be encoded as bytes for use by another run
+// of the program.
 #pragma once
 
 #include <optional>

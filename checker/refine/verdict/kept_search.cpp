@@ -79,7 +79,7 @@ std::string random_text() {
     return fmt::format("{:016x}{:016x}", bits[0], bits[1]);
 }
 
-/// Returns true if a run that was killed while it wrote has left this entry.
+/// Returns true if this entry was left by a run that was killed while it was writing.
 bool is_unfinished(const fs::directory_entry& entry) {
     std::error_code ignored;
     return diagnostics::is_unfinished(entry.path().filename().string()) &&

@@ -69,8 +69,8 @@ public:
     virtual void end_question(bool /*decided*/) {}
     /// Called after the last assertion, unless some assertion was omitted.
     virtual void all_asked() {}
-    /// Returns the cache for answers of searches of this kind, whose statistics differ from those of other searches.
-    /// Returns null if there is no such cache.
+    /// Returns the cache for the answers of searches by levels, or null if there is none. These answers have a separate
+    /// cache, because their statistics differ from those of other searches.
     [[nodiscard]] virtual diagnostics::Cache* answers() { return nullptr; }
     /// Searches the system and returns the violation found. Throws LimitReached. If the system cannot be searched in
     /// this way, the exception contains the reason.

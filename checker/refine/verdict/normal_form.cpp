@@ -132,9 +132,9 @@ bool NormalForm::diverges(Node node) {
     return *data.diverges;
 }
 
-/// Returns true if taus lead from the state into a cycle of taus. All calls share one depth-first search. If the search
-/// leaves a state without having reached a state on the current path or a divergent state, all states that it reached
-/// have the same property. So this answer is final.
+/// Returns true if taus lead from the state into a cycle of taus. All calls share one depth-first search. A state is
+/// finished when the search leaves it. If it has reached neither the current path nor a divergent state, it reaches
+/// only finished states of this kind, so its answer is final.
 bool NormalForm::state_diverges(StateIndex root) {
     enum : std::uint8_t { unvisited, on_path, finite, infinite };
     struct Frame {

@@ -13,7 +13,7 @@
 
 namespace robochart::refine {
 
-/// A query about a system, with what the reductions must know about it.
+/// A query about a system, with the facts about the query that the reductions need.
 struct SearchQuestion {
     /// Searches for a violation in a system. If `known` is given, it is a violation of the whole system, and the
     /// function searches for a shortest violation.

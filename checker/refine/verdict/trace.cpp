@@ -100,9 +100,9 @@ Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& tra
     return doubts;
 }
 
-/// Makes the verdict inconclusive if FDR's manual does not define it: the manual does not define `has trace` in the
-/// failures models. If the system cannot perform the trace, or if it neither refuses nor diverges along the trace, the
-/// answer is that of the traces model. Otherwise the answer is undefined.
+/// Makes the verdict inconclusive if the answer is undefined. FDR's manual does not define `has trace` in the failures
+/// models. If the system cannot perform the trace, or if it neither refuses nor diverges along the trace, the answer is
+/// that of the traces model. Otherwise the answer is undefined.
 void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
                  Verdict& verdict) {
     const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";

@@ -59,7 +59,7 @@ struct Verdict {
     Outcome outcome = Outcome::inconclusive;
     /// Inconclusive: the limit that was reached, or the evaluation error.
     std::string reason;
-    /// It exists iff the assertion fails, and for has trace iff the trace is impossible.
+    /// Present iff the assertion fails; for `has trace`, present iff the trace is impossible.
     std::optional<Counterexample> counterexample;
     Statistics statistics;
     bool known = false;  ///< whether answer and statistics are from an earlier search of the same systems
