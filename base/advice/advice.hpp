@@ -10,7 +10,8 @@
 
 namespace robochart::diagnostics {
 
-/// A row of a language's table: a mistake that authors who know another notation make, and the correct form.
+/// A row of the table of a language. It describes a mistake that is common among authors who know another notation, and
+/// the correct form.
 struct Advice {
     std::string_view expected;  ///< what the parser expected, in the words of its message; "" for any
     /// The tokens around the error, separated by blanks. `@` marks the place of the error: the token after `@` is the

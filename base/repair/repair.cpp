@@ -193,8 +193,8 @@ private:
         return apply_candidates(before_, all);
     }
 
-    /// Returns true if the findings are better than the present ones after this many fixes. If there are hundreds of
-    /// findings, not all of them are stored, so only their numbers are compared.
+    /// Returns true if the findings `then`, after this many further fixes, are better than the present findings. If
+    /// there are hundreds of findings, not all of them are stored, so only their numbers are compared.
     [[nodiscard]] bool is_better(const Faults& then, std::size_t fixes) const {
         if (now_.dropped > 0 || then.dropped > 0) return then.count() + fixes <= now_.count();
         for (const Level level : levels) {

@@ -42,8 +42,8 @@ struct RulePage {
 };
 
 [[nodiscard]] RulePage read_page(std::string_view text);
-/// Returns the reason on the page of a rule. Its paragraphs have no line breaks and are separated by an empty line.
-/// Links are shown by their names; code words keep their backquotes.
+/// Returns the reason for a rule, as the page of the rule states it. Its paragraphs have no line breaks and are
+/// separated by an empty line. Links are shown by their names; code words keep their backquotes.
 [[nodiscard]] std::string reason_for(const Rule&);
 
 /// Renders the page for a terminal. Examples are indented, links are shown by name, and headings and code words are

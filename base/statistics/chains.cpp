@@ -44,7 +44,7 @@ std::size_t permitted_of(const std::vector<bool>& row) {
 std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& counts, const Permitted& permitted,
                                                         double error) {
     std::size_t open = 0;
-    // Intervals by counts, because many transitions have the same counts.
+    // Stores intervals by their counts, because many transitions have the same counts.
     std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known;
     for (const std::vector<bool>& row : permitted)
         if (permitted_of(row) > 1) open += permitted_of(row);
