@@ -56,7 +56,8 @@ std::optional<std::string_view> number_in(std::string_view call) {
 constexpr std::size_t longest_stack = 30;
 
 /// Returns the message "the sequence <1, 2> has no element 3" if a function of the scripts' library failed because it
-/// looked for a missing element, and "" for any other error. This function calls itself with the rest of the sequence.
+/// looked for a missing element, and "" for any other error. The library function calls itself with the rest of the
+/// sequence, so the outermost of its calls shows the whole sequence.
 std::string missing_element(const cspm::EvaluationError& error) {
     for (const std::string_view function : {"access_", "update_"}) {
         if (!std::string_view(error.what()).starts_with(fmt::format("no clause of '{}'", function))) continue;

@@ -18,7 +18,7 @@ namespace robochart::runs {
 [[nodiscard]] std::string placed_failure(const cspm::EvaluationError&, const ir::System&,
                                          const diagnostics::SourceManager&);
 
-/// Returns true if the cause of an error with this message is the carriers and not the model: a value does not belong
+/// Returns true if an error with this message is caused by the carriers and not by the model: a value does not belong
 /// to the carrier of a channel, or a set of values is too large to be listed.
 [[nodiscard]] bool leaves_carriers(std::string_view message);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explores the states of a process with Stepper, and stores what they share only once.
+// Explores the states of a process with Stepper. Data that several states share are stored only once.
 #include "counterexample/exploration.hpp"
 
 #include <fmt/format.h>

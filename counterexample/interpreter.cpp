@@ -359,8 +359,8 @@ void Interpreter::fold_tocks() {
 
 // ---------------------------------------------------------------- offers
 
-/// Returns the transitions of a term, or an empty list if definitions cannot be evaluated. The latter is no error,
-/// because alternatives are not part of the verdict.
+/// Returns the transitions of a term, or an empty list if definitions cannot be evaluated. An evaluation error is
+/// ignored here, because alternatives are not part of the verdict.
 std::vector<process::Transition> Interpreter::transitions_at(TermId term) const {
     try {
         return context_.session.transitions(term);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts a counterexample of the checker to a run in terms of the model. A step is described by the actions of the
-// sequential components that take part in it. Their own names of the event are used. So renaming, hiding and priority
-// around a component (in a check, a composition or a CSP block) do not affect the description.
+// sequential components that take part in it, with the components' own names of the event. So renaming, hiding and
+// priority around a component (in a check, a composition or a CSP block) do not affect the description.
 #pragma once
 
 #include "counterexample/run.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Describes the steps of processes in terms of the model. A step is described by the actions of the sequential
-// components that take part in it. Their own names of the event are used. Counterexamples, the search for transitions
-// that never fire, and stepping by hand use this description.
+// components that take part in it, with the components' own names of the event. Counterexamples, the search for
+// transitions that never fire, and stepping by hand use this description.
 #pragma once
 
 #include <map>

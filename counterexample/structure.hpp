@@ -24,9 +24,9 @@ struct Blocked {
     std::string reason;  ///< "`Q` has to take part, and does not offer it ([|{a}|])"
 };
 /// Finds at most `most` blocked events by the rules of the operators (UCS 5.1, 5.6 for hiding, FDR manual for
-/// priorities). The first operator above a component that does not let an event of the component pass blocks this
-/// event. If this operator hides the event, it happens as a hidden step; if the operator renames it, it happens under
-/// another name. In both cases it is not blocked.
+/// priorities). An event of a component is blocked by the first operator above the component that does not let the
+/// event pass. If this operator hides the event, it happens as a hidden step; if the operator renames it, it happens
+/// under another name. In both cases it is not blocked.
 [[nodiscard]] std::vector<Blocked> blocked_events(const process::Behaviour& whole, std::size_t most);
 
 }  // namespace robochart::runs

@@ -30,8 +30,7 @@ public:
     Timeline build_timeline(const Behaviour& whole);
 
 private:
-    /// When a part exists: the first moment in which it exists (no value: from the start), and the first moment in
-    /// which it no longer exists.
+    /// The time in which a part exists: from moment `begin` (no value: from the start) until before moment `end`.
     struct Span {
         std::optional<Point> begin = std::nullopt, end = std::nullopt;
     };
@@ -39,7 +38,7 @@ private:
         TermId initial;
         Span span;
     };
-    /// Adds a part. `moments` contains one moment for each step by which the part's steps are counted.
+    /// Adds a part. `moments`: the moment of each step of the run to which the part's trace refers.
     void add(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_leaf(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_compressed(const Behaviour& part, const std::vector<Point>& moments, Span span);
