@@ -513,8 +513,8 @@ bool Confluence::commutes_with(const Part& part, const Part& other, Local local)
     });
 }
 
-/// Adds the states of the tracked components to which the rule `other` can lead. Only the parts of the rule from index
-/// `place` on are still to be applied.
+/// Adds the states of the tracked components to which the rule `other` can lead. The parts of the rule before index
+/// `place` have already been applied.
 void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                               Outcomes& next) const {
     const std::vector<Part>& parts = rules_->rules[other].parts;

@@ -17,7 +17,7 @@
 
 namespace robochart::refine {
 
-/// The result: a row on a cycle of taus, with this cycle.
+/// A row on a cycle of taus, and this cycle.
 struct TauCycle {
     Words row;
     Level level = 0;
