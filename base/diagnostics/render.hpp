@@ -26,9 +26,9 @@ struct TextStyle {
 [[nodiscard]] std::string render_text(const SourceManager&, const Diagnostic&, const TextStyle& = {});
 /// Draws all findings in sorted order, then their number ("2 errors, 1 warning"). Returns "" if there are none.
 [[nodiscard]] std::string render_text(const SourceManager&, const Diagnostics&, const TextStyle& = {});
-/// Returns
-/// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]};
-/// docs/cli.md describes the fields. `limit` is the reason why the check is incomplete, or "" if it is complete.
+/// Returns the findings as {"schema":"robochart-verify/diagnostics/1","diagnostics":[...]}. Each finding is an object
+/// {code,severity,message,file,line,column,endLine,endColumn,notes,fixes}; docs/cli.md describes the fields. `limit` is
+/// the reason why the check is incomplete, or "" if it is complete.
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
 /// The data that a SARIF log needs besides the findings.
 struct SarifRules {
