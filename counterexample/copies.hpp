@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distinguishes copies of one component that run together. It finds the copy to which each sequential component of a
 // run belongs, and the copy that performs an event of the whole process. Machines of different copies have the same
-// name in the model; the copy is appended.
+// name in the model, so the copy is appended to the name.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,22 @@ namespace robochart::runs {
 
 class Copies {
 public:
-    /// `meaning` must outlive the object. Without a value, no copies are distinguished.
+    /// `meaning` must outlive this object. If it has no value, no copies are distinguished.
     explicit Copies(const std::optional<csp_emit::CopiesMeaning>& meaning) : meaning_(meaning) {}
 
-    /// The copy that performs an event, given the event's name in the whole process.
+    /// Returns the copy that performs an event. `name`: the name of the event in the whole process.
     [[nodiscard]] std::optional<std::uint32_t> of_event(const std::string& name) const;
-    /// The action of the copy in words, if the component's own events do not show it; otherwise no value.
+    /// Returns the action of the copy in words if the component's own events do not show it. Returns no value
+    /// otherwise.
     [[nodiscard]] std::optional<std::string> words_for(const std::string& name) const;
-    /// For each leaf, `of_model` tells whether it is in definitions of the model. Every copy has the same number of
-    /// leaves, in the order of the copies.
+    /// Numbers the leaves. For each leaf, `of_model` says whether the leaf is in definitions of the model. Every copy
+    /// must have the same number of such leaves, in the order of the copies.
     void number_leaves(const std::vector<bool>& of_model);
-    /// Must be called if the leaves cannot be distinguished.
+    /// Must be called if it is unknown which leaves belong to which copy.
     void forget_leaves() { leaves_.clear(); }
     [[nodiscard]] std::optional<std::uint32_t> of_leaf(Leaf leaf) const;
-    /// "P::M::c::s of robot 1"; "robot 1" if the event belongs to no component of the copy; unchanged without a copy.
+    /// Returns "P::M::c::s of robot 1", or "robot 1" if the event belongs to no component of the copy. Without a copy,
+    /// returns the name unchanged.
     [[nodiscard]] std::string name_with_copy(const std::string& component, std::optional<std::uint32_t> copy) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See cycles.hpp. A cycle begins with the first step after time has passed that reads, writes or ends the execution.
-// Between the time units of one cycle, a component has only internal steps.
+// Divides a run into cycles. A cycle begins with the first step after time has passed that reads a register, writes an
+// output or ends the execution. Between the time units of one cycle, a component has only internal steps.
 #include "counterexample/cycles.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ bool is_write(const Step& step) {
     return step.event.kind == Kind::output || step.event.kind == Kind::call || step.event.kind == Kind::assignment;
 }
 
-/// The text of an event without its first word, which is its kind: "lit(true)".
+/// Returns the text of an event without its first word, which is its kind: "lit(true)".
 std::string without_kind(const std::string& text) {
     return text.substr(text.find(' ') + 1);
 }
@@ -39,7 +39,7 @@ std::vector<std::string> states_of(const std::vector<Machine>& machines) {
 std::vector<RunCycle> cycles_of(const Run& run) {
     std::vector<RunCycle> result;
     if (std::ranges::none_of(run.steps, is_of_cycles)) return result;
-    bool passed = true;  // time has passed since the last step of a cycle
+    bool passed = true;  // whether time has passed since the last step of a cycle
     for (const Step& step : run.steps) {
         if (step.event.kind == Kind::tock) {
             passed = true;

@@ -17,8 +17,8 @@
 namespace robochart::runs {
 namespace {
 
-/// The remark "; the constant speed has no value in the model and is 0 (--const speed=1 gives it one)" if a divisor
-/// contains such a constant; otherwise "".
+/// Returns the remark "; the constant speed has no value in the model and is 0 (--const speed=1 gives it one)" if a
+/// divisor contains such a constant, otherwise "".
 std::string open_constants(const cspm::EvaluationError& error, const ir::System& system) {
     if (std::string_view(error.what()).find("by zero") == std::string_view::npos) return "";
     const std::vector<std::string> names = ir::open_divisors(system, error.span);
@@ -31,7 +31,7 @@ std::string open_constants(const cspm::EvaluationError& error, const ir::System&
                        one ? "it one" : "them one");
 }
 
-/// The first argument of a call such as "f(<1, 2>, 3)" if it is a sequence; otherwise "".
+/// Returns the first argument of a call such as "f(<1, 2>, 3)" if it is a sequence, otherwise "".
 std::string_view sequence_in(std::string_view call) {
     const std::size_t begin = call.find('(') + 1;
     std::size_t depth = 0;
@@ -43,7 +43,7 @@ std::string_view sequence_in(std::string_view call) {
     return "";
 }
 
-/// The last argument of such a call if it is a number; otherwise no value.
+/// Returns the last argument of such a call if it is a number. Returns no value otherwise.
 std::optional<std::string_view> number_in(std::string_view call) {
     const std::size_t before = call.rfind(", ");
     if (before == std::string_view::npos || !call.ends_with(')')) return std::nullopt;
@@ -52,11 +52,12 @@ std::optional<std::string_view> number_in(std::string_view call) {
     return number;
 }
 
-/// The number of calls that an error records (Work::fail).
+/// The maximal number of calls in the call stack of an error (Work::fail).
 constexpr std::size_t longest_stack = 30;
 
-/// The message "the sequence <1, 2> has no element 3" if a function of the scripts' library failed because it looked
-/// for a missing element; "" for any other error. The function calls itself with the rest of the sequence.
+/// Returns the message "the sequence <1, 2> has no element 3" if a function of the scripts' library failed because it
+/// looked for a missing element, and "" for any other error. The library function calls itself with the rest of the
+/// sequence, so the outermost of its calls shows the whole sequence.
 std::string missing_element(const cspm::EvaluationError& error) {
     for (const std::string_view function : {"access_", "update_"}) {
         if (!std::string_view(error.what()).starts_with(fmt::format("no clause of '{}'", function))) continue;
@@ -77,7 +78,7 @@ std::string missing_element(const cspm::EvaluationError& error) {
 
 constexpr std::string_view outside = " is not a value of its field";
 
-/// The message "a value leaves its carrier: <1, 2, 3>"; "" for any other error.
+/// Returns the message "a value leaves its carrier: <1, 2, 3>", or "" for any other error.
 std::string value_outside(std::string_view message) {
     constexpr std::size_t longest = 80;
     const std::size_t end = message.find(outside);

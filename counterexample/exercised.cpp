@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See exercised.hpp.
+// Searches the states of a process and records the elements that cause its steps.
 #include "counterexample/exercised.hpp"
 
 #include <deque>
@@ -29,7 +29,8 @@ private:
     Exercised result_;
     std::set<TermId> seen_;
     std::deque<TermId> waiting_;
-    /// The component steps seen so far, because a component performs the same step in many states of the whole process.
+    /// The steps of components that have been seen. A component performs the same step in many states of the whole
+    /// process.
     std::set<std::tuple<TermId, process::Event, TermId>> noted_;
 };
 

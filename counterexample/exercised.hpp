@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the elements of the model that the reachable states of a process exercise: transitions that fire and statements
-// that are executed. It searches the states of the operational semantics breadth-first, in which the steps of all
-// components are visible.
+// that are executed. It searches breadth first in the operational semantics, where the steps of all components are
+// visible.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 
 namespace robochart::runs {
 
-/// The results of a search.
+/// The elements that a search has found.
 struct Exercised {
-    /// Elements (see element_in) that may cause a step. If a step has several candidates, all of them are included. An
-    /// element that is not in the set causes no step.
+    /// The elements (see element_in) that may cause a step. If a step has several candidates, all of them are included.
+    /// An element that is not in this set causes no step.
     std::set<std::string> possible;
-    /// The elements in `possible` that are the only candidate of some step.
+    /// The elements that are the only candidate for the cause of some step.
     std::set<std::string> certain;
     std::uint64_t states = 0;  ///< number of explored states
-    bool all = true;           ///< every reachable state was explored
+    bool all = true;           ///< whether every reachable state was explored
 };
 
-/// Explores at most `most` states. Polls the budget for each state. Throws like
+/// Searches at most `most` states. Polls the budget for each state. Throws the same exceptions as
 /// cspm::Session::transitions.
 [[nodiscard]] Exercised find_exercised(StepReader&, process::TermId process, std::uint64_t most,
                                        diagnostics::Pollable& budget);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See exploration.hpp.
+// Explores the states of a process with Stepper. Data that several states share are stored only once.
 #include "counterexample/exploration.hpp"
 
 #include <fmt/format.h>
@@ -87,7 +87,7 @@ private:
         return result;
     }
 
-    /// The recursion ends, because behaviour() limits the depth of a structure.
+    /// Adds a part with its operands. The recursion ends, because behaviour() limits the depth of a structure.
     std::size_t add_part(const process::Behaviour& whole) {
         Exploration::Part result{part_text(whole), {}, {}};
         for (const process::Behaviour& part : whole.parts) result.parts.push_back(add_part(part));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states that stepping by hand can reach, breadth-first and up to a limit, as data for a page that steps without
-// the checker. Offers, machines and absences are those of Stepper. This file contains the types and the function that
-// computes them.
+// Computes the states that stepping by hand can reach, breadth first and up to a limit. A page uses these data for
+// stepping without the checker. Offers, machines and absences are those of Stepper.
 #pragma once
 
 #include <compare>
@@ -15,9 +14,10 @@
 
 namespace robochart::runs {
 
-/// Part of the state space of a process. Data that states share is stored once and referred to by index.
+/// Part of the state space of a process. Data that several states share are stored once; the states refer to them by
+/// index.
 struct Exploration {
-    /// An offer without the states that it connects.
+    /// An offer without its source and target states.
     struct Label {
         Happening happening;
         std::string name;  ///< the name of the event, as in Offer
@@ -27,7 +27,7 @@ struct Exploration {
     };
     struct Transition {
         std::size_t label = 0;
-        std::optional<std::size_t> target;  ///< no value: the state after it was not explored
+        std::optional<std::size_t> target;  ///< no value if the state after the transition was not explored
     };
     /// A part of the structure of a process: an operator with its operands, or a component.
     struct Part {
@@ -38,12 +38,12 @@ struct Exploration {
         friend auto operator<=>(const Part&, const Part&) = default;
     };
     struct State {
-        std::vector<std::size_t> machines;  ///< indices of the machines in this state
-        std::string process;                ///< the text of the process, if there is no machine
+        std::vector<std::size_t> machines;  ///< indices of the machines in the state
+        std::string process;                ///< the text of the process, if the state has no machine
         std::vector<Transition> offers;     ///< all offers, in the order of Stepper::offers
         std::vector<std::size_t> absences;
-        std::optional<std::size_t> structure;  ///< index of the root; no value if it cannot be evaluated
-        std::string error;  ///< the reason why its definitions cannot be evaluated; it then has no offers
+        std::optional<std::size_t> structure;  ///< index of the root; no value if the structure cannot be evaluated
+        std::string error;  ///< why the definitions cannot be evaluated; the state then has no offers
     };
 
     std::vector<State> states;  ///< the first is the initial one
@@ -51,8 +51,8 @@ struct Exploration {
     std::vector<Machine> machines;
     std::vector<Absence> absences;
     std::vector<Part> parts;
-    std::size_t left_out = 0;  ///< states that were found but not explored
-    std::string limit;         ///< the limit that ended the exploration; "" if none did
+    std::size_t left_out = 0;  ///< number of states that were found but not explored
+    std::string limit;         ///< the limit that ended the exploration, or ""
 };
 
 /// The limits of an exploration.
@@ -61,8 +61,8 @@ struct ExplorationLimits {
     std::size_t transitions = 200'000;
 };
 
-/// The part of a process that can be reached from a state. Polls the budget; if its limit is reached, the result
-/// contains what was explored until then.
+/// Explores the states that can be reached from a state. Polls the budget. If a limit of the budget is reached, the
+/// result contains what was explored until then.
 [[nodiscard]] Exploration explore_process(StepReader&, process::TermId initial, const ExplorationLimits&,
                                           diagnostics::Budget&);
 

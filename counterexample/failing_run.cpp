@@ -14,7 +14,7 @@ namespace {
 
 using process::TermId;
 
-/// A breadth-first search that remembers the step by which it found each state.
+/// Searches breadth first and remembers, for each state, the step by which it was found.
 class FailureSearch {
 public:
     FailureSearch(const Context& context, csp_emit::Time time) : context_(context), time_(time) {}

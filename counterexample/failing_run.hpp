@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds a run after which an expression of the model has no value, such as a division by zero. It searches the states
-// of the operational semantics breadth-first, so the run is a shortest one.
+// Finds a run after which an expression of the model has no value, for example because of a division by zero. It
+// searches breadth first in the operational semantics, so the run is a shortest one.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 namespace robochart::runs {
 
 struct FailingRun {
-    Run run;              ///< its end has the kind `undefined`
-    std::string failure;  ///< "m.rct:8: division by zero, in P::S::t1"
+    Run run;              ///< the kind of its end is `undefined`
+    std::string failure;  ///< such as "m.rct:8: division by zero, in P::S::t1"
 };
 
-/// Explores at most `most` states. No value if none of them fails. Polls the budget for each state.
+/// Searches at most `most` states. Returns no value if none of them fails. Polls the budget for each state.
 [[nodiscard]] std::optional<FailingRun> find_failing_run(const Context& context, csp_emit::Time time,
                                                          process::TermId process, std::uint64_t most,
                                                          diagnostics::Pollable& budget);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meaning of a step comes from the components that move. If the states of the run are not terms, because the
-// reference semantics had no time to replay it, the meaning comes from the names of the whole process.
+// Describes the steps by the components that move. If the reference semantics had no time to replay the run, its states
+// are not terms. The steps are then described by the names of the whole process.
 #include "counterexample/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ namespace {
 using process::TermId;
 using refine::ViolationKind;
 
-constexpr std::size_t most_offers = 40;       // listed per step
-constexpr std::size_t most_looked_at = 5000;  // examined alternatives, over all steps
+constexpr std::size_t most_offers = 40;       // listed alternatives for each step
+constexpr std::size_t most_looked_at = 5000;  // alternatives examined for all steps together
 
 class Interpreter {
 public:
@@ -88,8 +88,8 @@ private:
     const refine::Counterexample& counterexample_;
     StepReader reader_;
     Copies copies_;
-    std::size_t described_ = 0;     ///< the largest number of definitions in the text of a state
-    std::size_t before_first_ = 0;  ///< number of raw events before the first step; they are shown as part of it
+    std::size_t described_ = 0;     ///< the maximal number of definitions in the text of a state
+    std::size_t before_first_ = 0;  ///< number of raw events before the first step; the first step includes them
     Run run_;
     std::map<TermId, std::vector<std::pair<process::Transition, Event>>> offers_;
     std::size_t looked_at_ = 0;
@@ -97,7 +97,8 @@ private:
 
 // ---------------------------------------------------------------- steps
 
-/// The machines of each copy are read separately, because each copy has its own memories.
+/// Returns the machines of a state. The machines of each copy are read separately, because each copy has its own
+/// memories.
 std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<TermId>>& leaves) {
     std::map<std::optional<std::uint32_t>, std::vector<std::vector<Call>>> calls;
     for (Leaf leaf = 0; leaf < leaves.size(); ++leaf)
@@ -111,8 +112,7 @@ std::vector<Machine> Interpreter::machines_at(const std::vector<std::optional<Te
     return result;
 }
 
-/// Assigns the leaves to copies. The assignment is dropped if an event of one copy is performed only by leaves of other
-/// copies.
+/// Assigns the leaves to copies. The assignment is dropped if only leaves of other copies perform an event of one copy.
 void Interpreter::tell_copies_apart(const Timeline& line) {
     std::vector<bool> of_model(line.initial.size());
     const auto look = [&](const std::vector<std::optional<TermId>>& leaves) {
@@ -136,7 +136,8 @@ void Interpreter::tell_copies_apart(const Timeline& line) {
     }
 }
 
-/// The actions in a moment, separately for each copy that takes part. The copy to which the event belongs comes first.
+/// Describes the actions in a moment, separately for each copy that takes part. The copy to which the event belongs
+/// comes first.
 Happening Interpreter::happening_at(const Moment& moment, const std::vector<ComponentStep>& moves) {
     const refine::Step& raw = raw_step(moment.raw);
     const std::string& whole = moment.shown ? reader_.name_of(raw.event, raw.revealed) : name(process::tau);
@@ -164,7 +165,7 @@ Happening Interpreter::happening_at(const Moment& moment, const std::vector<Comp
     return result;
 }
 
-/// An event in which no machine of the model takes part.
+/// Describes an event in which no machine of the model takes part.
 Happening Interpreter::said_of_copy(Happening happening, const std::string& whole) const {
     const auto words = copies_.words_for(whole);
     if (!words) return happening;
@@ -174,8 +175,8 @@ Happening Interpreter::said_of_copy(Happening happening, const std::string& whol
     return happening;
 }
 
-/// The machine after this number of steps, or its last known state before that. Between an event and the following
-/// update of a memory, a machine is in no known definition.
+/// Returns the machine after this number of steps, or its last known state before that. Between an event and the
+/// following update of a memory, the state of a machine is unknown.
 const Machine* Interpreter::last_known(const std::string& component, std::size_t steps) const {
     for (std::size_t i = steps + 1; i-- > 0;) {
         const std::vector<Machine>& machines = i == 0 ? run_.initial : run_.steps[i - 1].machines;
@@ -186,8 +187,8 @@ const Machine* Interpreter::last_known(const std::string& component, std::size_t
     return nullptr;
 }
 
-/// Changes since this number of steps. Clocks and countdowns change with time, and temporary values are not variables
-/// of the model, so both are ignored.
+/// Returns the changes of variables since this number of steps. Clocks and countdowns change with time, and temporary
+/// values are not variables of the model. Both are ignored.
 std::vector<Change> Interpreter::collect_changes(std::size_t steps, const std::vector<Machine>& after) const {
     std::vector<Change> result;
     for (const Machine& now : after) {
@@ -235,8 +236,8 @@ void Interpreter::add_step(std::size_t raw, bool shown, Event event, std::vector
     run_.steps.push_back(std::move(step));
 }
 
-/// True if the event adds nothing to the step before it. A machine reads and writes memories only as a consequence of
-/// the step before, and events of a watch belong to no component.
+/// Returns true if the event belongs to the step before it. This is true if a machine reads or writes a memory as a
+/// consequence of that step, and for events of a watch, which belong to no component.
 bool Interpreter::belongs_to_last(std::size_t raw, const std::string& name, const Event& event) const {
     if (!reader_.meanings().is_memory(name)) return false;
     const bool loop_begins = raw >= counterexample_.steps.size() && !run_.loop_start;
@@ -278,8 +279,9 @@ bool Interpreter::read_apart() {
     return true;
 }
 
-/// The machines of a state, from its text. If the state has as many definitions as any state of the run, they are in
-/// the order of the copies. Otherwise some copy has no definition, and the definitions cannot be assigned to copies.
+/// Returns the machines of a state, which are read from its text. If the state has as many definitions as any state of
+/// the run, they are in the order of the copies. Otherwise some copy has no definition, and the definitions cannot be
+/// assigned to copies.
 std::vector<Machine> Interpreter::machines_described(const std::string& state) {
     const std::vector<Call> calls = reader_.meanings().calls_in(state);
     const std::uint32_t copies = context_.provenance.copies ? context_.provenance.copies->count : 1;
@@ -357,8 +359,8 @@ void Interpreter::fold_tocks() {
 
 // ---------------------------------------------------------------- offers
 
-/// The transitions of a term. The list is empty if definitions cannot be evaluated, because alternatives are not part
-/// of the verdict.
+/// Returns the transitions of a term, or an empty list if definitions cannot be evaluated. An evaluation error is
+/// ignored here, because alternatives are not part of the verdict.
 std::vector<process::Transition> Interpreter::transitions_at(TermId term) const {
     try {
         return context_.session.transitions(term);
@@ -367,7 +369,7 @@ std::vector<process::Transition> Interpreter::transitions_at(TermId term) const 
     return {};
 }
 
-/// The event of a step that was not taken.
+/// Returns the event of a step that was not taken.
 Event Interpreter::event_of_offer(TermId term, const process::Transition& step) {
     const std::string& whole = reader_.name_of(step.event, step.revealed);
     Happening result = reader_.happening_of(term, step);
@@ -378,7 +380,7 @@ Event Interpreter::event_of_offer(TermId term, const process::Transition& step) 
     return result.event;
 }
 
-/// Adds the other steps that were possible before this step. They are computed once per state.
+/// Adds the other steps that were possible before this step. They are computed only once for each state.
 void Interpreter::add_offers(std::size_t raw, Step& step) {
     const TermId term = term_before(raw);
     const auto [found, added] = offers_.try_emplace(term);
@@ -431,7 +433,7 @@ const std::vector<Machine>& Interpreter::last_machines() const {
     return end == 0 ? run_.initial : run_.steps[end - 1].machines;
 }
 
-/// Only the check for timed deadlocks produces a loop in which time passes.
+/// Returns true if time passes in the loop. Only the check for timed deadlocks finds such loops.
 bool Interpreter::time_passes_in_loop() const {
     return run_.loop_start &&
            std::any_of(run_.steps.begin() + static_cast<std::ptrdiff_t>(*run_.loop_start), run_.steps.end(),
@@ -481,7 +483,7 @@ EndKind Interpreter::end_kind() const {
     return EndKind::no_trace;
 }
 
-/// True if a composition makes writes visible; false for a separate machine (semantics 3.10).
+/// Returns true if a composition makes writes visible, and false for a separate machine (semantics 3.10).
 bool Interpreter::writes_are_urgent() const {
     const std::vector<Machine>& machines = last_machines();
     return std::ranges::any_of(counterexample_.offered, [&](process::Event offered) {
@@ -520,7 +522,8 @@ std::string list_events(const std::vector<Event>& events) {
     return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// The other run, up to the event that this run refuses; "" if it is not known in terms of the model.
+/// Returns the text of the other run, up to the event that this run refuses. Returns "" if that run is not known in
+/// terms of the model.
 std::string Interpreter::accepting_run() const {
     if (counterexample_.accepting_terms.empty()) return "";
     refine::Counterexample other;
@@ -602,7 +605,7 @@ std::string Interpreter::explain_end() const {
     return "";
 }
 
-/// Events that are required in some alternative but not offered.
+/// Returns the events that some alternative requires but that are not offered.
 std::vector<Event> Interpreter::missing_events() const {
     std::vector<Event> result;
     for (const process::EventSet& set : counterexample_.required)
@@ -618,7 +621,7 @@ void Interpreter::read_end() {
     End& end = run_.end;
     end.kind = end_kind();
     end.offered = offered_at_the_end();
-    // A step inside a compressed process after the last event does not cause the violation.
+    // Steps inside a compressed process after the last event do not cause the violation, so they are skipped.
     const auto last =
         std::find_if(run_.steps.rbegin(), run_.steps.rend(), [](const Step& step) { return step.count > 0; });
     if (counterexample_.kind == ViolationKind::trace && last != run_.steps.rend()) end.event = last->event;

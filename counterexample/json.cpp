@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Empty values are omitted, except for lists that readers always iterate over.
+// Writes runs as JSON. Empty values are omitted, except for lists that readers always iterate over.
 #include "counterexample/json.hpp"
 
 #include "base/diagnostics/json_values.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs as JSON: schema "robochart-verify/run/1" (docs/cli.md).
+// Writes runs as JSON with the schema "robochart-verify/run/1" (docs/cli.md).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// csp_emit::Provenance, which is made together with the script, records the meaning of the names.
+// Looks up names in csp_emit::Provenance, which records their meaning when the script is created.
 #include "counterexample/meanings.hpp"
 
 #include <fmt/format.h>
@@ -70,7 +70,8 @@ VariableKind kind_of(ParameterKind kind) {
     return VariableKind::temporary;
 }
 
-/// The content of the register of an event: whether it is full, and its value, which is arbitrary if it is empty.
+/// Describes the content of the register of an event: whether it is full, and its value. The value is arbitrary if the
+/// register is empty.
 std::string register_text(const EventMeaning& event, const std::vector<Value>& values) {
     const bool full = values.front().text == "true";
     if (values.size() == 1) return (full ? "" : "no ") + event.text;
@@ -109,12 +110,12 @@ std::string with_values(const EventMeaning& event, const std::vector<Value>& val
     return fmt::format("{} with {}", event.text, joined);
 }
 
-/// True if the parameter is no longer read, so that the evaluator stores no value for it.
+/// Returns true if the parameter is no longer read. The evaluator then stores no value for it.
 bool is_unread(const std::string& value) {
     return value == "_" || value == "'_'";
 }
 
-/// The text, states and values that all alternatives have in common.
+/// Returns the text, states and values that all alternatives have in common.
 Call common_meaning(const std::vector<Call>& alternatives) {
     Call result = alternatives.front();
     if (alternatives.size() == 1) return result;
@@ -124,7 +125,7 @@ Call common_meaning(const std::vector<Call>& alternatives) {
         if (std::ranges::find(texts, alternative.definition->text) == texts.end())
             texts.push_back(alternative.definition->text);
         const auto& others = alternative.definition->active;
-        // which alternative it is, is not known: a transition to a state of any of them may have led here
+        // It is not known which alternative applies, so transitions to states of all alternatives are included.
         const auto& ahead = alternative.definition->ahead;
         merged->ahead.insert(merged->ahead.end(), ahead.begin(), ahead.end());
         for (const ir::Origin& state : others) merged->ahead.push_back(state.element);
@@ -152,7 +153,7 @@ Call common_meaning(const std::vector<Call>& alternatives) {
     return result;
 }
 
-/// True if a part of `text`, possibly after an operation's name, is `words` followed by its details.
+/// Returns true if a part of `text`, possibly after an operation's name, is `words` followed by its details.
 bool has_part(const std::string& text, const std::string& words) {
     for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
         const std::string_view before(text.data(), at);
@@ -163,12 +164,12 @@ bool has_part(const std::string& text, const std::string& words) {
     return false;
 }
 
-/// True if a definition with this text is inside the transition.
+/// Returns true if a definition with this text is inside the transition.
 bool is_in_transition(const std::string& text, const std::string& name) {
     return has_part(text, "transition " + name) || has_part(text, "action of " + name);
 }
 
-/// True if this transition or statement may have led the process to this definition.
+/// Returns true if this transition or statement may have led the process to one of these definitions.
 bool leads_to(const OfferMeaning& offer, const std::vector<Call>& after) {
     if (offer.target.empty()) return true;
     return std::ranges::any_of(after, [&](const Call& call) {
@@ -280,7 +281,7 @@ std::optional<Call> Meanings::call_of(std::string_view text) const {
     const auto bracket = text.find('(');
     const auto found = provenance_.definitions.find(std::string(text.substr(0, bracket)));
     if (found == provenance_.definitions.end()) return std::nullopt;
-    // A pointer without ownership: the provenance outlives the result.
+    // This pointer does not own the meaning, because the provenance outlives the result.
     Call known{{std::shared_ptr<void>(), &found->second}, {}};
     if (bracket != std::string_view::npos && text.back() == ')')
         for (const std::string& argument :

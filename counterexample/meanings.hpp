@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates names of the script to terms of the model: names of events, and names of the definitions in which a
-// process currently is.
+// Translates names of the script to terms of the model. It translates names of events, and names of the definitions
+// that a process currently executes.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 namespace robochart::runs {
 
 /// A definition with its arguments, from the checker's description of a process: "P::S::A__(0,1)". Before an internal
-/// choice between several definitions, it contains what they have in common.
+/// choice between several definitions, it contains what these definitions have in common.
 struct Call {
     std::shared_ptr<const csp_emit::DefinitionMeaning> definition;
     std::vector<std::string> arguments;
@@ -29,21 +29,22 @@ public:
              const diagnostics::SourceManager& sources)
         : provenance_(provenance), system_(system), instantiation_(instantiation), sources_(sources) {}
 
-    /// True if the provenance contains the event.
+    /// Returns true if the provenance contains the event.
     [[nodiscard]] bool knows_event(const std::string& name) const;
-    /// True if the event is between a machine and the process that stores one of its variables.
+    /// Returns true if the event connects a machine with the process that stores one of its variables.
     [[nodiscard]] bool is_memory(const std::string& name) const;
-    /// The event with this full name. An unknown event keeps its name and has Kind::event.
+    /// Returns the event with this full name. An unknown event keeps its name and has Kind::event.
     [[nodiscard]] Event event_of(const std::string& name) const;
-    /// The event, performed in the definition `before`. The transition or statement that causes it is added if only one
-    /// is possible.
+    /// Returns the event as it is performed in the definition `before`. The transition or statement that causes it is
+    /// added if only one is possible.
     [[nodiscard]] Event event_of(const std::string& name, const Call& before, const std::vector<Call>& after) const;
-    /// The transitions and statements that may cause the event; several if the definitions do not determine the cause.
+    /// Returns the transitions and statements that may cause the event. There are several if the definitions do not
+    /// determine the cause.
     [[nodiscard]] std::vector<std::string> elements_of(const std::string& name, const Call& before,
                                                        const std::vector<Call>& after) const;
-    /// The known definitions in the description of a process.
+    /// Returns the known definitions in the description of a process.
     [[nodiscard]] std::vector<Call> calls_in(const std::string& description) const;
-    /// The machine of this definition.
+    /// Returns the machine to which this definition belongs.
     [[nodiscard]] Machine machine_of(const Call&) const;
     [[nodiscard]] std::vector<Variable> variables_of(const Call&) const;
     [[nodiscard]] std::optional<Place> place_of(diagnostics::Span) const;
@@ -52,7 +53,7 @@ private:
     [[nodiscard]] const csp_emit::EventMeaning* meaning_of(const std::string& name, std::string& arguments) const;
     [[nodiscard]] std::optional<Call> call_of(std::string_view text) const;
     using Offers = std::vector<const csp_emit::OfferMeaning*>;
-    /// The transitions and statements that may cause the event.
+    /// Returns the transitions and statements that may cause the event.
     [[nodiscard]] static Offers possible_offers(const std::string& name, const Call& before,
                                                 const std::vector<Call>& after);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run of a component in terms of the model, as data: the contents of a counterexample. Renderers (text, JSON, a
-// diagram, an editor) use only this and need no knowledge of CSP. This file contains only types; interpreter.hpp makes
-// runs.
+// Represents a run of a component in terms of the model, which is the content of a counterexample. Renderers (text,
+// JSON, a diagram, an editor) use only these data and need no knowledge of CSP. This file contains only types;
+// interpreter.hpp creates runs.
 #pragma once
 
 #include <compare>
@@ -15,7 +15,7 @@
 
 namespace robochart::runs {
 
-/// A range in a text: lines and columns from 1, columns in Unicode code points, the end exclusive.
+/// A range in a text. Lines and columns are counted from 1, columns in Unicode code points. The end is exclusive.
 struct Place {
     std::string file;
     std::uint32_t line = 0, column = 0;
@@ -47,7 +47,7 @@ enum class Kind {
 /// A value that is communicated.
 struct Value {
     std::string text;
-    std::string type;  ///< as the model writes it; "" if unknown
+    std::string type;  ///< in the notation of the model; "" if unknown
 
     friend auto operator<=>(const Value&, const Value&) = default;
 };
@@ -55,18 +55,18 @@ struct Value {
 /// An event that happens or could happen.
 struct Event {
     Kind kind = Kind::internal;
-    std::string text;       ///< "input a with 3", "t0: i -> S1"
-    std::string component;  ///< the instance that performs it, "P::M::ctrl_ref0::stm_ref0"; "" if there is none
-    /// The element of the resolved model: the transition or statement, if known; otherwise the declaration.
+    std::string text;       ///< such as "input a with 3" or "t0: i -> S1"
+    std::string component;  ///< instance that performs it, "P::M::ctrl_ref0::stm_ref0"; or ""
+    /// The element of the resolved model: the transition or statement if it is known, otherwise the declaration.
     std::string element;
-    std::string via;  ///< the transition or action that causes it: "t1: S1 -> S2"; "" if unknown
+    std::string via;  ///< the transition or action that causes the event: "t1: S1 -> S2"; "" if unknown
     std::vector<Value> values;
     std::optional<Place> place;
 
     friend auto operator<=>(const Event&, const Event&) = default;
 };
 
-/// The kind of a value shown with a state.
+/// The kind of a value that is shown with a state.
 enum class VariableKind {
     variable,
     clock,      ///< time since its last reset
@@ -79,9 +79,9 @@ enum class VariableKind {
 struct Variable {
     std::string name;
     VariableKind kind = VariableKind::variable;
-    std::string type;                  ///< "" if it has none
-    std::optional<std::string> value;  ///< no value: the variable is no longer read
-    std::string deadline;              ///< countdown of a deadline: the element with the deadline
+    std::string type;                  ///< "" if the variable has no type
+    std::optional<std::string> value;  ///< no value if the variable is no longer read
+    std::string deadline;              ///< for the countdown of a deadline: the element with the deadline
     std::optional<Place> place;        ///< the place of that deadline
 
     friend auto operator<=>(const Variable&, const Variable&) = default;
@@ -89,10 +89,10 @@ struct Variable {
 
 /// The state of a machine at one moment.
 struct Machine {
-    std::string component;            ///< the instance
-    std::string machine;              ///< its definition, "P::S"
-    std::string text;                 ///< "in S1", "entry action of S1, at x = 1"
-    std::vector<std::string> active;  ///< the elements of its active states, outermost first
+    std::string component;            ///< name of the instance
+    std::string machine;              ///< name of the definition, "P::S"
+    std::string text;                 ///< such as "in S1" or "entry action of S1, at x = 1"
+    std::vector<std::string> active;  ///< elements of the active states, outermost first
     std::vector<Variable> variables;
     std::optional<Place> place;  ///< the place of the innermost state or of the next statement
 
@@ -103,29 +103,31 @@ struct Machine {
 struct Change {
     std::string component;
     std::string name;
-    std::optional<std::string> before;  ///< no value: it had no value that could be read
+    std::optional<std::string> before;  ///< no value if no value could be read before the step
     std::string after;
 };
 
 /// One step of a run: what happens, and the state after it.
 struct Step {
-    std::size_t raw = 0;    ///< the first event of Run::raw that it represents
-    std::size_t count = 1;  ///< the number of these events; 0: a step inside a compressed process, which has no raw
-                            ///< event
-    std::optional<std::int64_t> time;  ///< time units before it; only in timed runs
+    std::size_t raw = 0;  ///< index in Run::raw of the first event that the step represents
+    /// How many of these events there are. 0 for a step inside a compressed process, which has no raw event.
+    std::size_t count = 1;
+    std::optional<std::int64_t> time;  ///< time units before the step; only in timed runs
     std::int64_t units = 0;            ///< tock: the number of time units
-    bool hidden = false;               ///< invisible to the environment
+    bool hidden = false;               ///< whether the environment cannot see the step
     Event event;
     std::vector<Event> with;  ///< what other components do in the same step
     std::vector<Change> changes;
-    std::vector<Machine> machines;  ///< all machines, after the step
-    std::vector<Event> offered;     ///< the alternatives before it
-    std::size_t more_offered = 0;   ///< the number of alternatives that are not listed
-    bool in_scope = false;          ///< the run breaks a claim with a scope: the scope lasts after the step
-    bool owed = false;              ///< the run breaks a claim: something is owed after the step
+    std::vector<Machine> machines;  ///< all machines after the step
+    std::vector<Event> offered;     ///< alternatives before the step
+    std::size_t more_offered = 0;   ///< number of alternatives that are not listed
+    /// For a run that breaks a claim with a scope: whether the scope lasts after the step.
+    bool in_scope = false;
+    /// For a run that breaks a claim: whether the claim still waits for something after the step.
+    bool owed = false;
 };
 
-/// The violation at the end of a run. For a claim that no such run exists, the fact that the run shows.
+/// The violation at the end of a run. If the claim was that no such run exists, it is the fact that the run shows.
 enum class EndKind {
     forbidden,              ///< the specification does not allow the last step
     refusal,                ///< fewer events are offered than the specification requires
@@ -139,7 +141,7 @@ enum class EndKind {
     clock_initialised,      ///< the clock is reset, although the claim is that it is not
     missed,                 ///< an event is refused while time passes
     no_return,              ///< the required event can never happen again
-    no_trace,               ///< the process has no such trace
+    no_trace,               ///< the process cannot perform the trace
     undefined,              ///< an expression of the model has no value, so the next step is not known
 };
 
@@ -153,25 +155,25 @@ struct Cause {
 /// The violation at the end of the run.
 struct End {
     EndKind kind = EndKind::forbidden;
-    std::string why;             ///< one sentence
-    std::optional<Event> event;  ///< forbidden: the offending event; nondeterminism: the event that may be refused
-    std::vector<Event> offered;  ///< the events that are possible there
-    std::vector<std::vector<Event>> required;  ///< refusal: the alternatives of required offers
+    std::string why;                           ///< one sentence
+    std::optional<Event> event;                ///< forbidden: this event; nondeterminism: the event that may be refused
+    std::vector<Event> offered;                ///< events that are possible at the end of the run
+    std::vector<std::vector<Event>> required;  ///< refusal: the offers of which the specification requires one
     std::vector<Event> allowed;                ///< forbidden: the events that the specification allows instead
     std::vector<Event> refused;                ///< refusal: the events that should be offered but are not
     std::vector<Cause> causes;                 ///< timelock
 };
 
-/// A counterexample as a run of the model; text and JSON are made only from this.
+/// A counterexample as a run of the model. Text and JSON are created only from these data.
 struct Run {
     bool timed = false;
     durations::Unit unit;          ///< the length of a time unit
-    std::int64_t time = 0;         ///< time at the end of the run; if it is infinite, at the beginning of the loop
-    std::vector<Machine> initial;  ///< before the first step
+    std::int64_t time = 0;         ///< time at the end of the run; for an infinite run, at the beginning of the loop
+    std::vector<Machine> initial;  ///< machines before the first step
     std::vector<Step> steps;
     std::optional<std::size_t> loop_start;  ///< the first step of the infinite loop
     End end;
-    std::vector<std::string> raw;  ///< the events of the script, followed by those of the loop
+    std::vector<std::string> raw;  ///< events of the script, followed by those of the loop
     std::size_t raw_loop = 0;      ///< number of events in the loop
 };
 

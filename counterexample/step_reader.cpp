@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See step_reader.hpp.
+// Reads the machines and the events of steps from the definitions of their components.
 #include "counterexample/step_reader.hpp"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t most_unfoldings = 20;
 
-/// The value in the machine is at least as recent as the value in the memory. The memory's value is used only if it
-/// will still be read.
+/// Adds a variable that a memory stores. The value in the machine is at least as recent as that in the memory, so the
+/// memory's value is used only if the machine will still read it.
 void add_remembered(const csp_emit::DefinitionMeaning& owner, Variable variable, Machine& machine) {
     const auto& read = owner.remembered;
     const auto known = std::ranges::find_if(machine.variables,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See stepper.hpp.
+// Computes offers and absences from the operational semantics.
 #include "counterexample/stepper.hpp"
 
 #include <fmt/format.h>
@@ -85,7 +85,7 @@ std::vector<Standing> Stepper::current_components() {
         if (!machines.empty()) one.machine = std::move(machines.front());
         result.push_back(std::move(one));
     }
-    // Values stored in separate processes are known only from all components together.
+    // Values that are stored in separate processes are known only from all components together.
     for (const Machine& machine : machines_of(result))
         for (Standing& component : result)
             if (component.machine.component == machine.component) component.machine = machine;
@@ -100,7 +100,7 @@ std::set<std::string> Stepper::offered_elements() {
     return result;
 }
 
-/// The elements that the component could perform on its own.
+/// Returns the elements that the component could perform without the others.
 std::set<std::string> Stepper::ready_elements(const Standing& standing) {
     std::set<std::string> result;
     process::TermStore& terms = reader_.context().session.terms();
@@ -126,8 +126,8 @@ std::string Stepper::absence_reason(const ir::Transition& transition, const Stan
                        values.empty() ? "" : fmt::format(" ({})", fmt::join(values, ", ")));
 }
 
-/// The events that the components of a process offer and the process itself does not; for a process that is not a
-/// component of a model.
+/// Returns the events that the components of a process offer but the process itself does not. It is used for processes
+/// that are not components of a model.
 std::vector<Absence> Stepper::blocked_by_process() {
     std::vector<Absence> result;
     const std::optional<process::Behaviour>& whole = current_structure();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process that is stepped by hand: its current state, the offers in this state, and the steps so far. The steps are
-// those of the operational semantics, which is also used to replay counterexamples. Similar to the probe of FDR and the
-// simulator of UPPAAL.
+// Steps a process by hand. The object contains its current state, the offers in this state, and the steps so far. The
+// steps are those of the operational semantics, which is also used to replay counterexamples. The probe of FDR and the
+// simulator of UPPAAL are similar.
 #pragma once
 
 #include <cstdint>
@@ -23,16 +23,16 @@ namespace robochart::runs {
 struct Offer {
     process::Transition step;
     Happening happening;
-    std::string name;     ///< the name of the event, also if it is hidden
-    bool hidden = false;  ///< invisible to the environment
+    std::string name;     ///< the name of the event, even if the event is hidden
+    bool hidden = false;  ///< whether the environment cannot see the step
 };
 
-/// A transition that leaves an active state but is not on offer. For a process without a model: an event that one of
-/// its components offers but the whole process does not.
+/// A transition that leaves an active state but is not offered. For a process without a model: an event that one of its
+/// components offers but the whole process does not.
 struct Absence {
     std::string component;
-    std::string text;    ///< "met: Driving -> Turning", "a.1"
-    std::string reason;  ///< "its condition `x > 1` does not hold (x = 0)"
+    std::string text;    ///< such as "met: Driving -> Turning" or "a.1"
+    std::string reason;  ///< such as "its condition `x > 1` does not hold (x = 0)"
     std::optional<Place> place;
 
     friend auto operator<=>(const Absence&, const Absence&) = default;
@@ -47,8 +47,8 @@ struct Taken {
 /// One sequential component of the process in its current state.
 struct Standing {
     process::TermId term{};
-    std::vector<Call> calls;  ///< the known definitions that the component currently executes
-    Machine machine;          ///< empty if it is not a machine
+    std::vector<Call> calls;  ///< the known definitions that the component executes
+    Machine machine;          ///< empty if the component is not a machine
 };
 
 class Stepper {
@@ -58,33 +58,33 @@ public:
     [[nodiscard]] StepReader& reader() { return reader_; }
     [[nodiscard]] process::TermId current_term() const { return here_; }
     [[nodiscard]] const std::vector<Taken>& steps_taken() const { return way_; }
-    /// The time units that have passed so far.
+    /// Returns the time units that have passed so far.
     [[nodiscard]] std::int64_t elapsed_time() const;
 
-    /// The possible steps in a state that was visited.
+    /// Returns the possible steps in a state that was visited.
     [[nodiscard]] std::vector<Offer> offers_at(process::TermId state) const;
-    /// The possible steps, in the order of the semantics, with the passing of time last. Throws like
-    /// cspm::Session::transitions. Valid until the next step.
+    /// Returns the possible steps in the order of the semantics; the passing of time is last. Throws the same
+    /// exceptions as cspm::Session::transitions. The result is valid until the next step.
     const std::vector<Offer>& current_offers();
-    /// Takes the offer with this number, from 0.
+    /// Takes the offer with this number, counted from 0.
     void take_offer(std::size_t offer);
     /// Returns to the state after this number of steps.
     void back_to(std::size_t steps);
-    /// Takes hidden steps while no other step is possible, at most `most`, and stops if a state repeats. Returns the
-    /// number of steps.
+    /// Takes hidden steps as long as no other step is possible, but at most `most`. Also stops if a state repeats.
+    /// Returns the number of steps.
     std::size_t take_forced_steps(std::size_t most);
 
-    /// The machines in the current state.
+    /// Returns the machines in the current state.
     [[nodiscard]] std::vector<Machine> current_machines();
-    /// The components of the process in the current state.
+    /// Returns the components of the process in the current state.
     [[nodiscard]] std::vector<Standing> current_components();
-    /// The transitions that leave active states but are not on offer, each with the reason. For a process that is not a
-    /// component of a model: at most 200 events that its components offer but the process does not.
+    /// Returns the transitions that leave active states but are not offered, each with the reason. For a process that
+    /// is not a component of a model, returns at most 200 events that its components offer but the process does not.
     [[nodiscard]] std::vector<Absence> explain_absences();
-    /// The structure of the process in the current state, its operators down to the components; no value if it cannot
-    /// be evaluated. Valid until the next step.
+    /// Returns the structure of the process in the current state: its operators down to the components. It has no value
+    /// if it cannot be evaluated. The result is valid until the next step.
     const std::optional<process::Behaviour>& current_structure();
-    /// The steps so far as a run, without a violation at its end.
+    /// Returns the steps so far as a run without a violation at its end.
     [[nodiscard]] Run run(csp_emit::Time time) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See structure.hpp.
+// Writes the structure of a process as text, and finds the operators that block events.
 #include "counterexample/structure.hpp"
 
 #include <fmt/format.h>
@@ -12,12 +12,12 @@
 namespace robochart::runs {
 namespace {
 
-/// The number of components that are named; the other components are only counted.
+/// How many components are named; the other components are only counted.
 constexpr std::size_t most_names = 3;
 
 using Parts = std::vector<const process::Behaviour*>;
 
-/// The parts that exist in the current state.
+/// Returns the parts that exist in the current state.
 Parts present_parts(const process::Behaviour& whole) {
     Parts result;
     for (const process::Behaviour& part : whole.parts)
@@ -29,7 +29,8 @@ bool offers_event(const process::Behaviour& part, process::Event event) {
     return std::ranges::find(part.offered, event) != part.offered.end();
 }
 
-/// Adds the names of the components of a part that offer the event, or of all components if `event` is null.
+/// Adds the names of the components of a part that offer the event. If `event` is null, adds the names of all its
+/// components.
 void component_names(const process::Behaviour& part, const process::Event* event, std::vector<std::string>& names) {
     const Parts parts = present_parts(part);
     if (parts.empty() && (event == nullptr || offers_event(part, *event))) names.push_back(part.state);
@@ -49,7 +50,8 @@ bool is_synchronising(std::string_view op) {
            (op.starts_with("[|") && op.ends_with("|]"));
 }
 
-/// The reason why the operator above `part` blocks its event. "" if the operator passes, renames or hides the event.
+/// Returns the reason why the operator above `part` blocks the part's event. Returns "" if the operator passes, renames
+/// or hides the event.
 std::string blocking_reason(const process::Behaviour& whole, const process::Behaviour& part, process::Event event) {
     if (whole.op == "prioritise") return "something of a higher priority is on offer";
     if (whole.op == "[…||…]") return "the parts that share it do not all offer it";
@@ -79,7 +81,7 @@ void collect_blocked(const process::Behaviour& whole, std::size_t most, std::vec
     }
 }
 
-/// The number of events that are listed; the other events are only counted.
+/// How many events are listed; the other events are only counted.
 constexpr std::size_t most_events = 12;
 
 }  // namespace

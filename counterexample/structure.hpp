@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structure of a process in its current state: its operators as a tree, and the offers of each component. FDR's
-// probe shows the same.
+// Shows the structure of a process in its current state: its operators as a tree, and the offers of each component. The
+// probe of FDR shows the same.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,10 @@
 
 namespace robochart::runs {
 
-/// The text of a node of the tree: the sign of an operator, or the state of a component.
+/// Returns the text of a node of the tree: the sign of an operator, or the state of a component.
 [[nodiscard]] std::string part_text(const process::Behaviour&);
-/// The offers of a component as text: "offers {a, b} and hidden steps"; events beyond the twelfth are only counted.
+/// Returns the offers of a component as text: "offers {a, b} and hidden steps". Events after the twelfth are only
+/// counted.
 [[nodiscard]] std::string offers_text(const process::Behaviour&, const process::EventTable&);
 
 /// An event that a component offers but the whole process does not.
@@ -22,10 +23,10 @@ struct Blocked {
     process::Event event{};
     std::string reason;  ///< "`Q` has to take part, and does not offer it ([|{a}|])"
 };
-/// Finds blocked events by the rules of the operators (UCS 5.1, 5.6 for hiding, FDR manual for priorities). An event is
-/// blocked by the first operator above its component that does not let it pass. An event that this operator hides
-/// happens as a hidden step, and an event that it renames happens under another name; neither is blocked. At most
-/// `most` events.
+/// Finds at most `most` blocked events by the rules of the operators (UCS 5.1, 5.6 for hiding, FDR manual for
+/// priorities). An event of a component is blocked by the first operator above the component that does not let the
+/// event pass. If this operator hides the event, it happens as a hidden step; if the operator renames it, it happens
+/// under another name. In both cases it is not blocked.
 [[nodiscard]] std::vector<Blocked> blocked_events(const process::Behaviour& whole, std::size_t most);
 
 }  // namespace robochart::runs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// If the run has several machines, each step is printed with the machine that performs it.
+// Prints runs as text. If the run has several machines, each step is printed with the machine that performs it.
 #include "counterexample/text.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ private:
 
     const Run& run_;
     std::string_view indent_;
-    std::map<std::string, std::string> short_names_;  ///< short names of the machines, if there are several
+    std::map<std::string, std::string> short_names_;  ///< by machine, if there are several: its short name
     std::string out_;
 };
 
@@ -67,7 +67,7 @@ std::string Writer::short_name(const std::string& component) const {
     return found == short_names_.end() ? last_of(component) : found->second;
 }
 
-/// The assignments that follow immediately after time has passed; they are not separate steps.
+/// Returns the assignments immediately after time has passed, which are not separate steps.
 std::vector<std::pair<std::string, std::string>> assignments_of(const Step& step) {
     std::vector<std::pair<std::string, std::string>> result;
     for (const Change& change : step.changes) {
@@ -94,7 +94,7 @@ Line Writer::line_of_step(const Step& step) const {
     result.what = text_of(step.event);
     for (const Event& other : step.with)
         result.what += fmt::format("; {}: {}", short_name(other.component), other.text);
-    // Changes that the text of the event contains are not repeated.
+    // Changes that the text of the event already contains are not repeated.
     std::vector<std::string> changes;
     for (const Change& change : step.changes) {
         const std::string text = fmt::format("{} = {}", change.name, change.after);
@@ -111,7 +111,7 @@ std::vector<Line> Writer::lines_of_steps(std::size_t begin, std::size_t end) con
     std::vector<Line> result;
     for (std::size_t i = begin; i < end; ++i) {
         const Step& step = run_.steps[i];
-        // Further termination events, which the checks for termination add, are not printed.
+        // The checks for termination add further termination events, which are not printed.
         const bool again = i > begin && step.event.kind == Kind::terminate && step.event.component.empty() &&
                            run_.steps[i - 1].event.kind == Kind::terminate;
         if (is_news(step) && !again) result.push_back(line_of_step(step));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints runs.
+// Prints runs as text.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace robochart::runs {
 
-/// True if a run prints the step. An internal step is printed only if it changes something or shows a decision of a
-/// machine.
+/// Returns true if a printed run contains the step. An internal step is printed only if it changes a value or shows a
+/// decision of a machine.
 [[nodiscard]] bool is_news(const Step&);
 [[nodiscard]] std::string text_of(const Event&);
-/// The text of an event, with the events of other components in the same step.
+/// Returns the text of an event, with the events of other components in the same step.
 [[nodiscard]] std::string text_of(const Event&, const std::vector<Event>& with);
-/// The values of a machine that may change: "x = 1, y = 2"; "" if it has none.
+/// Returns the values of a machine that may change: "x = 1, y = 2". Returns "" if it has none.
 [[nodiscard]] std::string values_text(const Machine&);
-/// The state of a machine and its values: "in S1, x = 1".
+/// Returns the state of a machine and its values: "in S1, x = 1".
 [[nodiscard]] std::string text_of(const Machine&);
 
-/// The text of a run: one line per step, and then the end of the run and the violation.
+/// Returns the text of a run: one line per step, and then the end of the run and the violation.
 [[nodiscard]] std::string text_of(const Run&, std::string_view indent);
 
 }  // namespace robochart::runs

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Collects the leaves of the behaviour's tree, with the moments in which they move and between which they exist.
-// Moments are numbered when all are known.
+// Collects the leaves of the behaviour's tree, with the moments in which they move and the moments between which they
+// exist. Moments get their numbers when all of them are known.
 #include "counterexample/timeline.hpp"
 
 #include <iterator>
@@ -30,8 +30,7 @@ public:
     Timeline build_timeline(const Behaviour& whole);
 
 private:
-    /// The first moment in which a part exists (no value: from the start), and the first moment in which it no longer
-    /// exists.
+    /// The time in which a part exists: from moment `begin` (no value: from the start) until before moment `end`.
     struct Span {
         std::optional<Point> begin = std::nullopt, end = std::nullopt;
     };
@@ -39,7 +38,7 @@ private:
         TermId initial;
         Span span;
     };
-    /// `moments`: one for each step of the run in which this part's steps are counted.
+    /// Adds a part. `moments`: the moment of each step of the run to which the part's trace refers.
     void add(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_leaf(const Behaviour& part, const std::vector<Point>& moments, Span span);
     void add_compressed(const Behaviour& part, const std::vector<Point>& moments, Span span);
@@ -77,7 +76,7 @@ void Builder::add_compressed(const Behaviour& part, const std::vector<Point>& mo
             --visible_left;
             continue;
         }
-        // After the last visible event, there is no later event that the step could precede.
+        // If no later step is visible, the step is inserted after the last visible one.
         Point before = entries_.end();
         if (any) before = visible_left > 0 ? moments[at] : std::next(moments[at]);
         own.push_back(entries_.insert(before, {any ? moments[at]->raw : 0, false, 0, {}, {}}));
@@ -113,8 +112,8 @@ Timeline Builder::build_timeline(const Behaviour& whole) {
     result.initial = now;
     for (Entry& entry : entries_) {
         for (const auto& [leaf, term] : entry.reached) now[leaf] = term;
-        // A leaf that begins to exist in the next moment is added after this one. A leaf that no longer exists in the
-        // next moment is removed after this one.
+        // The list shows the leaves after this moment. So a leaf that begins to exist in the next moment is added now,
+        // and a leaf that no longer exists in the next moment is removed now.
         for (std::size_t i = 0; i < leaves_.size(); ++i) {
             if (is_next(leaves_[i].span.begin, entry)) now[i] = leaves_[i].initial;
             if (is_next(leaves_[i].span.end, entry)) now[i] = std::nullopt;

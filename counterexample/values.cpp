@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// checker/cspm/eval/value_text.cpp prints values; csp_emit/base/types.cpp defines how they represent values of the
-// model.
+// Reads values that checker/cspm/eval/value_text.cpp has printed. csp_emit/base/types.cpp defines how they represent
+// values of the model.
 #include "counterexample/values.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 using ir::TypeId;
 using ir::TypeKind;
 
-/// The name of the type in the model.
+/// Returns the name of the type in the model.
 std::string type_name(const ir::Type& type) {
     return type.values_of.empty() ? type.name : type.values_of;
 }
@@ -27,7 +27,7 @@ public:
         : system_(system), instantiation_(instantiation) {}
 
     [[nodiscard]] std::string read_value(TypeId id, std::string_view text) const;
-    /// The literal that a value of an enumeration begins with; no value if it is not such a value.
+    /// Returns the literal with which a value of an enumeration begins. Returns no value for other values.
     [[nodiscard]] std::optional<std::size_t> find_literal(const ir::Type& type, std::string_view text) const;
 
 private:
@@ -72,13 +72,13 @@ std::string Reader::enumeration_text(const ir::Type& type, std::string_view text
     return fmt::format("{}({})", type.labels[*found], fmt::join(arguments, ", "));
 }
 
-/// An element of a collection: a pair of a function or relation, or a value of the common type.
+/// Converts an element of a collection: a pair of a function or relation, or a value of the common type.
 std::string Reader::element_text(const std::vector<TypeId>& types, std::string_view text) const {
     if (types.size() == 1) return read_value(types[0], text);
     return collection_text(types, text);
 }
 
-/// `<a, b>`, `{a, b}` and `(a, b)`: elements of one type, or one type per element.
+/// Converts `<a, b>`, `{a, b}` and `(a, b)`. Their elements have one type, or one type per element.
 std::string Reader::collection_text(const std::vector<TypeId>& elements, std::string_view text) const {
     if (text.size() < 3 || elements.empty()) return std::string(text);
     std::vector<std::string> shown;
@@ -155,7 +155,7 @@ std::vector<std::string> split_outside_brackets(std::string_view text, std::stri
         if (c == '"') quoted = !quoted;
         if (quoted) continue;
         if (c == '(' || c == '{' || c == '<') ++depth;
-        // `=>` of a map is not a bracket.
+        // The `>` in `=>` of a map is not a bracket.
         if (c == ')' || c == '}' || (c == '>' && (i == 0 || text[i - 1] != '='))) --depth;
         if (depth == 0 && text.substr(i, separator.size()) == separator) {
             parts.emplace_back(text.substr(start, i - start));

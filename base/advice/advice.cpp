@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See advice.hpp.
+// Compares the tokens around an error with the rows of a table.
 #include "base/advice/advice.hpp"
 
 #include <algorithm>

@@ -26,10 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t folders = 16;
-constexpr std::uint64_t largest_part = 4;  // the largest entry is this fraction of a folder's share; a larger file is
-                                           // not read
+// The largest entry is this fraction of a folder's share. A larger file is not read.
+constexpr std::uint64_t largest_part = 4;
 
-/// True if the folder exists or can be created, and only this user can write to it.
+/// Returns true if the folder exists or can be created, and only this user can write to it.
 bool is_usable_folder(const std::string& folder) {
     std::error_code code;
     fs::create_directories(fs::path(folder).parent_path(), code);
@@ -39,8 +39,8 @@ bool is_usable_folder(const std::string& folder) {
            (found.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
-/// The contents of a regular file of at most `most_bytes` bytes. The size is that of the open file, so a file that
-/// replaces it meanwhile is not read.
+/// Returns the contents of a regular file of at most `most_bytes` bytes. The size is read from the open file, so a file
+/// that replaces it meanwhile has no effect.
 std::optional<std::string> read_whole(const std::string& path, std::uint64_t most_bytes) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     struct stat found {};
@@ -54,7 +54,7 @@ std::optional<std::string> read_whole(const std::string& path, std::uint64_t mos
         if (got <= 0) return std::nullopt;
         have += static_cast<std::size_t>(got);
     }
-    futimens(file.get(), nullptr);  // marks the entry as used now
+    futimens(file.get(), nullptr);  // sets the time of the last use to now
     return text;
 }
 
@@ -65,7 +65,8 @@ Cache::Cache(std::string folder, std::string program, std::uint64_t most_bytes)
     if (!folder_.empty() && (program_.empty() || !is_usable_folder(folder_))) folder_.clear();
 }
 
-/// A digest of key, program and content. It shows that the entry belongs to this key and program and is complete.
+/// Returns a digest of key, program and content. It shows that the entry belongs to this key and program, and that it
+/// is complete.
 Digest Cache::compute_seal(const Digest& key, std::string_view content) const {
     Hasher hasher;
     hasher.add(program_);
@@ -106,8 +107,8 @@ void Cache::store_entry(const Digest& key, std::string_view content) {
     if (write_below(folder_, name, text).empty()) trim_folder(fmt::format("{}/{}", folder_, name.substr(0, 1)));
 }
 
-/// Removes the least recently used entries until the size limit is met, and incomplete files of processes that were
-/// killed.
+/// Removes the least recently used entries if the size limit is exceeded. Also removes incomplete files of processes
+/// that were killed.
 void Cache::trim_folder(const std::string& folder) const {
     struct Entry {
         fs::file_time_type used;
@@ -121,7 +122,7 @@ void Cache::trim_folder(const std::string& folder) const {
     std::error_code code;
     fs::directory_iterator at(folder, code);
     for (; !code && at != fs::directory_iterator(); at.increment(code)) {
-        std::error_code gone;  // another process may have removed it
+        std::error_code gone;  // set if another process has removed the entry
         const Entry entry{at->last_write_time(gone), at->file_size(gone), at->path()};
         if (gone) continue;
         if (entry.path.filename().native().starts_with(".")) {
@@ -153,7 +154,7 @@ std::string cache_folder() {
 
 std::string program_identity() {
     std::string identity;
-    // The first object in the list is the program itself.
+    // The program itself is the first object in the list.
     const auto look = [](dl_phdr_info* info, std::size_t /*size*/, void* result) {
         for (int i = 0; i < info->dlpi_phnum; ++i) {
             const ElfW(Phdr)& header = info->dlpi_phdr[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hash of content that identifies it: BLAKE2b with 256 bits (RFC 7693), from libsodium.
+// Computes hashes that identify contents: BLAKE2b with 256 bits (RFC 7693), from libsodium.
 #pragma once
 
 #include <array>
@@ -11,11 +11,12 @@
 
 namespace robochart::diagnostics {
 
-/// Equal contents have equal digests. Different contents with equal digests cannot be found in practice.
+/// The hash of a content. Equal contents have equal digests. Different contents with equal digests cannot be found in
+/// practice.
 using Digest = std::array<std::uint8_t, 32>;
 
-/// Computes a digest of several parts. The lengths of the parts are included, so that the digest depends on the
-/// boundaries.
+/// Computes the digest of several parts. It includes the lengths of the parts, so it depends on the boundaries between
+/// them.
 class Hasher {
 public:
     Hasher();
@@ -27,7 +28,7 @@ public:
     void add(std::uint64_t number);
     void add(std::span<const std::uint32_t> numbers);
     void add(const Digest& digest);
-    /// The digest of all parts added. May be called once, at the end.
+    /// Returns the digest of all parts that were added. It may be called only once.
     [[nodiscard]] Digest finish();
 
 private:
@@ -37,7 +38,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// "sha256-...": the hash by which a Content-Security-Policy allows a script or style with this text.
+/// Returns "sha256-...", the hash by which a Content-Security-Policy allows a script or style with this text.
 [[nodiscard]] std::string policy_hash(std::string_view text);
 
 }  // namespace robochart::diagnostics

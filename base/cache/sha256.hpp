@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SHA-256 of texts and files, from libsodium. Reports contain these digests, because `sha256sum` prints the same ones.
+// Computes SHA-256 of texts and files with libsodium. Reports contain these digests, because `sha256sum` prints the
+// same digests.
 #pragma once
 
 #include <memory>
@@ -8,7 +9,7 @@
 
 namespace robochart::diagnostics {
 
-/// The SHA-256 of bytes that arrive in pieces.
+/// Computes the SHA-256 of bytes that arrive in pieces.
 class Sha256 {
 public:
     Sha256();
@@ -17,7 +18,7 @@ public:
     Sha256& operator=(const Sha256&) = delete;
 
     void add(std::string_view bytes);
-    /// 64 hexadecimal digits. May be called once, at the end.
+    /// Returns the digest as 64 hexadecimal digits. It may be called only once.
     [[nodiscard]] std::string finish();
 
 private:
@@ -25,7 +26,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The SHA-256 of a text.
+/// Returns the SHA-256 of a text.
 [[nodiscard]] std::string sha256(std::string_view text);
 
 }  // namespace robochart::diagnostics

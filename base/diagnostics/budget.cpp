@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory is the resident memory of this program and of the processes that it has started, as reported by the system.
-// The memory of a compiler of generated code counts as much as that of a search.
+// Implements the limits of a run. Memory is the resident memory of this program and of the processes that it has
+// started, as the system reports it. So the memory of a compiler of generated code is included.
 #include "base/diagnostics/budget.hpp"
 
 #include <dirent.h>
@@ -27,7 +27,7 @@ OpenFile open_for_reading(const char* path) {
     return {std::fopen(path, "re"), std::fclose};
 }
 
-/// The second number of a `statm` file. Read without streams, because memory may be short here.
+/// Returns the second number of a `statm` file. It is read without streams, because memory may be short here.
 std::uint64_t resident_in(const char* statm) {
     const OpenFile file = open_for_reading(statm);
     unsigned long long total = 0;
@@ -36,7 +36,7 @@ std::uint64_t resident_in(const char* statm) {
     return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// The size in MiB, KiB or bytes, in the largest unit that gives at least 1; rounded down.
+/// Returns the size in MiB, KiB or bytes, in the largest unit that gives at least 1. The number is rounded down.
 std::string size_text(std::uint64_t bytes) {
     constexpr std::uint64_t kibibyte = 1U << 10U;
     constexpr std::uint64_t mebibyte = 1U << 20U;
@@ -68,7 +68,7 @@ std::uint64_t resident_bytes() {
 std::uint64_t resident_bytes_of_tree(pid_t process) {
     std::uint64_t bytes = 0;
     std::vector<pid_t> open{process};
-    // The number of processes is bounded, because the process tree may change during the loop.
+    // The limit on the number of processes ends the loop even if the process tree changes during it.
     for (std::size_t i = 0; i < open.size() && i < 10'000; ++i) {
         bytes += resident_in(fmt::format("/proc/{}/statm", open[i]).c_str());
         for (const pid_t child : children_of(open[i])) open.push_back(child);
@@ -105,7 +105,7 @@ void Budget::interrupt() {
     stopped_ = true;
 }
 
-/// Measures memory at most a hundred times a second; the last value is used in between.
+/// Measures memory at most a hundred times a second. Between two measurements, the last value is used.
 bool Budget::memory_exceeded(Time now) {
     const std::int64_t ticks = now.time_since_epoch().count();
     const std::chrono::steady_clock::duration since(ticks - memory_checked_.load(std::memory_order_relaxed));

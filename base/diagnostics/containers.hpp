@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sorting and removal of duplicates in sequences. clang 14 lacks std::ranges::unique.
+// Sorts sequences and removes duplicates. (clang 14 lacks std::ranges::unique.)
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ASCII control characters in the languages that the project writes. A character with a letter has the same escape in
-// all languages (`\n`). The other characters are written as numbers, in the form of the language.
+// Gives the escapes of ASCII control characters for the languages that the project writes. A character with a letter
+// has the same escape in all languages (`\n`). The other characters are written as numbers, in the form of the
+// language.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@ namespace robochart::diagnostics {
     return static_cast<unsigned char>(c) < 0x20U || c == 0x7F;
 }
 
-/// The letter after the backslash for line ends and tabulators; no value for other characters.
+/// Returns the letter after the backslash for line ends and tabulators. Returns no value for other characters.
 [[nodiscard]] constexpr std::optional<char> letter_of_control(char c) {
     switch (c) {
         case '\n':

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A POSIX file descriptor that is closed by its owner's destructor.
+// Owns a POSIX file descriptor, which the destructor closes.
 #pragma once
 
 #include <unistd.h>
@@ -8,7 +8,7 @@
 
 namespace robochart::diagnostics {
 
-/// An open file or folder; -1 for none.
+/// An open file or folder. The number is -1 if nothing is open.
 class Descriptor {
 public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -24,7 +24,7 @@ public:
     Descriptor& operator=(const Descriptor&) = delete;
     [[nodiscard]] int get() const { return number_; }
     [[nodiscard]] bool is_open() const { return number_ >= 0; }
-    /// Returns false and sets errno if the written data could not be stored.
+    /// Closes the file. Returns false and sets errno if the written data could not be stored.
     bool close() { return ::close(std::exchange(number_, -1)) == 0; }
 
 private:

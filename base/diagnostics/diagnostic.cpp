@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills in the pattern of a rule, and collects findings in a stable order.
+// Inserts arguments into the message of a rule, and stores findings in a stable order.
 #include "base/diagnostics/diagnostic.hpp"
 
 #include <fmt/args.h>
@@ -21,7 +21,8 @@ std::string Diagnostic::message() const {
 
 namespace {
 
-/// People read messages, so only the beginning of a very long name or expression is shown, cut between characters.
+/// Shortens a very long argument: people read messages, so only its beginning is shown. It is cut between two
+/// characters.
 void shorten_argument(std::string& argument) {
     constexpr std::size_t max_shown = 1000;
     if (argument.size() <= max_shown) return;
@@ -43,7 +44,7 @@ Diagnostic& Diagnostics::report(const Rule& rule, Span span, std::vector<std::st
     if (rule.severity == Severity::error) ++errors_;
     if (rule.severity == Severity::warning) ++warnings_;
     if (rule.severity == Severity::error && span.is_known()) wrong_.insert(span.source);
-    // Each severity has its own limit, so that many warnings never hide an error.
+    // Each severity has its own limit, so that many warnings cannot hide an error.
     std::size_t like_this = 0;
     if (rule.severity == Severity::error) like_this = errors_;
     if (rule.severity == Severity::warning) like_this = warnings_;

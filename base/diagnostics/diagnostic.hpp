@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics as data: a rule from a table, a place, arguments. render.hpp draws them.
+// Represents diagnostics as data: a rule from a table, a place, and arguments. render.hpp draws them.
 #pragma once
 
 #include <set>
@@ -17,13 +17,14 @@ enum class Severity { note, warning, error };
 
 /// One row of a rule table. All views point at static storage.
 struct Rule {
-    /// The published code if there is one (STM6, J1), otherwise a code of this project (RC-P01, CSPM-T03).
+    /// The published code of the rule if it has one (STM6, J1), otherwise a code of this project (RC-P01, CSPM-T03).
     std::string_view code;
     Severity severity = Severity::error;
-    std::string_view message;  ///< fmt pattern for the diagnostic's arguments, in order
+    std::string_view message;  ///< fmt pattern for the arguments of the diagnostic, in order
 };
 
-/// Points to another relevant place. If the span is unknown, its text is added to the message of the finding.
+/// Refers to another relevant place. If the span is unknown, the text of the note is added to the message of the
+/// finding.
 struct Note {
     Span span;
     std::string message;
@@ -44,23 +45,24 @@ struct Diagnostic {
     std::vector<Note> notes;
     std::vector<FixIt> fixes;
 
-    /// The rule's pattern with the arguments inserted.
+    /// Returns the rule's pattern with the arguments inserted.
     [[nodiscard]] std::string message() const;
 };
 
-/// Collects diagnostics in any order and returns them sorted by source, place and code.
+/// Collects diagnostics in any order. Returns them sorted by source, place and code.
 class Diagnostics {
 public:
-    /// The number of findings of each severity that are stored; later ones are only counted.
+    /// How many findings of each severity are stored; later findings are only counted.
     static constexpr std::size_t max_kept = 200;
 
-    /// Adds a finding. The reference is valid until the next `report`; use it to attach notes and fixes.
+    /// Adds a finding and returns it, so that notes and fixes can be added. The reference is valid until the next
+    /// `report`.
     Diagnostic& report(const Rule& rule, Span span, std::vector<std::string> arguments = {});
 
     /// Sets the budget of the run. Phases that report here poll it, so it must outlive them.
     void set_budget(Budget* budget) { budget_ = budget; }
     [[nodiscard]] Budget* budget() const { return budget_; }
-    /// Must be called in every loop whose length depends on the input. Throws LimitReached.
+    /// Every loop whose length depends on the input must call this function. Throws LimitReached.
     void poll() const {
         if (budget_ != nullptr) budget_->poll();
     }
@@ -70,18 +72,18 @@ public:
 
     /// Adds the findings of another collection.
     void add(const Diagnostics& other);
-    /// The findings about these texts, with the same budget and allowed codes.
+    /// Returns the findings about these texts. The result has the same budget and allowed codes.
     [[nodiscard]] Diagnostics findings_in_texts(const std::set<SourceId>& texts) const;
     [[nodiscard]] std::vector<Diagnostic> sorted_findings() const;
     [[nodiscard]] std::size_t error_count() const { return errors_; }
-    /// The message of the first error in the order of `sorted_findings`; "" without errors.
+    /// Returns the message of the first error in the order of `sorted_findings`, or "" if there is no error.
     [[nodiscard]] std::string first_error() const;
     [[nodiscard]] std::size_t warning_count() const { return warnings_; }
     [[nodiscard]] bool ok() const { return errors_ == 0; }
-    /// True if an error was found in this text.
+    /// Returns true if an error was found in this text.
     [[nodiscard]] bool has_errors_in(SourceId source) const { return wrong_.contains(source); }
     [[nodiscard]] bool empty() const { return items_.empty(); }
-    /// The number of findings that were counted but not stored.
+    /// Returns the number of findings that were counted but not stored.
     [[nodiscard]] std::size_t dropped_count() const { return dropped_; }
 
 private:

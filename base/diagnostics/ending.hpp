@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of the program. Destroying gigabytes of small objects takes seconds. When no more work follows, such objects
-// are not destroyed, and the system frees the memory of the process at once.
+// Makes the end of the program fast. Destroying gigabytes of small objects takes seconds. When no more work follows,
+// these objects are not destroyed, and the system frees the memory of the process at once.
 #pragma once
 
 #include <atomic>
@@ -9,15 +9,15 @@
 
 namespace robochart::diagnostics {
 
-/// True when the program has its answer, or when a limit ends it. From then on, large objects are not destroyed. The
-/// run sets this flag.
+/// True after the program has its answer, or after a limit has ended its work. From then on, large objects are not
+/// destroyed. The run sets this flag.
 inline std::atomic<bool> program_ends{false};
 
 /// Destroys a large object, unless the program ends. Destructors of large objects call it for their members.
 template <class T>
 void discard(std::unique_ptr<T>& large) {
     if (!program_ends) return large.reset();
-    static std::vector<T*>& undeleted = *new std::vector<T*>();  // so that leak detectors find it
+    static std::vector<T*>& undeleted = *new std::vector<T*>();  // stored, so that leak detectors find it
     undeleted.push_back(large.release());
 }
 

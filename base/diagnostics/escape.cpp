@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each language has one escape function. The function decodes the text once and escapes the characters that have a
+// Contains one escape function for each language. It decodes the text once and escapes the characters that have a
 // meaning in the language.
 #include "base/diagnostics/escape.hpp"
 
@@ -32,7 +32,7 @@ std::string control_escape(char c) {
     return fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
 }
 
-/// The code point of a well-formed UTF-8 sequence.
+/// Returns the code point of a well-formed UTF-8 sequence.
 unsigned decode_utf8(std::string_view sequence) {
     const unsigned lead = static_cast<unsigned char>(sequence.front());
     unsigned code = lead & 0x07U;
@@ -42,8 +42,9 @@ unsigned decode_utf8(std::string_view sequence) {
     return code;
 }
 
-/// Characters with which a text can look like another: C1 controls, characters without width and characters that change
-/// the direction (Unicode 15, Default_Ignorable_Code_Point and Bidi_Control). Also line and paragraph separators.
+/// Returns true for characters that can make a text look like another text: C1 controls, characters without width,
+/// characters that change the direction (Unicode 15, Default_Ignorable_Code_Point and Bidi_Control), and line and
+/// paragraph separators.
 bool is_invisible(unsigned code) {
     return (code >= 0x80U && code <= 0x9FU) || code == 0xADU || code == 0x61CU ||
            (code >= 0x200BU && code <= 0x200FU) || (code >= 0x2028U && code <= 0x202EU) ||
@@ -51,7 +52,7 @@ bool is_invisible(unsigned code) {
            (code >= 0xE0000U && code <= 0xE0FFFU);
 }
 
-/// Escapes invisible characters; `ascii` converts the visible ones of ASCII.
+/// Escapes invisible characters. `ascii` escapes ASCII characters as the language requires.
 std::string escape_invisible(std::string_view text, Escape ascii, bool lines) {
     std::string result;
     while (!text.empty()) {
@@ -104,8 +105,8 @@ std::string shown_lines(const ForeignText& text) {
     return escape_invisible(text.unescaped(), as_it_is, true);
 }
 
-/// A backslash at the end of a line, also after wrapping, continues a comment, and "??/" is a backslash (ISO C++14
-/// [lex.trigraph]).
+/// Also escapes backslashes: a backslash at the end of a line, also after wrapping, continues a comment, and "??/" is a
+/// backslash (ISO C++14 [lex.trigraph]).
 std::string comment_text(const ForeignText& text) {
     std::string result = escape_invisible(
         text.unescaped(), [](char c) { return c == '\\' ? "\\x5c" : std::string(1, c); }, false);
@@ -133,7 +134,7 @@ std::string cspm_character(char c) {
     return cspm_escaped(std::string(1, c), '\'');
 }
 
-/// "--" is not allowed in a comment.
+/// Also escapes "--", which is not allowed in a comment.
 std::string xml_text(const ForeignText& text) {
     std::string result = escape_invisible(
         text.unescaped(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See excerpt.hpp. Only the bytes around the mark are processed, so that a line of many megabytes is not slow.
+// Prepares an excerpt. Only the bytes around the mark are processed, so that a line of many megabytes is not slow.
 #include "base/diagnostics/excerpt.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t tab_width = 4;
 constexpr std::string_view ellipsis = "...";
 
-/// A shown cell: its text, and the offset in the line of the byte that it represents.
+/// A cell of the excerpt: its text, and the offset in the line of the byte that it represents.
 struct Cell {
     std::string_view text;
     std::size_t offset;
@@ -31,7 +31,7 @@ void add_cells(std::vector<Cell>& cells, std::string_view rest, std::size_t offs
     } else if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
         cells.push_back({" ", offset});
     } else if (const std::string_view character = rest.substr(0, length); escape_for_display(character) != character) {
-        cells.push_back({replacement_character, offset});  // invisible, or changes the direction of writing
+        cells.push_back({replacement_character, offset});  // it is invisible or changes the direction of writing
     } else {
         cells.push_back({character, offset});
     }
@@ -48,7 +48,7 @@ std::vector<Cell> split_cells(std::string_view line, std::size_t first, std::siz
     return cells;
 }
 
-/// The nearest beginning of a character at or before `offset`.
+/// Returns the nearest beginning of a character at or before `offset`.
 std::size_t align_to_character(std::string_view line, std::size_t offset) {
     for (std::size_t back = 0; back < 3 && offset > 0 && offset < line.size() && is_continuation(line[offset]); ++back)
         --offset;
@@ -66,7 +66,7 @@ Excerpt make_excerpt(std::string_view line, std::size_t begin, std::size_t end, 
     begin = std::min(begin, line.size());
     end = std::clamp(end, begin, line.size());
     max_width = std::max<std::size_t>(max_width, 20);
-    // A cell is at most four bytes long, so this window is large enough to fill the width.
+    // A cell represents at most four bytes, so this window is large enough for the width.
     const std::size_t reach = 4 * max_width;
     const std::size_t first = align_to_character(line, begin > reach ? begin - reach : 0);
     const std::size_t last = align_to_character(line, std::min(line.size(), begin + reach));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Below the root, every step goes from an open folder to a name in it (openat, mkdirat, renameat with O_NOFOLLOW). So a
-// link that is inserted between a check and its use is not followed.
+// Reads and writes files. Below the root, every step goes from an open folder to a name in it (openat, mkdirat,
+// renameat with O_NOFOLLOW). So a link that is inserted between a check and the use of the checked path is not
+// followed.
 #include "base/diagnostics/files.hpp"
 
 #include <fcntl.h>
@@ -48,13 +49,13 @@ bool leads_below(const fs::path& relative) {
     return true;
 }
 
-/// Opens a subfolder of an open folder; creates it if it does not exist.
+/// Opens a subfolder of an open folder. Creates the subfolder if it does not exist.
 Descriptor folder_in(const Descriptor& above, const std::string& name) {
     if (mkdirat(above.get(), name.c_str(), 0777) != 0 && errno != EEXIST) return Descriptor();
     return Descriptor(openat(above.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-/// Opens the folder of the new file; sets `error` on failure.
+/// Opens the folder of the new file. Sets `error` on failure.
 Descriptor folder_of(const std::string& root, const fs::path& relative, std::string& error) {
     if (!leads_below(relative)) {
         error = fmt::format("refusing to write outside {}: {}", root, relative.string());
@@ -103,8 +104,8 @@ Descriptor new_file(const Descriptor& folder, mode_t mode, std::string& name) {
     return Descriptor();
 }
 
-/// Writes the file and moves it to its place. `before` is the file that is replaced, whose properties are kept; null
-/// for a new file.
+/// Writes the file and moves it to its place. `before` is the file that it replaces, whose properties are preserved, or
+/// null for a new file.
 std::string write_and_rename(const Descriptor& folder, const fs::path& path, std::string_view text,
                              const struct stat* before, Budget* budget) {
     std::string name;
@@ -114,7 +115,7 @@ std::string write_and_rename(const Descriptor& folder, const fs::path& path, std
     const Budget::Held held(budget, (parent / name).string());
     bool good = write_whole(file.get(), text);
     if (good && before != nullptr) {
-        // The owner is preserved if that is permitted; the mode is always preserved.
+        // The owner is preserved if the system permits it; the mode is always preserved.
         (void)!fchown(file.get(), before->st_uid, before->st_gid);
         good = fchmod(file.get(), before->st_mode & 07777U) == 0 && fsync(file.get()) == 0;
     }
@@ -160,7 +161,7 @@ std::string replace_file(const std::string& named, std::string_view text, Budget
 
 namespace {
 
-/// `./a.rct` becomes `a.rct`, for files below the folder `.`.
+/// Shortens `./a.rct` to `a.rct`, for files below the folder `.`.
 std::string shown_path(std::string path) {
     while (path.size() > 2 && path.starts_with("./")) {
         const std::size_t name = path.find_first_not_of('/', 1);

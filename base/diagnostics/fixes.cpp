@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selects fixes that do not overlap, preferring earlier ones in the text, and applies them in one pass.
+// Selects fixes that do not overlap and applies them in one pass. Of overlapping fixes, the one that begins first is
+// selected.
 #include "base/diagnostics/fixes.hpp"
 
 #include <algorithm>

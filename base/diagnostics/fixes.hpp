@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Applies fixes to texts.
+// Selects certain fixes and applies fixes to texts.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace robochart::diagnostics {
 
-/// The title of a fix that is a guess; all other fixes are certain.
+/// The title of a fix that is a guess. Fixes with other titles are certain.
 inline constexpr std::string_view suggestion_title = "did you mean";
 
-/// True if the fix may be applied without asking.
+/// Returns true if the fix may be applied without asking the user.
 [[nodiscard]] bool is_certain(const FixIt&);
 
-/// The certain fixes of one source in textual order, without overlaps. Only the first fix of a finding is used, and
-/// earlier fixes are preferred.
+/// Returns the certain fixes of one source in textual order, without overlaps. Only the first fix of a finding is used.
+/// Of overlapping fixes, the one that begins first is used.
 [[nodiscard]] std::vector<FixIt> certain_fixes(const Diagnostics&, SourceId source);
 
-/// The text with the fixes applied. They must be sorted and must not overlap.
+/// Returns the text with the fixes applied. The fixes must be sorted and must not overlap.
 [[nodiscard]] std::string apply_fixes(std::string_view text, const std::vector<FixIt>& fixes);
 
-/// Replaces a text file by a new version of its text (files.hpp: replace_file); a byte order mark is kept. Returns the
-/// cause in words on failure, "" on success.
+/// Replaces a text file by a new version of its text (files.hpp: replace_file). A byte order mark is preserved. Returns
+/// "" on success, and the cause of the failure otherwise.
 [[nodiscard]] std::string replace_text(const std::string& path, std::string text, Budget* budget = nullptr);
 
 }  // namespace robochart::diagnostics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON values as text, numbers as JSON, and diagnostics as JSON for programs.
+// Writes JSON values as text, and diagnostics as JSON for programs.
 #include "base/diagnostics/json.hpp"
 
 #include <fmt/format.h>

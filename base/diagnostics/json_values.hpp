@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON values of containers, optional values and measured numbers.
+// Creates JSON values from containers, optional values and measured numbers.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace robochart::diagnostics {
 
-/// An array with one value for each item, in the same order. `value_of` maps an item to its value; it is a function or
-/// a pointer to a member.
+/// Returns an array with one value for each item, in the same order. `value_of` maps an item to its value; it is a
+/// function or a pointer to a member.
 template <class Items, class ValueOf>
 [[nodiscard]] Json json_array(const Items& items, const ValueOf& value_of) {
     Json list = Json::array();
@@ -19,7 +19,7 @@ template <class Items, class ValueOf>
     return list;
 }
 
-/// An object with one member for each pair of a name and a value.
+/// Returns an object with one member for each pair of a name and a value.
 template <class Pairs>
 [[nodiscard]] Json json_object(const Pairs& pairs) {
     Json object = Json::object();
@@ -27,13 +27,13 @@ template <class Pairs>
     return object;
 }
 
-/// The value; null if there is none.
+/// Returns the value, or null if there is none.
 template <class Value>
 [[nodiscard]] Json json_or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-/// The number with six significant digits; null if it is infinite or not a number.
+/// Returns the number with six significant digits, or null if it is infinite or not a number.
 [[nodiscard]] Json json_number(double value);
 
 }  // namespace robochart::diagnostics

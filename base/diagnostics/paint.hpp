@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of texts for people, as terminal escape sequences. The caller decides whether to use them
+// Colours texts for people by terminal escape sequences. The caller decides whether to use colours
 // (app/command/output.hpp: color_wanted).
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace robochart::diagnostics {
 
-/// The role of a part of a text.
+/// What a piece of printed text is. Each kind has its own colour.
 enum class Paint : unsigned char {
     heading,
-    name,  ///< the subject of the text
+    name,  ///< what the text is about
     note,
     warning,
     error,
@@ -19,7 +19,7 @@ enum class Paint : unsigned char {
     success,   ///< all claims are true
 };
 
-/// The text with the colour of its role; unchanged without `color`.
+/// Returns the text in the colour of its kind. Without `color`, the text is unchanged.
 [[nodiscard]] std::string paint_text(std::string_view text, Paint paint, bool color);
 
 }  // namespace robochart::diagnostics

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of a budget that long loops use. It has few includes, because many headers name it.
+// Defines the part of a budget that long loops use. This header has few includes, because many headers include it.
 #pragma once
 
 namespace robochart::diagnostics {
 
-/// The interface of budgets for long loops. It is implemented by the budget of the run (Budget), by the budget of a
-/// check (refine::Budget), and by budgets that add limits to another budget.
+/// The interface of budgets for long loops. Its implementations are the budget of the run (Budget), the budget of a
+/// check (refine::Budget), and budgets that add limits to another budget.
 class Pollable {
 public:
-    /// Must be called in every loop whose length depends on the input. Throws LimitReached to end the work.
+    /// Every loop whose length depends on the input must call this function. Throws LimitReached to end the work.
     virtual void poll() = 0;
 
 protected:
@@ -21,7 +21,7 @@ public:
     void poll() override {}
 };
 
-/// For work that no budget limits. Any thread may poll it.
+/// The budget for work without limits. Any thread may poll it.
 inline constinit Unlimited unlimited;
 
 }  // namespace robochart::diagnostics

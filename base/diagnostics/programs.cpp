@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The environment for a program whose temporary files go to this folder. A killed program does not delete its files.
+/// Returns the environment for a program whose temporary files are to be in this folder. A killed program does not
+/// delete its files.
 std::vector<std::string> environment_within(const fs::path& folder) {
     std::vector<std::string> result{"TMPDIR=" + fs::absolute(folder).string()};
     for (char** entry = environ; *entry != nullptr; ++entry)
@@ -40,8 +41,8 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
     return result;
 }
 
-/// Starts the program with default signal handling, independently of this program's. It leads a process group, so that
-/// it can be killed with all its child processes. Returns 0 and sets `error` if it cannot be started.
+/// Starts the program. It has the default signal handling, even if this program has changed its own. It leads a process
+/// group, so that it can be killed with all its child processes. Returns 0 and sets `error` if it cannot be started.
 pid_t start_program(const std::vector<std::string>& command, const std::string& log, std::string& error) {
     assert(!command.empty());
     const std::vector<char*> arguments = as_argv(command);
@@ -73,13 +74,14 @@ pid_t start_program(const std::vector<std::string>& command, const std::string& 
     return 0;
 }
 
-/// Polls until the program has ended. Does not reap the process, so that its number is not reused.
+/// Waits until the program has ended, and polls the budget. Does not reap the process, so that its number is not
+/// reused.
 void wait_within(pid_t child, Budget& budget) {
     siginfo_t ended{};
     const auto running = [&] {
         return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
     };
-    // Most programs end soon, so the first pause is short. It grows for programs that take longer.
+    // Most programs end soon, so the first pause is short. The pauses become longer for programs that take longer.
     auto pause = std::chrono::milliseconds(1);
     for (; running(); std::this_thread::sleep_for(pause)) {
         budget.check();
@@ -87,7 +89,7 @@ void wait_within(pid_t child, Budget& budget) {
     }
 }
 
-/// Reaps an ended program and returns its exit status; -1 if the status is lost.
+/// Reaps an ended program and returns its exit status, or -1 if the status is lost.
 int collect_status(pid_t child) {
     assert(child > 0);
     int status = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics for people: header, place, excerpt with caret, notes and certain fixes.
+// Draws diagnostics for people: header, place, excerpt with caret, notes and certain fixes.
 #include "base/diagnostics/render.hpp"
 
 #include <fmt/format.h>
@@ -31,12 +31,12 @@ Look look_of_severity(Severity severity) {
     return {"error", Paint::error};
 }
 
-/// `  --> path:line:column` and the marked line.
+/// Draws `  --> path:line:column` and the marked line.
 std::string draw_place(const SourceManager& sources, Span span, const TextStyle& style, Paint paint) {
     const Position begin = sources.position(span.source, span.begin);
     const Position end = sources.position(span.source, span.end);
     const std::string_view line = sources.line_text(span.source, begin.line);
-    // The line is a view into the text of the file, so the offset of the line is the difference of the pointers.
+    // The line is a view into the text of the file, so the difference of the pointers is the offset of the line.
     const auto line_start = static_cast<std::size_t>(line.data() - sources.source_text(span.source).data());
     const std::size_t from = span.begin - std::min<std::size_t>(span.begin, line_start);
     const std::size_t to = end.line == begin.line ? span.end - line_start : line.size();
@@ -58,7 +58,7 @@ std::string draw_note(const SourceManager& sources, const Note& note, const Text
                        draw_place(sources, note.span, style, as_note.paint));
 }
 
-/// The fix as an instruction, and the line after the fix.
+/// Draws a fix: an instruction, and the line as it is after the fix.
 std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextStyle& style) {
     const bool removes = fix.replacement.empty();
     std::string out = fmt::format("   = help: {}{}\n", shown_lines(fix.title),
@@ -85,7 +85,7 @@ std::string draw_fix(const SourceManager& sources, const FixIt& fix, const TextS
     return out + fmt::format("{0}  |\n {1} | {2}\n{0}  |{3}\n", margin, number, excerpt.text, mark);
 }
 
-/// 1,324
+/// Groups digits, as in 1,324.
 std::string group_digits(std::size_t n) {
     std::string digits = std::to_string(n);
     for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");

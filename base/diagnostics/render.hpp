@@ -16,7 +16,7 @@ struct TextStyle {
     std::size_t max_width = 160;  ///< longer source lines are cut around the caret
 };
 
-/// One diagnostic with excerpt and caret:
+/// Draws one diagnostic with excerpt and caret:
 ///   error[J1]: message
 ///     --> path:line:column
 ///      |
@@ -24,12 +24,13 @@ struct TextStyle {
 ///      |            ^
 ///      = note: ...
 [[nodiscard]] std::string render_text(const SourceManager&, const Diagnostic&, const TextStyle& = {});
-/// All findings in sorted order, then a count ("2 errors, 1 warning"); "" if there are none.
+/// Draws all findings in sorted order, then their number ("2 errors, 1 warning"). Returns "" if there are none.
 [[nodiscard]] std::string render_text(const SourceManager&, const Diagnostics&, const TextStyle& = {});
-/// {"schema":"robochart-verify/diagnostics/1","diagnostics":[{code,severity,message,file,line,column,endLine,endColumn,notes,fixes}]};
-/// docs/cli.md describes the fields. `limit` is the reason why the check is incomplete; "" if it is complete.
+/// Returns the findings as {"schema":"robochart-verify/diagnostics/1","diagnostics":[...]}. Each finding is an object
+/// {code,severity,message,file,line,column,endLine,endColumn,notes,fixes}; docs/cli.md describes the fields. `limit` is
+/// the reason why the check is incomplete, or "" if it is complete.
 [[nodiscard]] std::string render_json(const SourceManager&, const Diagnostics&, std::string_view limit = "");
-/// Data of a SARIF log in addition to the findings.
+/// The data that a SARIF log needs besides the findings.
 struct SarifRules {
     std::string version;                             ///< the version of the program
     std::string what;                                ///< verb and input
@@ -37,8 +38,9 @@ struct SarifRules {
     std::function<std::string(const Rule&)> reason;  ///< why it is a mistake, in sentences
     std::string limit = {};                          ///< why the check is incomplete; "" if it is complete
 };
-/// SARIF 2.1.0: one run with the rules that occur, regions with columns, related places and fixes. Findings without a
-/// place are notifications. If there is a limit, an invocation states it and is marked as unsuccessful.
+/// Returns a SARIF 2.1.0 log with one run. It contains the rules that occur, regions with columns, related places and
+/// fixes. Findings without a place are notifications. If there is a limit, an invocation states it and is marked as
+/// unsuccessful.
 [[nodiscard]] std::string render_sarif(const SourceManager&, const Diagnostics&, const SarifRules&);
 
 }  // namespace robochart::diagnostics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help texts, places with columns in
-// code points, fixes as replacements.
+// Writes diagnostics as SARIF 2.1.0 (OASIS, 2020): one run, the rules that occur with their help texts, places with
+// columns in code points, and fixes as replacements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +46,8 @@ Json fix_object(const SourceManager& sources, const FixIt& fix) {
     return {{"description", sarif_text(fix.title)}, {"artifactChanges", Json::array({change})}};
 }
 
-/// The first line of a finding without surrounding blanks. It does not change when lines are added above it.
+/// Returns the first line of a finding without the blanks around it. This text does not change when lines are added
+/// above it.
 std::string_view line_of(const SourceManager& sources, Span span) {
     std::string_view line = sources.line_text(span.source, sources.position(span.source, span.begin).line);
     constexpr std::string_view space = " \t\r";
@@ -54,7 +55,8 @@ std::string_view line_of(const SourceManager& sources, Span span) {
     return line.substr(0, line.find_last_not_of(space) + 1);
 }
 
-/// Notes with a place become related locations; the others become part of the message.
+/// Converts a finding to a result. Notes with a place become related locations; the other notes become part of the
+/// message.
 Json sarif_result(const SourceManager& sources, const Diagnostic& diagnostic, std::size_t rule) {
     std::string message = diagnostic.message();
     Json related = Json::array();
@@ -77,8 +79,8 @@ Json sarif_result(const SourceManager& sources, const Diagnostic& diagnostic, st
     return json;
 }
 
-/// SARIF 2.1.0, 3.20: an invocation states that the results are incomplete if the run was cut short. It also contains
-/// the findings that are not results.
+/// Returns an invocation, which states that the results are incomplete if the run was cut short (SARIF 2.1.0, 3.20). It
+/// also contains the findings that are not results.
 Json sarif_invocation(const SarifRun& run) {
     Json notifications = Json::array();
     if (!run.limit.empty()) notifications.push_back({{"level", "error"}, {"message", sarif_text(run.limit)}});
@@ -90,7 +92,7 @@ Json sarif_invocation(const SarifRun& run) {
     return {{"executionSuccessful", !failed}, {"toolExecutionNotifications", notifications}};
 }
 
-/// "A state is never reached" becomes `AStateIsNeverReached`.
+/// Converts a title to an identifier: "A state is never reached" becomes `AStateIsNeverReached`.
 std::string identifier_of_title(std::string_view title) {
     std::string name;
     bool begins = true;
@@ -106,7 +108,7 @@ std::string identifier_of_title(std::string_view title) {
     return name;
 }
 
-/// The text with a full stop at its end.
+/// Returns the text with a full stop at its end.
 std::string with_full_stop(std::string_view text) {
     return std::string(text) + (text.ends_with('.') ? "" : ".");
 }
@@ -121,7 +123,7 @@ std::string capitalize_first(std::string_view text) {
 
 std::string render_sarif(const SourceManager& sources, const Diagnostics& diagnostics, const SarifRules& about) {
     const std::vector<Diagnostic> findings = diagnostics.sorted_findings();
-    // Rows that share a code are one rule in SARIF; the first row by place describes it.
+    // Rows of the rule table that share a code are one rule in SARIF. The row whose finding comes first describes it.
     std::vector<const Rule*> rules;
     const auto index = [&](const Diagnostic& d) {
         const auto same = std::ranges::find_if(rules, [&](const Rule* r) { return r->code == d.rule->code; });
@@ -179,7 +181,7 @@ Json sarif_rule(std::string_view id, std::string_view title, std::string_view te
             {"defaultConfiguration", {{"level", level}}}};
 }
 
-/// FNV-1a with 64 bits. A log need not be secure against the author of the model.
+/// Computes FNV-1a with 64 bits. This suffices, because a log need not be secure against the author of the model.
 Json sarif_fingerprint(std::string_view rule, std::string_view subject) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     const auto take = [&](std::string_view text) {
@@ -199,7 +201,7 @@ std::string sarif_log(const SarifRun& run) {
     const Json driver{{"name", "robochart-verify"},
                       {"version", run.version},
                       {"semanticVersion", run.version},
-                      // The program has no website; this is the website of its language.
+                      // The program has no website, so this is the website of its language.
                       {"informationUri", "https://robostar.cs.york.ac.uk/"},
                       {"rules", run.rules}};
     Json json{{"tool", {{"driver", driver}}}, {"automationDetails", {{"id", run.what + "/"}}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame and the parts of a SARIF 2.1.0 log of this program.
+// Writes the frame and the parts of a SARIF 2.1.0 log of this program.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@
 
 namespace robochart::diagnostics {
 
-/// A message object.
+/// Returns a message object.
 [[nodiscard]] Json sarif_text(std::string_view message);
-/// An artifact location. It is relative if the file is below the current folder, because readers of SARIF resolve paths
-/// against the root of the repository.
+/// Returns an artifact location. It is relative if the file is below the current folder, because readers of SARIF
+/// resolve paths against the root of the repository.
 [[nodiscard]] Json sarif_file(std::string_view path);
-/// A physical location: a path and a region from `begin` to `end` (exclusive), in code points.
+/// Returns a physical location: a path and a region from `begin` to `end` (exclusive), in code points.
 [[nodiscard]] Json sarif_place(std::string_view path, Position begin, Position end);
-/// A rule. It describes the mistake as a phrase, which also determines the rule's name, and in sentences.
+/// Returns a rule. `title` describes the mistake as a phrase and determines the rule's name; `text` describes it in
+/// sentences.
 [[nodiscard]] Json sarif_rule(std::string_view id, std::string_view title, std::string_view text,
                               std::string_view level);
-/// The fingerprint of a result. It distinguishes the result from others in the same file by rule and subject,
+/// Returns the fingerprint of a result. Rule and subject distinguish the result from others in the same file,
 /// independently of its position.
 [[nodiscard]] Json sarif_fingerprint(std::string_view rule, std::string_view subject);
 
-/// One run of the program.
+/// The data of one run of the program.
 struct SarifRun {
     std::string version;
     std::string what;  ///< verb and input; if two logs have the same text, readers use only the later log
@@ -34,9 +35,9 @@ struct SarifRun {
     std::string limit;                   ///< why the check is incomplete; "" if it is complete
     Json properties = Json::object();
 };
-/// A finding that is not a result: about the command line, or about a file that cannot be read.
+/// Returns a finding that is not a result: a finding about the command line, or about a file that cannot be read.
 [[nodiscard]] Json sarif_notification(std::string_view rule, std::string_view level, std::string_view message);
-/// One log with one run, as text.
+/// Returns the text of a log with one run.
 [[nodiscard]] std::string sarif_log(const SarifRun&);
 
 }  // namespace robochart::diagnostics

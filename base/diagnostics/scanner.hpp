@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part that the lexers of all languages share: a position in a text, and moves over words, digits and symbols.
-// Everything is inline, because scripts have many megabytes. Characters are treated as ASCII in every locale.
+// Contains the code that the lexers of all languages share: a position in a text, and moves over words, digits and
+// symbols. Everything is inline for speed, because scripts have many megabytes. Characters are treated as ASCII in
+// every locale.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace robochart::diagnostics {
 [[nodiscard]] constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
-/// True for letters and `_`.
+/// Returns true for letters and `_`.
 [[nodiscard]] constexpr bool begins_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
@@ -26,34 +27,34 @@ namespace robochart::diagnostics {
     return begins_name(c) || is_digit(c);
 }
 
-/// The base class of lexers. While the position is beyond the end of the text, a lexer may only call `at_end` and
+/// The base class of lexers. When the position is beyond the end of the text, a lexer may only call `at_end` and
 /// `peek`.
 class Scanner {
 protected:
     explicit Scanner(std::string_view text, SourceId source = SourceId::none) : text_(text), source_(source) {}
 
     [[nodiscard]] bool at_end() const { return at_ >= text_.size(); }
-    /// A character at or after the position; NUL after the end of the text.
+    /// Returns a character at or after the position, or NUL after the end of the text.
     [[nodiscard]] char peek(std::size_t ahead = 0) const {
         return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
     }
     [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
     [[nodiscard]] bool looking_at(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
-    /// The end of the current line, without its line feed.
+    /// Returns the end of the current line, which is before its line feed.
     [[nodiscard]] std::size_t line_end() const { return std::min(text_.find('\n', at_), text_.size()); }
     [[nodiscard]] std::string_view text_from(std::size_t begin) const { return text_.substr(begin, at_ - begin); }
     [[nodiscard]] Span span_from(std::size_t begin) const {
         return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
     }
 
-    /// Moves past this text if it is here.
+    /// Moves past this text if the text is at the position.
     bool accept(std::string_view what) {
         const bool found = looking_at(what);
         if (found) at_ += what.size();
         return found;
     }
-    /// Moves past the first entry of a table that is here, and returns the entry; null if there is none. If the table
-    /// lists longer spellings first, this is the longest match.
+    /// Moves past the first entry of a table that is at the position, and returns the entry. Returns null if no entry
+    /// is there. If the table lists longer spellings first, this is the longest match.
     template <class Table, class Spelling = std::identity>
     const std::ranges::range_value_t<Table>* accept_first(const Table& table, Spelling spelling = {}) {
         const char first = peek();

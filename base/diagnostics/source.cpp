@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source texts: stores them, reads files, and converts byte offsets to lines and columns.
+// Stores source texts, reads files, and converts byte offsets to lines and columns.
 #include "base/diagnostics/source.hpp"
 
 #include <fcntl.h>
@@ -19,7 +19,7 @@ namespace robochart::diagnostics {
 
 namespace {
 
-/// Offsets at which lines begin. A line ends with LF, CR LF or a lone CR.
+/// Returns the offsets at which lines begin. A line ends with LF, CR LF or a lone CR.
 std::vector<std::uint32_t> find_line_starts(std::string_view text) {
     std::vector<std::uint32_t> starts{0};
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -33,8 +33,8 @@ std::string too_large(std::uintmax_t bytes) {
     return fmt::format("too large: {} bytes, at most {} are read", bytes, SourceManager::max_bytes);
 }
 
-/// The reason why an open file is rejected; "" if it can be read. A file that is not regular may have no end, or
-/// reading it may block forever.
+/// Returns the reason why an open file is rejected, or "" if it can be read. A file that is not regular may have no
+/// end, or reading it may block forever.
 std::string rejection_reason(const struct stat& status) {
     if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
     if (S_ISFIFO(status.st_mode)) return "is a pipe, not a regular file";
@@ -44,7 +44,7 @@ std::string rejection_reason(const struct stat& status) {
     return size > SourceManager::max_bytes ? too_large(size) : "";
 }
 
-/// The system's message about a file that cannot be opened.
+/// Returns the system's message about a file that cannot be opened.
 std::string cause_of_failure() {
     if (errno == ENOENT) return "no such file";
     if (errno == ENXIO) return "is a socket, or a pipe without a writer, not a regular file";
@@ -59,7 +59,7 @@ Span join_spans(Span a, Span b) {
     return {a.source, std::min(a.begin, b.begin), std::max(a.end, b.end)};
 }
 
-/// The byte order mark at the beginning of a file is removed, so that no reader needs to handle it.
+/// Adds a text. A byte order mark at its beginning is removed, so that readers need not handle it.
 SourceId SourceManager::add(std::string path, std::string text) {
     files_.push_back({std::move(path), {}, {}});
     const auto id = static_cast<SourceId>(files_.size() - 1);
@@ -68,7 +68,7 @@ SourceId SourceManager::add(std::string path, std::string text) {
 }
 
 std::optional<SourceId> SourceManager::load_file(const std::string& path, std::string& error) {
-    // Opens without waiting; opening a pipe would otherwise wait for a writer.
+    // The file is opened without waiting, because opening a pipe would wait for a writer.
     const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     struct stat status {};
     if (file.get() < 0 || fstat(file.get(), &status) != 0) {
@@ -87,7 +87,7 @@ std::optional<SourceId> SourceManager::load_file(const std::string& path, std::s
             error = std::strerror(errno);
         else
             text.append(buffer.data(), static_cast<std::size_t>(count));
-        // The file grew, or its file system reports no sizes.
+        // This happens if the file has grown, or if its file system reports no sizes.
         if (text.size() > max_bytes) error = too_large(text.size());
         if (!error.empty()) return std::nullopt;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source texts and places in them. All readers (RoboChart, CSPM, scenarios) use these types, so that one renderer can
-// draw all diagnostics.
+// Stores source texts and represents places in them. All readers (RoboChart, CSPM, scenarios) use these types, so that
+// one renderer can draw all diagnostics.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 
 namespace robochart::diagnostics {
 
-/// Index of a text in its SourceManager. Never reused.
+/// The index of a text in its SourceManager. An index is never reused.
 enum class SourceId : std::uint32_t { none = 0xffffffffU };
 
-/// A half-open range of byte offsets [begin, end) in one source text. A `none` span points to no text.
+/// A half-open range of byte offsets [begin, end) in one source text. If the source is `none`, the span is unknown.
 struct Span {
     SourceId source = SourceId::none;
     std::uint32_t begin = 0;
@@ -25,10 +25,10 @@ struct Span {
     [[nodiscard]] bool is_known() const { return source != SourceId::none; }
 };
 
-/// The smallest span that contains both; either may be unknown.
+/// Returns the smallest span that contains both spans. Either of them may be unknown.
 [[nodiscard]] Span join_spans(Span a, Span b);
 
-/// Line and column from 1; columns count Unicode code points.
+/// Line and column, counted from 1. Columns count Unicode code points.
 struct Position {
     std::uint32_t line = 1;
     std::uint32_t column = 1;
@@ -37,25 +37,25 @@ struct Position {
 /// Owns source texts during a run. References and views that it returns are valid until the text is replaced.
 class SourceManager {
 public:
-    /// The largest accepted text, in bytes; `load_file` rejects larger files.
+    /// The maximal size of a text in bytes. `load_file` rejects larger files.
     static constexpr std::size_t max_bytes = 256U << 20U;
 
-    /// Adds a text with a path for display; the path is not opened.
+    /// Adds a text with a path for display. The path is not opened.
     SourceId add(std::string path, std::string text);
     /// Reads a file. On failure returns no value and sets `error` to the cause in words (missing, not a regular file,
-    /// unreadable, too large). All bytes are accepted; readers check them.
+    /// unreadable, too large). All bytes are accepted; readers must check them.
     std::optional<SourceId> load_file(const std::string& path, std::string& error);
-    /// Replaces the text of an id; views of the old text become invalid. For editors.
+    /// Replaces a text, for editors. Views of the old text become invalid.
     void replace(SourceId id, std::string text);
 
     [[nodiscard]] std::string_view source_text(SourceId id) const;
     [[nodiscard]] const std::string& path(SourceId id) const;
     [[nodiscard]] std::size_t size() const { return files_.size(); }
-    /// Line and column of a byte offset (clamped to the text's end).
+    /// Returns the line and the column of a byte offset. An offset after the end of the text counts as its end.
     [[nodiscard]] Position position(SourceId id, std::uint32_t offset) const;
-    /// The text of a line (from 1) without its line end.
+    /// Returns the text of a line (counted from 1) without its line end.
     [[nodiscard]] std::string_view line_text(SourceId id, std::uint32_t line) const;
-    /// `path:line` of the beginning of a span; "" if it is unknown.
+    /// Returns `path:line` of the beginning of a span, or "" if the span is unknown.
     [[nodiscard]] std::string path_and_line(Span span) const;
 
 private:

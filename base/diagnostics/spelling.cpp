@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edit distance is optimal string alignment: Damerau's four edits, where no part of a word is edited twice.
+// Compares words by optimal string alignment, an edit distance with Damerau's four edits in which no part of a word is
+// edited twice.
 #include "base/diagnostics/spelling.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace robochart::diagnostics {
 
 namespace {
 
-/// Edit distance with transpositions of neighbours (optimal string alignment).
+/// Returns the edit distance, in which the transposition of two neighbours is one edit (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1);
     std::vector<std::size_t> last(b.size() + 1);

@@ -8,13 +8,13 @@
 
 namespace robochart::diagnostics {
 
-/// The candidate nearest to a misspelt name, if it is near enough; otherwise "".
+/// Returns the candidate nearest to a misspelt name, or "" if no candidate is near enough.
 [[nodiscard]] std::string nearest_spelling(std::string_view name, const std::vector<std::string>& candidates);
-/// True if `meant` is certainly the intended word: it differs by at most two letters, and no other candidate is as
-/// near.
+/// Returns true if `meant` is certainly the intended word: it differs by at most two letters, and no other candidate is
+/// as near.
 [[nodiscard]] bool is_certain(std::string_view name, std::string_view meant,
                               const std::vector<std::string>& candidates);
-/// The title of a fix that suggests another name.
+/// Returns the title of a fix that suggests another name.
 [[nodiscard]] std::string suggestion_verb(bool certain);
 
 }  // namespace robochart::diagnostics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See text.hpp.
+// Transforms texts.
 #include "base/diagnostics/text.hpp"
 
 namespace robochart::diagnostics {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small transformations of texts.
+// Transforms texts.
 #pragma once
 
 #include <map>
@@ -8,10 +8,11 @@
 
 namespace robochart::diagnostics {
 
-/// Replaces every run of blanks and line ends by one blank, and removes those at the ends; for titles and excerpts.
+/// Replaces every sequence of blanks and line ends by one blank, and removes those at both ends; for titles and
+/// excerpts.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
-/// Replaces every @KEY@ in the text; replacements are not searched again.
+/// Replaces every @KEY@ in the text by its value. The values are not searched again.
 [[nodiscard]] std::string fill_template(const std::string& text, const std::map<std::string, std::string>& keys);
 
 }  // namespace robochart::diagnostics

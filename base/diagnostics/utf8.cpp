@@ -5,7 +5,7 @@ namespace robochart::diagnostics {
 
 namespace {
 
-/// The length of the sequence that this byte begins; 0 if it begins none.
+/// Returns the length of the sequence that begins with this byte, or 0 if no sequence begins with it.
 std::size_t sequence_length(unsigned lead) {
     if (lead < 0x80U) return 1;
     if (lead >= 0xC2U && lead <= 0xDFU) return 2;
@@ -19,7 +19,7 @@ std::size_t sequence_length(unsigned lead) {
 std::size_t utf8_length(std::string_view text) {
     if (text.empty()) return 0;
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    // Unicode 15, table 3-7: the lengths of sequences and the allowed ranges of the second byte.
+    // The lengths of sequences and the allowed ranges of the second byte are those of Unicode 15, table 3-7.
     const std::size_t length = sequence_length(byte(0));
     if (length <= 1) return length;
     if (text.size() < length) return 0;

@@ -7,18 +7,18 @@
 
 namespace robochart::diagnostics {
 
-/// The length in bytes of the well-formed UTF-8 sequence at the beginning of `text`; 0 if there is none.
+/// Returns the length in bytes of the well-formed UTF-8 sequence at the beginning of `text`, or 0 if there is none.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
-/// Editors write this before a text to mark it as UTF-8. It belongs to the file, not to the text.
+/// The mark that editors write before a text to mark it as UTF-8. It belongs to the file, not to the text.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// True for a byte of a UTF-8 sequence after its first byte.
+/// Returns true for a byte of a UTF-8 sequence after its first byte.
 [[nodiscard]] inline bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-/// Shown instead of a byte that is not UTF-8 (U+FFFD).
+/// The character that is shown in place of a byte that is not UTF-8 (U+FFFD).
 inline constexpr std::string_view replacement_character = "\xEF\xBF\xBD";
 
 }  // namespace robochart::diagnostics

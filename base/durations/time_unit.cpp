@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See time_unit.hpp.
+// Converts between time units and times, and prints both.
 #include "base/durations/time_unit.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace robochart::durations {
 namespace {
 
-/// The decimal number with at least `least` decimal places.
+/// Returns the decimal number with at least `least` decimal places.
 std::string decimal_text(std::int64_t number, std::int64_t of_one, std::size_t least = 0) {
     std::string result = fmt::format("{}", number / of_one);
     std::int64_t rest = number % of_one;
@@ -25,7 +25,7 @@ std::string decimal_text(std::int64_t number, std::int64_t of_one, std::size_t l
     return result;
 }
 
-/// The number of decimal places of a time in seconds.
+/// Returns the number of decimal places of a time in seconds.
 std::size_t decimals_of(std::int64_t nanoseconds) {
     std::size_t places = 9;
     while (places > 0 && nanoseconds % 10 == 0) {

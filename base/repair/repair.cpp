@@ -15,11 +15,11 @@ namespace {
 
 using IsSyntax = std::function<bool(const Rule&)>;
 
-/// File, code and message of a finding, without its position in the file.
+/// The file, code and message of a finding, without its position in the file.
 using Said = std::tuple<std::string, std::string, std::string>;
 
-/// Levels of findings. A lower level can hide findings of a higher one: syntax errors hide other errors, which hide
-/// warnings.
+/// Levels of findings. A lower level can hide findings of a higher level: syntax errors hide other errors, and errors
+/// hide warnings.
 enum class Level : std::size_t { syntax, error, warning };
 constexpr std::array levels{Level::syntax, Level::error, Level::warning};
 
@@ -28,7 +28,7 @@ Level level_of(const Rule& rule, const IsSyntax& is_syntax) {
     return rule.severity == Severity::error ? Level::error : Level::warning;
 }
 
-/// The findings in a set of texts.
+/// The findings in some texts.
 struct Faults {
     std::array<std::multiset<Said>, levels.size()> found;
     std::size_t dropped = 0;
@@ -59,15 +59,15 @@ bool includes_all(const std::multiset<Said>& all, const std::multiset<Said>& som
     return std::ranges::includes(all, some);
 }
 
-/// A fix in a file, with the finding that it belongs to.
+/// A fix in a file, with the finding to which it belongs.
 struct Candidate {
     std::string path;
     FixIt fix;
     RefusedFix otherwise;
 };
 
-/// A text may be registered several times under one path, as a whole and with parts blanked; the first is the whole
-/// file.
+/// Returns the text that was first registered under this path, which is the whole file. Later texts under the same path
+/// may have blanked parts.
 SourceId first_of_path(const SourceManager& sources, SourceId source) {
     const std::string& path = sources.path(source);
     for (std::uint32_t i = 0; i < sources.size(); ++i)
@@ -115,7 +115,7 @@ Texts apply_candidates(const Texts& texts, const std::vector<Candidate>& all) {
     return result;
 }
 
-/// Applies the fixes of one level, repeatedly while this uncovers further fixes.
+/// Applies the fixes of one level. It repeats this as long as applied fixes uncover further fixes.
 class Repairer {
 public:
     Repairer(Texts& texts, Level level, const ReadTexts& read, const IsSyntax& is_syntax)
@@ -133,7 +133,7 @@ public:
 private:
     static constexpr int most_rounds = 20;
 
-    /// Applies the fixes of the current findings. Returns true if any was applied.
+    /// Applies the fixes of the current findings. Returns true if a fix was applied.
     bool apply_round() {
         before_ = texts_;
         refused_.clear();
@@ -161,8 +161,8 @@ private:
         }
     }
 
-    /// A fix may uncover another mistake that can be fixed. Therefore, each refused fix is tried together with the
-    /// fixes that it uncovers.
+    /// Tries each refused fix together with the fixes that it uncovers, because a fix may uncover another mistake that
+    /// can be fixed. Returns true if fixes were applied.
     bool with_what_follows() {
         for (const Candidate& first : refused_) {
             constexpr int most_steps = 4;
@@ -185,14 +185,16 @@ private:
         return false;
     }
 
-    /// The texts at the beginning of the round, with the fixes made in this round so far and the fixes of this group.
+    /// Returns the texts at the beginning of the round, with the fixes applied so far in this round and the fixes of
+    /// this group.
     [[nodiscard]] Texts texts_with(std::span<const Candidate> group) const {
         std::vector<Candidate> all = made_;
         all.insert(all.end(), group.begin(), group.end());
         return apply_candidates(before_, all);
     }
 
-    /// If there are hundreds of findings, not all are stored, so only their numbers are compared.
+    /// Returns true if the findings `then`, after this many further fixes, are better than the present findings. If
+    /// there are hundreds of findings, not all of them are stored, so only their numbers are compared.
     [[nodiscard]] bool is_better(const Faults& then, std::size_t fixes) const {
         if (now_.dropped > 0 || then.dropped > 0) return then.count() + fixes <= now_.count();
         for (const Level level : levels) {
@@ -209,8 +211,8 @@ private:
     int rounds_ = 0;
     Texts before_;
     Faults now_;
-    std::vector<Candidate> made_;     ///< in this round
-    std::vector<Candidate> refused_;  ///< in this round
+    std::vector<Candidate> made_;     ///< fixes of this round
+    std::vector<Candidate> refused_;  ///< fixes of this round
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Applies certain fixes only if they improve the texts. Fixes are applied in memory and the texts are read again; a fix
-// that does not help is undone.
+// Applies certain fixes only if they improve the texts. Fixes are applied in memory, and then the texts are read again.
+// A fix that does not help is undone.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace robochart::diagnostics {
 /// Texts by the paths of their files.
 using Texts = std::map<std::string, std::string>;
 
-/// Texts after reading, with the findings in them.
+/// The texts after reading, and the findings in them.
 struct TextReading {
     SourceManager sources;
     Diagnostics findings;
@@ -32,15 +32,15 @@ struct RefusedFix {
 };
 
 struct Repaired {
-    Texts texts;  ///< the changed texts
+    Texts texts;  ///< the texts that were changed
     std::size_t made = 0;
     std::vector<RefusedFix> refused;
 };
 
 /// Applies the certain fixes of findings in these texts: first those of syntax errors, then those of other errors, then
-/// those of warnings, because findings of one kind can hide those of the next. A group of fixes is applied if it
-/// removes at least one finding of its kind per fix and adds no finding of this or an earlier kind. Otherwise each half
-/// of the group is tried. `is_syntax` is true for the rules of syntax.
+/// those of warnings, because findings of one kind can hide those of the next. A group of fixes is applied if, for each
+/// of its fixes, at least one finding of its kind disappears, and if no finding of this or an earlier kind is added.
+/// Otherwise each half of the group is tried. `is_syntax` returns true for the rules of syntax.
 [[nodiscard]] Repaired repair(const Texts&, const ReadTexts&, const std::function<bool(const Rule&)>& is_syntax);
 
 }  // namespace robochart::diagnostics

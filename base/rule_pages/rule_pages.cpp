@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See rule_pages.hpp. The parser supports only the Markdown that the pages use: headings, paragraphs, fences, lists,
-// links, `code`, *emphasis*.
+// Parses and prints the pages of rules. The parser supports only the Markdown that the pages use: headings, paragraphs,
+// fences, lists, links, `code`, *emphasis*.
 #include "base/rule_pages/rule_pages.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ private:
         skip_blank();
     }
 
-    /// `*severity · area · source*`
+    /// Reads the line `*severity · area · source*`.
     void read_kind() {
         const std::string_view line = at_ < lines_.size() ? lines_[at_] : std::string_view();
         const bool fits = line.size() > 2 && line.front() == '*' && line.back() == '*';
@@ -145,7 +145,7 @@ private:
         }
     }
 
-    /// Replaces tabs by four blanks, and comments that state expected findings by arrows.
+    /// Draws a line of an example. Tabs become four blanks, and comments that state expected findings become arrows.
     void code_line(std::string_view line) {
         constexpr std::string_view expectation = " expect: ";
         const std::size_t at = line.find(expectation);
@@ -168,7 +168,7 @@ private:
         }
     }
 
-    /// Draws an element that begins with a special character; returns the number of characters used.
+    /// Draws an element that begins with a special character. Returns the number of characters of the element.
     std::size_t draw_special(std::string_view line) {
         const char sign = line.front();
         if (sign == '[') {
@@ -181,7 +181,7 @@ private:
         } else if (line.size() > 1 && line[1] != ' ') {
             const std::size_t end = line.find(sign, 1);
             if (end != std::string_view::npos) {
-                // Without colours, the backquotes are printed.
+                // Backquotes are printed only without colours.
                 const bool quotes = sign == '`' && !color_;
                 add_painted(quotes ? line.substr(0, end + 1) : line.substr(1, end - 1),
                             sign == '`' ? Paint::name : Paint::heading);
@@ -197,7 +197,7 @@ private:
     std::string out_;
 };
 
-/// The lines of each paragraph joined, and the paragraphs separated by an empty line.
+/// Joins the lines of each paragraph. The paragraphs are separated by an empty line.
 std::string join_lines(std::string_view text) {
     std::string joined;
     bool paragraph_ended = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tails are sums of terms, added from the greatest outwards. Bounds are found by bisection. The result is the end of
-// the last interval at which the tail, including its rounding error, is small enough.
+// Computes tails and bounds. A tail is a sum of terms, which are added from the greatest outwards. Bounds are found by
+// bisection: the result is the end of the last interval at which the tail, including its rounding error, is small
+// enough.
 #include "base/statistics/binomial.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 namespace robochart::statistics {
 
-/// lgamma is not used, because it writes a variable that all threads share.
+/// Returns the logarithm of n!. It does not use lgamma, which writes a variable that all threads share.
 long double log_factorial(std::uint64_t n) {
     int sign = 0;
     return lgammal_r(static_cast<long double>(n) + 1, &sign);
@@ -16,14 +17,14 @@ long double log_factorial(std::uint64_t n) {
 
 namespace {
 
-/// P(X = k), for a probability strictly between 0 and 1.
+/// Returns P(X = k), for a probability strictly between 0 and 1.
 long double binomial_term(std::uint64_t k, std::uint64_t n, long double p) {
     return std::exp(log_factorial(n) - log_factorial(k) - log_factorial(n - k) +
                     static_cast<long double>(k) * std::log(p) + static_cast<long double>(n - k) * std::log1p(-p));
 }
 
-/// The sum of P(X = i) for i from `low` to `high`. The terms increase up to the mode and decrease after it, so each
-/// omitted term is smaller than the last one added at its end.
+/// Returns the sum of P(X = i) for i from `low` to `high`. The terms increase up to the mode and decrease after it. So
+/// the terms omitted at an end are smaller than the last term added at this end.
 long double sum_of_terms(std::uint64_t low, std::uint64_t high, std::uint64_t n, double probability) {
     constexpr long double negligible = 1e-13L;
     const long double p = probability;
@@ -49,7 +50,8 @@ long double sum_of_terms(std::uint64_t low, std::uint64_t high, std::uint64_t n,
 }  // namespace
 
 double rounding_error(std::uint64_t trials) {
-    // A term is the exponential of a sum of logarithms of about n ln n, each with a relative error of 2^-63.
+    // A term is the exponential of a sum of logarithms. The logarithms are about n ln n, and each has a relative error
+    // of 2^-63.
     return 1e-8 * std::max(1.0, static_cast<double>(trials) / 1e8);
 }
 

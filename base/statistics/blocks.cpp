@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See blocks.hpp.
+// Implements the rank tests and the paired t-test.
 #include "base/statistics/blocks.hpp"
 
 #include <algorithm>
@@ -66,13 +66,13 @@ double signed_rank(const std::vector<double>& differences) {
         positive.push_back(difference > 0);
     }
     if (sizes.empty()) return 1;
-    // Shared ranks are multiples of one half, so doubled ranks are whole numbers.
+    // Shared ranks are multiples of one half, so the doubled ranks are whole numbers.
     std::vector<std::size_t> doubled;
     for (const double place : mean_ranks(sizes)) doubled.push_back(static_cast<std::size_t>(std::llround(2 * place)));
     const std::size_t all = std::accumulate(doubled.begin(), doubled.end(), std::size_t{0});
     std::size_t seen = 0;
     for (std::size_t i = 0; i < doubled.size(); ++i) seen += positive[i] ? doubled[i] : 0;
-    std::vector<double> chances(all + 1);  // the probability of each sum
+    std::vector<double> chances(all + 1);  // by sum: its probability
     chances[0] = 1;
     std::size_t most = 0;
     for (const std::size_t rank : doubled) {

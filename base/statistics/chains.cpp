@@ -44,7 +44,8 @@ std::size_t permitted_of(const std::vector<bool>& row) {
 std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& counts, const Permitted& permitted,
                                                         double error) {
     std::size_t open = 0;
-    std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known;  // many transitions have the same counts
+    // Stores intervals by their counts, because many transitions have the same counts.
+    std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known;
     for (const std::vector<bool>& row : permitted)
         if (permitted_of(row) > 1) open += permitted_of(row);
     const Looks looks = TransitionCounts::looks_for_error(error / static_cast<double>(std::max<std::size_t>(open, 1)));
@@ -74,7 +75,8 @@ std::vector<std::vector<Interval>> transition_intervals(const TransitionCounts& 
 
 namespace {
 
-/// Visits of a state after a given state: the counts of next states, at present and at the last look.
+/// The visits of a state that follow visits of a given state. They are counted by next state, at present and at the
+/// last look.
 struct PairVisits {
     std::uint64_t visits = 0, looked_visits = 0;
     std::uint64_t next = TransitionCounts::looks_for_error(1).trials_of_next_look(0).value();
@@ -89,7 +91,7 @@ struct PairVisits {
     }
 };
 
-/// The states that had followed this state at the last look.
+/// Returns the states that had followed this state at the last look.
 std::set<std::size_t> seen_next(const std::map<std::size_t, PairVisits>& befores) {
     std::set<std::size_t> result;
     for (const auto& [before, visits] : befores)
@@ -112,7 +114,8 @@ private:
     std::map<std::pair<std::uint64_t, std::uint64_t>, Interval> known_;
 };
 
-/// The two states before `state` whose intervals for `next` are farthest apart, if two intervals are disjoint.
+/// Compares the intervals for `next` of all states before `state`. If two intervals are disjoint, returns the two
+/// states whose intervals are farthest apart.
 OrderContradiction farthest_apart(std::size_t state, std::size_t next, const std::map<std::size_t, PairVisits>& befores,
                                   KnownIntervals& intervals) {
     OrderContradiction both{state, next, 0, 0, {0, 1}, {0, 1}};
@@ -143,7 +146,7 @@ double order_triples(const Permitted& permitted) {
 std::optional<OrderContradiction> order_contradiction(const std::vector<StateSequence>& sequences,
                                                       const Permitted& permitted, double error,
                                                       diagnostics::Pollable& budget) {
-    std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by middle state, then by the state before it
+    std::map<std::size_t, std::map<std::size_t, PairVisits>> pairs;  // by middle state and previous state
     for (const StateSequence& sequence : sequences)
         for (std::size_t at = 2; at < sequence.size(); ++at)
             pairs[sequence[at - 1]][sequence[at - 2]].add(sequence[at]);
@@ -151,8 +154,8 @@ std::optional<OrderContradiction> order_contradiction(const std::vector<StateSeq
     std::optional<OrderContradiction> worst;
     for (const auto& [state, befores] : pairs) {
         if (befores.size() < 2) continue;
-        // If only one next state is permitted, all intervals contain 1. For a next state that was never seen, all
-        // contain 0. In neither case a contradiction is possible.
+        // No contradiction is possible in two cases. If only one next state is permitted, all intervals contain 1. If a
+        // next state was never seen, all intervals contain 0.
         if (permitted_of(permitted[state]) < 2) continue;
         for (const std::size_t next : seen_next(befores)) {
             budget.poll();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See means.hpp. Quantiles come from Boost.Math, with a relative error of about 1e-15.
+// Computes quantiles with Boost.Math, with a relative error of about 1e-15.
 #include "base/statistics/means.hpp"
 
 #include <algorithm>

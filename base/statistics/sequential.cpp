@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See sequential.hpp.
+// Implements Wald's test and the looks of confidence intervals.
 #include "base/statistics/sequential.hpp"
 
 #include <cmath>

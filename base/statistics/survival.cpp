@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See survival.hpp.
+// Computes survival curves and their bands.
 #include "base/statistics/survival.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::vector<SurvivalStep> survival_curve(std::vector<Duration> durations, double
     double share = 1;
     double greenwood = 0;  // the sum of d / (n (n - d))
     for (std::size_t i = 0; i < durations.size();) {
-        // Trials that end at exactly this time are included in the trials at this time.
+        // A trial that ends at exactly this time is still counted as under observation at this time.
         const auto there = static_cast<double>(durations.size() - i);
         const double time = durations[i].time;
         double came = 0;

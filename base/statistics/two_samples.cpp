@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See two_samples.hpp.
+// Implements Fisher's exact test and Holm's correction.
 #include "base/statistics/two_samples.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ double fisher_exact(Sample one, Sample other) {
         return std::exp(choose(one.trials, k) + choose(other.trials, successes - k) -
                         choose(one.trials + other.trials, successes));
     };
-    // Divisions that are as likely as the observed one must be included in spite of rounding.
+    // Divisions that are as likely as the observed division must be included even with rounding errors.
     const long double most = chance(one.successes) * (1 + 1e-9L);
     long double total = 0;
     for (std::uint64_t k = low; k <= high; ++k)

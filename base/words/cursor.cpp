@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See cursor.hpp.
+// Moves through the list of tokens, and reports errors with advice.
 #include "base/words/cursor.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base class of the parsers of claims and of SLEEC: a place in a list of tokens, and the errors there.
+// The base class of the parsers of claims and of SLEEC. It contains a position in a list of tokens, and reports errors
+// there.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +15,20 @@
 
 namespace robochart::words {
 
-/// What a word may be.
+/// How a word may be used.
 enum class WordUse : std::uint8_t {
     name,
-    connective,  ///< a name, but probably a keyword where another token was expected
-    reserved,    ///< no name
+    connective,  ///< may be a name, but is probably a keyword where another token was expected
+    reserved,    ///< cannot be a name
 };
 
 class Cursor {
 protected:
     using Words = std::vector<std::string>;
-    /// Thrown after a finding about the text.
+    /// Thrown after an error in the text has been reported.
     struct SyntaxError {};
 
-    /// `most_levels`: the deepest recursion while parsing.
+    /// `most_levels`: the maximal depth of the recursion while parsing.
     Cursor(std::vector<Token> tokens, diagnostics::Diagnostics& diagnostics, const Findings& findings,
            std::span<const diagnostics::Advice> advice, unsigned most_levels)
         : tokens_(std::move(tokens)),
@@ -41,7 +42,7 @@ protected:
 
     [[nodiscard]] virtual WordUse use_of(std::string_view word) const = 0;
 
-    /// Counts the levels of recursion while it exists.
+    /// Counts one more level of recursion during its lifetime.
     class Depth {
     public:
         explicit Depth(Cursor& cursor) : cursor_(cursor) { cursor.enter_level(); }
@@ -64,7 +65,8 @@ protected:
     Name simple_name(std::string_view what);
     Name qualified_name(std::string_view what);
     [[nodiscard]] diagnostics::Span span_since(diagnostics::Span from) const;
-    /// `words`: the words that are allowed here; the nearest is suggested.
+    /// Reports an error and throws. `words`: the words that are allowed here; the one nearest to the word found is
+    /// suggested.
     [[noreturn]] void fail(std::string_view expected, const Words& words = {});
 
     std::vector<Token> tokens_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See item_layout.hpp.
+// Divides a text into items and formats them.
 #include "base/words/item_layout.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standard layout of texts that consist of items: claims and rules in SLEEC. Only blanks and line ends change.
+// Writes the standard layout of texts that consist of items: claims, and rules in SLEEC. It only changes blanks and
+// line ends.
 #pragma once
 
 #include <initializer_list>
@@ -12,15 +13,15 @@
 
 namespace robochart::words {
 
-/// True for a word or a symbol with one of these texts.
+/// Returns true for a word or a symbol with one of these texts.
 [[nodiscard]] bool is_one_of(const Token& token, std::initializer_list<std::string_view> texts);
-/// The text of a token; a comment without trailing blanks.
+/// Returns the text of a token. A comment is returned without trailing blanks.
 [[nodiscard]] std::string_view shown_text(const Token& token);
 
 /// Lays out one text, item by item. A comment on a separate line before an item is an item, too.
 class ItemLayout {
 public:
-    /// `tokens`: with comments.
+    /// `tokens`: the tokens of the text, including comments.
     ItemLayout(std::string_view text, const std::vector<Token>& tokens) : text_(text), tokens_(tokens) {}
     ItemLayout(const ItemLayout&) = delete;
     ItemLayout& operator=(const ItemLayout&) = delete;
@@ -30,10 +31,10 @@ public:
 
 protected:
     [[nodiscard]] virtual bool word_begins_item(std::size_t at) const = 0;
-    /// The lines of an item, without the last line end.
+    /// Returns the lines of an item, without the last line end.
     [[nodiscard]] virtual std::string item_text(std::size_t from, std::size_t to) = 0;
 
-    /// True if the token is the first of its line.
+    /// Returns true if the token is the first of its line.
     [[nodiscard]] bool own_line(std::size_t at) const;
 
     std::string_view text_;
@@ -46,8 +47,9 @@ private:
 /// Throws std::logic_error if the texts of the tokens differ.
 void require_same_words(const std::vector<Token>& written, const std::vector<Token>& tokens);
 
-/// Formats a text. `read`: reports errors. `lex`: the tokens with comments. Returns no value if the text has syntax
-/// errors, which are reported. Throws std::logic_error if a token or comment would be lost, which is an internal error.
+/// Formats a text. `read` reads it and reports errors. `lex` returns its tokens, including comments. Returns no value
+/// if the text has syntax errors, which are reported. Throws std::logic_error if a token or comment would be lost,
+/// which is an internal error.
 template <class Read, class Lex, class Layout>
 [[nodiscard]] std::optional<std::string> format_items(std::string_view text, diagnostics::Diagnostics& diagnostics,
                                                       const Read& read, const Lex& lex, const Layout& layout) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See words.hpp.
+// Divides texts of claims and of SLEEC into tokens.
 #include "base/words/words.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the languages of claims (claims/syntax) and of SLEEC (claims/sleec/syntax) share: tokens and their lexer. Words
-// are tokens of one kind; a parser decides which are keywords at their place.
+// Contains what the languages of claims (claims/syntax) and of SLEEC (claims/sleec/syntax) share: tokens and their
+// lexer. All words are tokens of one kind; a parser decides which of them are keywords.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Token {
     std::string_view text;
 };
 
-/// A name with its place, possibly qualified: "Patrol", "warehouse::Patrol".
+/// A name with its place. It may be qualified: "Patrol", "warehouse::Patrol".
 struct Name {
     std::string text;
     diagnostics::Span span;
@@ -39,7 +39,7 @@ struct Findings {
 /// The base class of lexers. Comments begin with `//` or are inside `/*` and `*/`.
 class Lexer : protected diagnostics::Scanner {
 public:
-    /// `symbols`: longest first. `comments`: whether comments are tokens.
+    /// `symbols`: the longest first. `comments`: whether comments are tokens.
     Lexer(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics& diagnostics, bool comments,
           std::span<const std::string_view> symbols, const Findings& findings)
         : Scanner(text, source),
@@ -51,13 +51,13 @@ public:
     Lexer& operator=(const Lexer&) = delete;
     virtual ~Lexer() = default;
 
-    /// The tokens of the text; the last one is an `end`. Invalid pieces are reported and skipped.
+    /// Returns the tokens of the text; the last one is an `end`. Invalid characters are reported and skipped.
     std::vector<Token> read_tokens();
 
 protected:
     /// Reads a number. Its first digit is the next character.
     virtual void read_number() = 0;
-    /// The equivalent of a character of other notations; "" if it is unknown.
+    /// Returns the equivalent of a character of other notations, or "" if it is unknown.
     [[nodiscard]] virtual std::string_view meant_by(std::string_view character) const = 0;
 
     void push_token(Tok kind, std::size_t begin) { tokens_.push_back({kind, span_from(begin), text_from(begin)}); }

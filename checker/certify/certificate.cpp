@@ -19,7 +19,7 @@ namespace {
 using cspm::Assertion;
 using cspm::AssertionKind;
 
-/// Returns the claim of the assertion in the words that a certificate uses. No value if there are no certificates for
+/// Returns the claim of the assertion in the words of a certificate. Returns no value if no certificates exist for
 /// assertions of this kind.
 std::optional<std::string> claim_words(const Assertion& assertion) {
     const bool divergence =
@@ -52,7 +52,7 @@ std::string claim_text(const std::string& words, const cspm::Session& session, c
     return text + fmt::format("end-sha256: {}\n", diagnostics::sha256(text));
 }
 
-/// Whether the declaration is inside a module or a timed section.
+/// Returns true if the declaration is inside a module or a timed section.
 bool is_nested(const std::vector<cspm::DeclPtr>& declarations, const cspm::Decl& searched, bool inside) {
     return std::ranges::any_of(declarations, [&](const cspm::DeclPtr& one) {
         return (inside && one.get() == &searched) || is_nested(one->decls, searched, true) ||

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Certificates of assertions that hold (docs/certificates.md). A certificate contains the claim and the compiled
-// processes of both sides, without reductions. A separate program, proved correct in Coq, finds the proof in the
-// certificate or rejects the certificate (checker/certify/certifier). Its result does not depend on the correctness of
-// this code.
+// Writes certificates of assertions that hold (docs/certificates.md). A certificate contains the claim and the compiled
+// processes that the claim is about, without reductions. A separate program, which was proved correct in Coq, finds the
+// proof in the certificate or rejects the certificate (checker/certify/certifier). Its result does not depend on the
+// correctness of this code.
 #pragma once
 
 #include <cstddef>
@@ -14,31 +14,31 @@
 
 namespace robochart::certify {
 
-/// The files of a certificate.
+/// The contents of the files of a certificate.
 struct Certificate {
     std::string claim;           ///< claim.txt
     std::string specification;   ///< specification.txt; "" for a property of one process
     std::string implementation;  ///< implementation.txt
 };
 
-/// A certificate, or the reason why there is none.
+/// A certificate, or the reason why there is no certificate.
 struct CertificateResult {
     std::optional<Certificate> certificate;
     std::string reason;  ///< "" if there is a certificate
 };
 
-/// Compiles the processes of an assertion again, without minimisation, and returns its certificate. It does not check
-/// that the assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
+/// Compiles the processes of an assertion again, without minimisation, and returns its certificate. Does not check that
+/// the assertion holds. `source` names the claim of the assertion and its place. Passes on evaluation errors.
 [[nodiscard]] CertificateResult make_certificate(cspm::Session& session, const cspm::Decl& assertion,
                                                  const std::string& source, const refine::Limits& limits);
 
 /// Writes a certificate to a folder below `root`. The claim is written last and contains the digests of the other
-/// files, so that an incomplete folder of a stopped run is not mistaken for a certificate. Returns the cause in words
-/// on failure, "" on success.
+/// files. So an incomplete folder of a run that was stopped is not taken for a certificate. Returns "" on success, and
+/// the cause of the failure otherwise.
 [[nodiscard]] std::string write_certificate(const std::string& root, const std::string& folder,
                                             const Certificate& certificate, diagnostics::Budget* budget);
 
-/// The name of a certificate's folder: the number and the letters and digits of the title.
+/// Returns the name of a certificate's folder. It consists of the number, and of the letters and digits of the title.
 [[nodiscard]] std::string folder_name(const std::string& number, const std::string& title);
 
 }  // namespace robochart::certify

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of a compiled process in a certificate: events, components, rules (docs/certificates.md, "Processes").
+// Writes a compiled process as text for a certificate: events, components, rules (docs/certificates.md, "Processes").
 #pragma once
 
 #include <cstddef>
@@ -19,15 +19,15 @@ struct ProcessText {
     std::size_t rules = 0;
 };
 
-/// A process that is not compiled is written as one component with all its states. If it has more states than this,
-/// there is no text.
+/// A process that is not compiled is written as one component with all its states. If it has more states than this, it
+/// cannot be written.
 inline constexpr std::size_t most_explicit_states = 200'000;
 
-/// The text in one line: a space replaces each group of control characters and the spaces after it.
+/// Returns the text in one line: a space replaces each group of control characters and the spaces after it.
 [[nodiscard]] std::string one_line(const std::string& text);
 
-/// Returns the text of the process, whose components are named by their terms. No value if it has too many states to be
-/// one component. Polls the budget, and passes on the exceptions of the process.
+/// Returns the text of the process. Its components are named by their terms. Returns no value if it is not compiled and
+/// has too many states to be one component. Polls the budget, and passes on the exceptions of the process.
 [[nodiscard]] std::optional<ProcessText> process_text(lts::TransitionSystem& process, const process::TermStore& terms,
                                                       diagnostics::Pollable& budget);
 

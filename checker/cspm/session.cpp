@@ -32,13 +32,13 @@ namespace robochart::cspm {
 
 namespace {
 
-/// Thrown by a SessionSystem when it has created more terms than allowed.
+/// Thrown by a SessionSystem after it has created the maximal number of terms.
 struct ManyTerms {};
 
-// A process that is not compiled but searched as terms.
+// A process that is not compiled: its states are terms.
 class SessionSystem final : public lts::TransitionSystem {
 public:
-    /// Errors are placed at the erroneous definition, or otherwise at `span`.
+    /// Errors are reported at the definition that causes them if it is known, otherwise at `span`.
     SessionSystem(LoadedScript& loaded, process::TermId term, Span span)
         : loaded_(loaded), system_(loaded.semantics, term), term_(term), span_(span) {}
 
@@ -77,8 +77,8 @@ private:
     std::size_t most_made_ = 0;
 };
 
-/// The budget of a check for evaluations. Each poll checks the limits, because an evaluation polls rarely: its steps
-/// are small.
+/// Makes evaluations poll the budget of a check. Each poll checks the limits at once, because an evaluation polls only
+/// after many small steps.
 class EvaluationBudget final : public diagnostics::Pollable {
 public:
     explicit EvaluationBudget(refine::Budget& budget) : budget_(budget) {}
@@ -91,7 +91,7 @@ private:
     refine::Budget& budget_;
 };
 
-/// The budget of a check for computing transitions. It also limits the states of compressed operands.
+/// Makes the computation of transitions poll the budget of a check. It also limits the states of compressed operands.
 class SemanticsBudget final : public diagnostics::Pollable {
 public:
     SemanticsBudget(const process::OperationalSemantics& semantics, refine::Budget& budget)
@@ -106,8 +106,9 @@ private:
     refine::Budget& budget_;
 };
 
-/// The budget of a check for a compilation. A component with more states than the limit of the check is not compiled.
-/// It stays a term, because the limit counts only states that the whole process reaches.
+/// Makes a compilation poll the budget of a check. If a component has more states than the limit of the check, it is
+/// not compiled and the process is searched as terms. The check need not fail then, because the limit only counts
+/// states that the whole process reaches.
 class CompilationBudget final : public diagnostics::Pollable {
 public:
     CompilationBudget(const machine::Compiler& compiler, refine::Budget& budget)
@@ -124,11 +125,11 @@ private:
     std::uint64_t most_states_;
 };
 
-/// When a search has found this many states, the assertion is tried with compressed parts before the search of the
-/// other states.
+/// After a search has found this many states, the assertion is tried with compressed parts. The search of the other
+/// states follows only if this gives no answer.
 constexpr std::uint64_t first_states = 500'000;
 
-/// Truncates a description to one line, without splitting characters.
+/// Truncates a description to one line without splitting a character.
 std::string truncate_description(std::string text) {
     constexpr std::size_t longest = 80;
     if (text.size() <= longest) return text;
@@ -183,7 +184,7 @@ struct Session::Impl {
     std::unique_ptr<lts::TransitionSystem> whole_system(process::TermId term, Span span,
                                                         diagnostics::Pollable& budget) {
         machine::Bounds bounds;
-        bounds.component_states *= 10;  // because the components are not minimised
+        bounds.component_states *= 10;  // components are larger without minimisation
         bounds.minimised_states = 0;
         bounds.region_states = 0;
         auto compiled = machine::Compiler(loaded.semantics, bounds).compile(term, budget);
@@ -196,7 +197,7 @@ struct Session::Impl {
         return system(loaded.term_of(loaded.compile_side(expr, assertion)), expr->span, budget);
     }
 
-    /// Adds the omitted values to the run's descriptions; returns the run of terms in `whole`.
+    /// Adds the omitted values to the descriptions in the run. Returns the corresponding run of terms with all values.
     std::optional<WholeRun> with_values(process::TermId process, std::string& initial, std::vector<refine::Step>& run) {
         std::optional<WholeRun> found =
             whole_run(whole->loaded.semantics, whole->loaded.events, process, initial, run, loaded.events);
@@ -242,7 +243,7 @@ struct Session::Impl {
         throw EvaluationError("the models R, RD, V and VD are not supported", assertion.span, {});
     }
 
-    /// During its lifetime, definitions are evaluated within the limits of the check that needs them.
+    /// Makes evaluations of definitions poll the limits of the check that needs them, during its lifetime.
     class Polling {
     public:
         Polling(Impl& impl, refine::Budget& budget)
@@ -272,7 +273,8 @@ struct Session::Impl {
     }
 
     struct Sides {
-        std::unique_ptr<lts::TransitionSystem> first, second;  ///< `second`: only for a refinement
+        /// `second` is null unless the assertion is a refinement.
+        std::unique_ptr<lts::TransitionSystem> first, second;
     };
 
     Sides compile_sides(const Decl& assertion, const refine::Limits& limits) {
@@ -287,7 +289,7 @@ struct Session::Impl {
         return result;
     }
 
-    /// Describes the stage of the compilation at which it was stopped.
+    /// Describes the stage at which the compilation was stopped.
     std::string stage_reached() const {
         const machine::Compiler::Stage& stage = compiler.current_stage();
         if (!stage.component) return "";
@@ -297,7 +299,7 @@ struct Session::Impl {
         return text;
     }
 
-    /// A strategy by levels is notified of each assertion before it is evaluated.
+    /// Decides an assertion. A strategy by levels is notified of the assertion before it is evaluated.
     refine::Verdict decide(const Decl& assertion, const refine::Limits& limits, AssertionResult& result) {
         refine::LevelStrategy* const strategy = limits.by_levels;
         if (strategy == nullptr) return decide_begun(assertion, limits, result);
@@ -336,7 +338,7 @@ struct Session::Impl {
         return result;
     }
 
-    /// Stores the verdict of a function. If it reaches a limit, the verdict is inconclusive.
+    /// Calls `verdict` and stores its result. If it reaches a limit, the verdict is inconclusive.
     void decide_result(const Decl& assertion, AssertionResult& result,
                        const std::function<refine::Verdict()>& verdict) {
         try {
@@ -363,7 +365,7 @@ struct Session::Impl {
         return ask_of(both, assertion, model(assertion), limits, nullptr);
     }
 
-    /// Decides the assertion for these systems without changing how they are stored.
+    /// Decides the assertion for these systems without changing the representation of their states.
     refine::Verdict decide_once(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                 refine::Budget& evaluation) {
         const refine::Model in = model(assertion);
@@ -385,8 +387,9 @@ struct Session::Impl {
                 limits.reduction};
     }
 
-    /// Decides by levels. The search may continue the search of an earlier run that any limit ended. Its answers are
-    /// stored separately, because its statistics differ if it finds a violation.
+    /// Decides the assertion by a search by levels, which may continue a search that an earlier run could not finish.
+    /// Its answers are stored separately from those of other searches, because its statistics differ if it finds a
+    /// violation.
     refine::Verdict decide_by_levels(const Sides& both, const Decl& assertion, const refine::Limits& limits,
                                      refine::Budget& evaluation,
                                      const std::function<refine::Verdict(refine::Earlier)>& ask) {
@@ -415,8 +418,9 @@ struct Session::Impl {
         return dynamic_cast<SessionSystem*>(side.get());
     }
 
-    /// Repeats the check with packed states if processes that stay terms turn out to be large, and with wider rows if
-    /// packed states do not fit.
+    /// Decides the assertion, and repeats the check in two cases. If processes that are searched as terms turn out to
+    /// be large, it repeats the check with packed states. If packed states do not fit into their rows, it repeats the
+    /// check with wider rows.
     refine::Verdict decide_packing(Sides& both, const Decl& assertion, const refine::Limits& limits,
                                    const std::function<refine::Verdict()>& attempt) {
         enum class Before { nothing, pack, widen, unpack };
@@ -443,7 +447,8 @@ struct Session::Impl {
         }
     }
 
-    /// A switch loads the script again, so the work done so far must be much larger than the work of loading.
+    /// Returns the number of terms after which the search switches to packed states. A switch loads the script again,
+    /// so the search must already have done much more work than loading takes.
     [[nodiscard]] std::size_t most_terms(bool direct) const {
         constexpr std::size_t few = 5'000, many = 1'000'000;
         if (packing.from_terms) return *packing.from_terms;
@@ -455,11 +460,12 @@ struct Session::Impl {
             if (SessionSystem* const terms = terms_side(*side)) terms->limit_terms(terms_made, most);
     }
 
-    /// Replaces each process that stays a term by packed states. The terms become the reference for replays.
+    /// Replaces each process that is not compiled by a system of packed states. The system of terms becomes the
+    /// reference for replays.
     void pack_sides(Sides& both, const Decl& decl, const refine::Limits& limits) {
         const Assertion& assertion = decl.assertion;
         // Event numbers must be the same in every run. A search numbers events in the order in which it finds them, so
-        // all events are numbered before.
+        // all events are numbered before the search.
         if (limits.by_levels != nullptr) all_events = events_of_script();
         const std::shared_ptr<PackedProcesses> processes = processes_for(limits);
         std::vector<std::pair<std::unique_ptr<lts::TransitionSystem>*, std::size_t>> sides;
@@ -480,8 +486,8 @@ struct Session::Impl {
         if (all_events) processes->fix_parts();
     }
 
-    /// Assertions about the same processes share evaluated data. A search by levels gets separate packed processes, so
-    /// that its rows are the same in every run.
+    /// Returns the packed processes for a check. Assertions about the same processes share evaluated data. A search by
+    /// levels gets its own packed processes, so that its rows are the same in every run.
     std::shared_ptr<PackedProcesses> processes_for(const refine::Limits& limits) {
         PackedProcesses::Settings settings;
         settings.whole_states = whole_states;
@@ -507,7 +513,7 @@ struct Session::Impl {
         }
     }
 
-    /// No value if the events cannot be listed, or if there are very many.
+    /// Returns all events of the script, or no value if they cannot be listed or are too many.
     std::optional<process::EventSet> events_of_script() {
         constexpr std::uint64_t most = 200'000;
         try {
@@ -517,16 +523,16 @@ struct Session::Impl {
         }
     }
 
-    /// Returns a number of stored values and terms that need only a small part of the memory. Each of them needs a few
+    /// Returns a number of stored values and terms that takes only a small part of the memory. Each of them takes a few
     /// hundred bytes.
     static std::size_t most_kept_in(std::uint64_t memory_bytes) {
         constexpr std::uint64_t fewest = 20'000, most = 400'000;
         return static_cast<std::size_t>(std::clamp(memory_bytes / 2048, fewest, most));
     }
 
-    /// Decides the assertion. If the search of the first states gives no answer, decides it with compressed parts,
-    /// which preserve T, F and FD. This answer is used only if it is `holds`, because a violation needs a run of the
-    /// whole process. Otherwise all states are searched (docs/search.md, "Compressed parts").
+    /// Decides the assertion in up to three stages (docs/search.md, "Compressed parts"). It searches the first states.
+    /// If this gives no answer, it searches with compressed parts, which preserve T, F and FD; only the answer `holds`
+    /// is used, because a violation needs a run of the whole process. Otherwise it searches all states.
     refine::Verdict ask_in_turns(const Sides& both, const Decl& assertion, refine::Model in,
                                  const refine::Limits& limits, refine::Earlier earlier) {
         const bool known = earlier != nullptr && *earlier;
@@ -546,8 +552,8 @@ struct Session::Impl {
         return ask_of(both, assertion, in, limits, earlier);
     }
 
-    /// Decides the assertion with compressed parts. Returns no value if it does not hold, if compression removes too
-    /// few states of the parts, or if a limit is reached.
+    /// Decides the assertion with compressed parts. Returns no value if the assertion does not hold, if compression
+    /// removes too few states of the parts, or if a limit is reached.
     std::optional<refine::Verdict> ask_of_parts(const Decl& assertion, refine::Model in, refine::Limits limits) {
         constexpr double least_shrinkage = 16;
         limits.progress = {};
@@ -574,14 +580,14 @@ struct Session::Impl {
             if (parts.shrinkage() < least_shrinkage) return std::nullopt;
             const Sides both{side(first, terms[0]), side(second, terms[1])};
             refine::Limits few = limits;
-            few.max_states = first_states / 4;  // because the parts are much smaller
+            few.max_states = first_states / 4;  // the parts are much smaller than the process
             refine::Verdict verdict = ask_of(both, assertion, in, few, nullptr);
             if (verdict.outcome != refine::Outcome::holds) return std::nullopt;
             verdict.statistics.decided_by = refine::DecidedBy::compressed_parts;
             verdict.statistics.seconds = budget.seconds();
             return verdict;
         } catch (const process::Interrupted&) {
-            return std::nullopt;  // a limit of the whole check also ends the next search
+            return std::nullopt;  // if it is a limit of the whole check, it also ends the next search
         }
     }
 
@@ -608,17 +614,17 @@ struct Session::Impl {
 
     Script script;
     bool whole_states;
-    /// True if calls are observed; each call is reported once, so nothing may be evaluated again.
+    /// True if calls are observed. Each call must be reported once, so nothing may be evaluated again.
     bool observed = false;
     Packing packing;
-    std::size_t terms_made = 0;                         ///< by searches
+    std::size_t terms_made = 0;                         ///< number of terms made by searches
     std::shared_ptr<PackedProcesses> packed_processes;  ///< null until a process is packed
     std::optional<process::EventSet> all_events;        ///< set if rows must be the same in every run
     machine::MachineCompressor compressor;
     LoadedScript loaded;
     machine::Compiler compiler;
     Memory memory;
-    std::unique_ptr<Impl> whole;  ///< the same script with all arguments, which is needed to display a run; null before
+    std::unique_ptr<Impl> whole;  ///< the same script with all arguments, to display runs; null until needed
 };
 
 Session::Session(Script script, diagnostics::Budget* budget, bool whole_states)
@@ -678,8 +684,8 @@ std::optional<process::Behaviour> Session::behaviour(const refine::Counterexampl
     try {
         return process::behaviour(impl_->loaded.semantics, counterexample.terms.front(), run, offers);
     } catch (const EvaluationError&) {
-        // The explanation may visit terms inside a compression that the search has not evaluated. If that fails, the
-        // verdict is reported without it.
+        // The explanation may need terms inside a compression that the search has not evaluated. If their evaluation
+        // fails, the verdict is reported without an explanation.
     } catch (const process::SemanticsError&) {
     }
     return std::nullopt;
@@ -737,7 +743,7 @@ std::optional<process::Behaviour> Session::behaviour_with_values(const Decl& ass
     };
     const bool values =
         leaves_values_out(counterexample.initial) || lacks(counterexample.steps) || lacks(counterexample.accepting);
-    // In a loop, the values that a state omits may change in every round, although the state itself repeats.
+    // In a loop, the values that the states omit may differ in every round, although the states themselves repeat.
     if (!values || counterexample.terms.empty() || !counterexample.loop.empty())
         return behaviour(counterexample, limits);
     try {

@@ -6,8 +6,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// The position of the next omitted value. It is shown as an underscore between two characters that are each `(`, `,`
-/// or `)`.
+/// Finds the next omitted value. Its text is an underscore; each of the characters around it is `(`, `,` or `)`.
 std::size_t next_place(std::string_view description, std::size_t from) {
     for (std::size_t at = description.find('_', from); at != std::string_view::npos;
          at = description.find('_', at + 1)) {
@@ -31,8 +30,8 @@ bool leaves_values_out(std::string_view description) {
     return next_place(description, 0) != std::string_view::npos;
 }
 
-// The texts between the omitted values must occur in the same order. The first one must be at the beginning and the
-// last one at the end.
+// Compares the texts around the omitted values. They must occur in the same order, the first one at the beginning and
+// the last one at the end.
 bool matches_description(std::string_view with_places, std::string_view with_values) {
     std::size_t begin = 0;
     std::size_t at = 0;

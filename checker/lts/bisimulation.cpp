@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a block have the same signature. The signature of a state contains the events of its transitions with
-// the blocks of their targets. For the branching equivalence, it also contains the events and blocks that are reached
-// through taus inside the block (inert taus). If targets have moved to another block, the signatures are recomputed and
-// the block is split. Its largest part keeps the number of the block, so a state moves at most log n times. Signatures
-// are compared by hash first; parts are in the order of their first states.
+// Computes the coarsest stable partition of the states. The states of a block have the same signature: the events of a
+// state's transitions, with the blocks of their targets. For the branching equivalence, the signature also contains the
+// events and blocks that are reached through taus inside the block (inert taus). If targets have moved to another
+// block, the signatures are recomputed and the block is split. Its largest part keeps the number of the block, so a
+// state moves at most log n times. Signatures are first compared by their hashes. The parts are in the order of their
+// first states.
 #include "checker/lts/bisimulation.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace robochart::lts {
 namespace {
 
 using Block = std::uint32_t;
-using Signature = std::vector<Edge>;  // targets are blocks; ascending
+using Signature = std::vector<Edge>;  // the targets are blocks; ascending
 using States = std::vector<StateIndex>;
 
 /// A signature with this target means that the state can perform taus forever.
@@ -44,7 +45,7 @@ std::uint64_t hash_of(const Signature& signature) {
 }
 
 /// The parts into which the states of a block are divided, in the order in which they were added. References to parts
-/// remain valid.
+/// remain valid when parts are added.
 class Parts {
 public:
     Part& with_signature(Signature signature) {
@@ -103,8 +104,8 @@ private:
     std::vector<States> members_;
     std::vector<std::size_t> place_;  // index in its block's members
     std::vector<Signature> signatures_;
-    std::vector<const Signature*> fresh_;  // of the states of the block that is refined whose signature is recomputed
-    std::vector<States> dirty_;            // by block
+    std::vector<const Signature*> fresh_;  // by state: its new signature during `refine`; or null
+    std::vector<States> dirty_;            // by block: its marked states
     std::vector<bool> is_dirty_;
     std::deque<Block> work_;
     std::vector<std::uint64_t> first_source_;
@@ -161,8 +162,8 @@ void Refinement::mark_dirty(StateIndex state) {
     }
 }
 
-/// Returns the marked states that are still in the block, sorted so that targets of inert taus come first. If tau
-/// components are single states with suitable numbers (see minimise), this is the order of their numbers.
+/// Returns the marked states that are still in the block, sorted so that targets of inert taus come first. This is the
+/// order of the state numbers, because minimise has numbered the states so that a tau leads to a lower number.
 States Refinement::take_dirty(Block block) {
     States states = std::exchange(dirty_[block], {});
     std::erase_if(states, [&](StateIndex state) { return block_[state] != block || !is_dirty_[state]; });
@@ -212,7 +213,7 @@ Signature Refinement::signature_of(StateIndex state) const {
     return result;
 }
 
-/// All unmarked states still have the signature of the block.
+/// Adds the unmarked states of the block to `with_clean`: they still have the old signature of the block.
 void Refinement::add_clean_states(Block block, Parts& parts, Part& with_clean) {
     std::vector<bool> computed(members_[block].size(), false);
     for (const Part& part : parts.list())

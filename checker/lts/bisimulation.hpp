@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Minimisation by partition refinement with signatures (Blom and Orzan, 2003; Wimmer et al., "Sigref", 2006).
+// Minimises graphs by partition refinement with signatures (Blom and Orzan, 2003; Wimmer et al., "Sigref", 2006).
 #pragma once
 
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace robochart::lts {
 
-/// The equivalences.
+/// The equivalences by which a graph can be minimised.
 enum class Equivalence {
     /// Strong bisimilarity: preserves all models.
     strong,
-    /// Branching bisimilarity that respects divergence (van Glabbeek, Luttik, Trcka 2009). Finer than FDR's dbisim and
-    /// wbisim. CSP's operators do not resolve on tau, so it is a congruence for them. This includes prioritise, because
-    /// a state without an inert tau offers all events of the states that lead to it by inert taus, and a state on a tau
-    /// cycle keeps a tau. Preserves T, F and FD.
+    /// Branching bisimilarity that respects divergence (van Glabbeek, Luttik, Trcka 2009). It is finer than FDR's
+    /// dbisim and wbisim. A tau of an operand resolves no operator of CSP, so this equivalence is a congruence. The
+    /// congruence includes prioritise: a state without an inert tau offers all events of the states that lead to it by
+    /// inert taus, and a state on a tau cycle keeps a tau. The equivalence preserves T, F and FD.
     branching_with_divergence,
 };
 
-/// The smallest graph equivalent to another, and the mapping between their states.
+/// The smallest graph that is equivalent to another graph, and the mapping between the states of both.
 struct Quotient {
     Graph graph;                             ///< numbered in breadth-first order; edges sorted, without duplicates
     std::vector<StateIndex> representative;  ///< by state: the first original state that it represents

@@ -15,7 +15,7 @@ std::uint64_t ByteReader::read_number() {
     for (unsigned shift = 0; !bytes_.empty(); shift += 7) {
         const auto byte = static_cast<std::uint8_t>(bytes_.front());
         bytes_.remove_prefix(1);
-        assert(shift <= 63);  // ten bytes at most: the tenth is 0 or 1, or the number is too large
+        assert(shift <= 63);  // at most ten bytes: the tenth is 0 or 1, otherwise the number is too large
         if (shift == 63 && byte > 1) break;
         value |= std::uint64_t{byte & 0x7FU} << shift;
         if (byte < 0x80) return value;

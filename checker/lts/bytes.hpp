@@ -24,17 +24,18 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Every function throws BadBytes at the end of the bytes, or if they are not a number of the requested kind.
+/// Reads numbers from bytes. Every function throws BadBytes if no bytes are left or if the next bytes are not a number
+/// of the requested kind.
 class ByteReader {
 public:
     /// The bytes must outlive the reader.
     explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
     std::uint64_t read_number();
-    /// A number below `end`, which is at most 2^32.
+    /// Reads a number below `end`, which is at most 2^32.
     std::uint32_t read_below(std::uint64_t end);
-    /// Any number of 32 bits.
+    /// Reads any number of 32 bits.
     std::uint32_t read_word() { return read_below(std::uint64_t{1} << 32U); }
-    /// The number of following items, each of at least one byte.
+    /// Reads the number of the items that follow; each of them has at least one byte.
     std::size_t read_count();
     void expect_end() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vector that grows in chunks: elements never move, and growing never needs twice the memory.
+// A vector that grows in chunks. Its elements never move, and it never needs twice its memory to grow.
 #pragma once
 
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of events: interning of names, with tau and tick first.
+// Implements the table of events, in which tau and tick are the first.
 #include "checker/lts/event.hpp"
 
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events: numbers with names.
+// Represents events by numbers and stores their names.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ inline constexpr Event tau = 0;   ///< the invisible action
 inline constexpr Event tick = 1;  ///< successful termination, printed as ✓
 inline constexpr Event first_visible = 2;
 
-/// Names of events. Ids are dense; visible events are numbered in the order of their first interning.
+/// Assigns numbers without gaps to the names of events. Visible events are numbered in the order in which they are
+/// first interned.
 class EventTable {
 public:
     EventTable();

@@ -13,7 +13,7 @@ namespace robochart::lts {
 namespace {
 
 /// In Aldebaran's format, a label that is a reserved word represents a hidden step (mCRL2: `tau`, CADP: `i`). This
-/// export also uses a word for termination. If an event has one of these names, an underscore is appended to it.
+/// export also reserves a word for termination. If an event has one of these names, an underscore is appended to it.
 class Labels {
 public:
     explicit Labels(const EventTable& events) : events_(events) {
@@ -46,7 +46,7 @@ void write_aut(const Graph& graph, const EventTable& events, std::ostream& out) 
 
 namespace {
 
-/// An event as an expression: a negative field needs parentheses.
+/// Returns an event as a CSPM expression, in which a negative field needs parentheses.
 std::string expression(const std::string& event) {
     std::string text;
     for (std::size_t i = 0; i < event.size(); ++i) {
@@ -60,7 +60,7 @@ std::string expression(const std::string& event) {
     return text;
 }
 
-/// The offers of a state: STOP, SKIP, or a choice of prefixes.
+/// Returns the CSPM text of what a state offers: STOP, SKIP, or a choice of prefixes.
 std::string offer_text(std::span<const Edge> edges, const EventTable& events, const std::string& name) {
     std::string text;
     for (const Edge& edge : edges) {

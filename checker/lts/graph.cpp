@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exploration of any transition system into a graph.
+// Explores a transition system and stores it as a graph.
 #include "checker/lts/graph.hpp"
 
 #include <cassert>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explicit transition systems, stored as compressed rows of edges. State 0 is the initial state.
+// Stores transition systems as graphs: one array contains the edges of all states, state by state. State 0 is the
+// initial state.
 #pragma once
 
 #include <cassert>
@@ -22,7 +23,7 @@ struct Edge {
     friend auto operator<=>(const Edge&, const Edge&) = default;
 };
 
-/// An explicit transition system.
+/// A transition system that is stored explicitly as a graph.
 class Graph {
 public:
     [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
@@ -31,7 +32,8 @@ public:
         assert(state + std::size_t{1} < first_.size());
         return std::span(edges_).subspan(first_[state], first_[state + 1U] - first_[state]);
     }
-    /// States are added in order, each with all its edges; targets may be later states.
+    /// Adds an edge to the state that is under construction. `finish_state` completes this state and begins the next
+    /// one. Targets may be later states.
     void add_edge(Edge edge) { edges_.push_back(edge); }
     void finish_state() {
         assert(first_.back() <= edges_.size());
@@ -45,20 +47,20 @@ private:
     std::vector<Edge> edges_;
 };
 
-/// A graph and the states found by exploring it.
+/// The graph of an explored system, and the states that its indices represent.
 struct Exploration {
     Graph graph;
     StateStore states;  ///< the packed state for every index
 };
 
-/// Explores the system breadth first from the initial state. Calls `on_state` before each state is expanded, with the
-/// number of states found so far; it may throw to stop.
+/// Explores the system breadth first from the initial state. Before each state is expanded, calls `on_state` with the
+/// number of states found so far. `on_state` may throw to stop the exploration.
 [[nodiscard]] Exploration explore(TransitionSystem& system, const std::function<void(std::size_t states)>& on_state);
 
-/// True if the state has a transition with tau, so that it is not stable.
+/// Returns true if the state has a transition with tau, so that it is not stable.
 [[nodiscard]] bool has_tau(TransitionSystem& system, StateView state);
 
-/// A graph as a transition system.
+/// Makes a graph available through the interface of transition systems.
 class GraphSystem final : public TransitionSystem {
 public:
     GraphSystem(const Graph& graph, const EventTable& events) : graph_(graph), events_(events) {}
@@ -76,13 +78,13 @@ private:
     const EventTable& events_;
 };
 
-/// Writes the Aldebaran format as CADP and mCRL2 read it. Tau is written "tau", and termination "tick".
+/// Writes the graph in the Aldebaran format that CADP and mCRL2 read. Tau is written "tau", and termination "tick".
 void write_aut(const Graph& graph, const EventTable& events, std::ostream& out);
 /// Writes CSPM definitions of `name` and of one process for each state, called `name` followed by the number of the
 /// state. The process is equal to the graph in T, F and FD. The channels must already be declared. A state with several
 /// taus and another event gets an additional tau before them.
 void write_csp(const Graph& graph, const EventTable& events, const std::string& name, std::ostream& out);
-/// Graphviz format.
+/// Writes the graph in the format of Graphviz.
 void write_dot(const Graph& graph, const EventTable& events, std::ostream& out);
 
 }  // namespace robochart::lts

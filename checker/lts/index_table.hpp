@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A hash table from externally stored objects to their numbers: open addressing over buckets of one cache line, with
-// twelve numbers and, for each number, eight bits of its hash. A look-up usually reads one line, and the objects whose
-// eight bits match.
+// A hash table that finds the numbers of objects which are stored elsewhere. It uses open addressing over buckets. Each
+// bucket is one cache line with twelve numbers and, for each number, eight bits of its hash. A look-up usually reads
+// one line, and the objects whose eight bits match.
 #pragma once
 
 #include <array>
@@ -120,10 +120,10 @@ public:
         return slot;
     }
 
-    /// Prefetches the line that a look-up reads first.
+    /// Prefetches the cache line that a look-up reads first.
     void prefetch(std::uint64_t hash) const { __builtin_prefetch(&buckets()[home_of(hash)]); }
 
-    /// The maximal number of entries; look-ups become slow beyond it.
+    /// Returns the maximal number of entries. Look-ups become slow beyond it.
     [[nodiscard]] std::uint64_t capacity() const { return std::uint64_t{bucket_count_} * bucket_size * 4 / 5; }
     /// Removes all entries and allocates space for at least this many numbers.
     void reset_for_capacity(std::uint64_t numbers);
@@ -164,7 +164,7 @@ private:
         }
     };
 
-    /// Searches the places [first, end) of a bucket for the number.
+    /// Searches the places [first, end) of a bucket for the number for which `same` is true.
     template <class Same>
     [[nodiscard]] static bool find_match(Slot& slot, Bucket& bucket, std::uint32_t first, std::uint32_t end,
                                          const Same& same) {

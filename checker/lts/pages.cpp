@@ -14,19 +14,19 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{1} << 21U;
 constexpr std::size_t cache_line = 64;
-/// Blocks above this size are mapped directly, so that they can be unmapped as soon as they are freed. The heap could
-/// not return them to the system while it contains other blocks.
+/// Blocks above this size are mapped directly, so that they can be unmapped as soon as they are freed. In the heap,
+/// other blocks could prevent freed memory from returning to the system.
 constexpr std::size_t large = std::size_t{1} << 17U;
 
-/// The page size depends on the machine.
+/// Rounds up to whole pages of this machine.
 std::size_t round_to_pages(std::size_t bytes) {
     const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     assert(page > 0 && (page & (page - 1)) == 0 && huge_page % page == 0);
     return (bytes + page - 1) & ~(page - 1);
 }
 
-/// Maps one huge page more than needed and unmaps the excess at both ends. Huge pages are used only for ranges that
-/// fill them, so that no more memory is taken than needed.
+/// Maps one huge page more than needed and unmaps the excess at both ends. Only ranges that fill whole huge pages use
+/// them, so that no memory is wasted.
 void* map(std::size_t bytes) {
     const std::size_t length = round_to_pages(bytes);
     void* const mapped =
@@ -39,7 +39,7 @@ void* map(std::size_t bytes) {
     munmap(begin + before + length, huge_page - before);
 #ifdef MADV_HUGEPAGE
     const std::size_t whole = length & ~(huge_page - 1);
-    if (whole > 0) madvise(begin + before, whole, MADV_HUGEPAGE);  // advice: if it is refused, only the speed changes
+    if (whole > 0) madvise(begin + before, whole, MADV_HUGEPAGE);  // advice: refusal changes only the speed
 #endif
     return begin + before;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Allocates zeroed memory for large tables. It uses huge pages if the system has them. The system allocates a page when
-// it is first accessed. (A random look-up in a table of 4 KiB pages also walks the page table, which takes 1.7 times as
-// long.)
+// Allocates zeroed memory for large tables, in huge pages if the system has them. The system allocates a page when it
+// is first accessed. In a table of 4 KiB pages, a random look-up also walks the page table and takes 1.7 times as long.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +12,10 @@ struct FreePages {
     std::size_t bytes = 0;
     void operator()(void* memory) const;
 };
-/// Aligned to a cache line.
+/// Memory that is aligned to a cache line.
 using Pages = std::unique_ptr<void, FreePages>;
 
-/// Throws std::bad_alloc.
+/// Allocates at least this many zeroed bytes. Throws std::bad_alloc.
 [[nodiscard]] Pages zeroed_pages(std::size_t bytes);
 
 }  // namespace robochart::lts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A helper for systems that pass on the successors of another system.
+// Stores the current sink of a system that passes on the successors of another system.
 #pragma once
 
 #include <cassert>

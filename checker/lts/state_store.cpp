@@ -41,7 +41,8 @@ bool StateStore::add_states(StateIndex first, StateIndex end, const Add& add) co
     return true;
 }
 
-/// Rebuilds the table from the states in order, so that old and new table never coexist.
+/// Rebuilds the table from the states in order. The old table is freed first, so that both never exist at the same
+/// time.
 void StateStore::rebuild_table(std::uint64_t states, const Sharing& share) {
     constexpr std::uint64_t piece = 1U << 16U;
     const auto all = static_cast<StateIndex>(size_);
@@ -113,13 +114,14 @@ StateIndex StateStore::find(StateView state, std::uint64_t hash) const {
     return slot.is_taken() ? slot.get() : no_state;
 }
 
-/// A bucket of the table has 64 bytes and twelve places, and the table is at most four fifths full.
+/// Adds the memory of the states and of the table. A bucket of the table has 64 bytes and twelve places, and the table
+/// is at most four fifths full.
 std::uint64_t StateStore::bytes() const {
     return size_ * width_ * sizeof(Word) + (size_ + free_state_count()) * 5 / 4 * 64 / 12;
 }
 
-/// Each state has a place in a table that is two thirds full. A new chunk is as large as all chunks before it, and is
-/// not allocated if less than half of it would be used.
+/// Computes the number of states for the usual case: each state has a place in a table that is two thirds full. A new
+/// chunk is as large as all chunks before it, and is not allocated if less than half of it would be used.
 std::uint64_t StateStore::most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more) {
     constexpr std::uint64_t fewest = 64, most = std::uint64_t{1} << 31U, place = 8;
     const std::uint64_t states = std::min(bytes / (width * sizeof(Word) + place + more), most);

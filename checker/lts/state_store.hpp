@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The visited set: exact packed states of one width, numbered in the order of insertion. The states are stored in that
-// order in chunks that never move; a table of hash bits finds them, and every hit compares the whole state.
+// The set of visited states. It stores exact packed states of one width, in the order of insertion, in chunks that
+// never move. A table of hash bits finds states; every hit compares the whole state.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace robochart::lts {
 
-/// Packed states of one width without duplicates, by number.
+/// Stores packed states of one width without duplicates and numbers them.
 class StateStore {
 public:
     explicit StateStore(std::size_t width);
@@ -24,9 +24,9 @@ public:
         bool fresh;
     };
     Insertion insert(StateView state) { return insert(state, hash(state)); }
-    /// The number, or no_state.
+    /// Returns the number of the state, or no_state if the set does not contain it.
     [[nodiscard]] StateIndex find(StateView state) const { return find(state, hash(state)); }
-    /// The view stays valid while states are added.
+    /// Returns the state with this number. The view stays valid while states are added.
     [[nodiscard]] StateView operator[](StateIndex index) const {
         assert(index < size_);
         return {row(index), width_};
@@ -34,23 +34,24 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t width() const { return width_; }
 
-    /// The approximate memory in bytes that the states and their places in the table use.
+    /// Returns the approximate memory in bytes that the states and their places in the table use.
     [[nodiscard]] std::uint64_t bytes() const;
-    /// The number of states that fit into this many bytes if each state needs `more` additional bytes. The result is at
+    /// Returns how many states fit into this many bytes if each state needs `more` additional bytes. The result is at
     /// least a small number, and at most the number of valid state numbers.
     [[nodiscard]] static std::uint64_t most_in(std::uint64_t bytes, std::size_t width, std::uint64_t more = 0);
 
-    // To look up many states, call `hash` and `prefetch` for several of them, and look them up when their memory has
-    // been loaded.
+    // To look up many states, call `hash` and `prefetch` for several of them, and look them up when the processor has
+    // loaded their memory.
     [[nodiscard]] static std::uint64_t hash(StateView state);
     void prefetch(std::uint64_t hash) const { table_.prefetch(hash); }
     Insertion insert(StateView state, std::uint64_t hash);
     [[nodiscard]] StateIndex find(StateView state, std::uint64_t hash) const;
 
-    // The following functions are for new states that several threads find at the same time. A state first gets a
-    // claim, which is a provisional number from `first_claim` on. Claims have the order of the final numbers; among
-    // duplicates, the smallest claim wins. When all threads have finished their claims, one thread calls `make_space`.
-    // Then several threads publish the remaining states with their final numbers, or drop them.
+    // Several threads use the following functions for new states that they find at the same time. A state first gets a
+    // claim, which is a provisional number from `first_claim` on. Claims have the same order as the final numbers. If
+    // several threads find the same state, the smallest claim wins. When all threads have finished their claims, one
+    // thread calls `make_space`. Then several threads publish the remaining states with their final numbers, or drop
+    // them.
     static constexpr StateIndex most_claims = StateIndex{1} << 27U;
     static constexpr StateIndex first_claim = no_state - most_claims;
     struct Claim {
@@ -58,8 +59,9 @@ public:
             no_state;  ///< the state's number, or its smallest provisional number; no_state: the table is full
         IndexTable::Slot slot;
     };
-    /// `claims.row(number)` returns the state of a claim, `claims.keep_state(state)` stores the state and is called
-    /// before the claim is made, and `claims.lose_claim(number)` reports that another claim has replaced it.
+    /// Claims the number for a state. `claims.row(number)` returns the state of a claim. `claims.keep_state(state)`
+    /// stores the state; it is called before the claim is made. `claims.lose_claim(number)` reports that another claim
+    /// has replaced this one.
     template <class Claims>
     Claim claim(StateView state, std::uint64_t hash, StateIndex number, Claims& claims) {
         assert(state.size() == width_);
@@ -85,14 +87,14 @@ public:
         }
         return {index, slot};
     }
-    /// Sets the number of states. The added states must then be published.
+    /// Sets the number of states and allocates their memory. The added states must then be published.
     void make_space(std::uint64_t states);
     void publish_state(const IndexTable::Slot& slot, StateIndex index, StateView state);
     static void give_up(const IndexTable::Slot& slot) { slot.set(no_state); }
 
-    /// Calls `piece` with 0, 1, ... count-1, in any order and concurrently.
+    /// A function that calls `piece` with 0, 1, ... count-1, in any order and concurrently.
     using Sharing = std::function<void(std::size_t count, const std::function<void(std::size_t)>& piece)>;
-    /// The number of further states that fit into the current table.
+    /// Returns how many further states fit into the current table.
     [[nodiscard]] std::uint64_t free_state_count() const {
         return table_.capacity() - std::min(table_.capacity(), size_);
     }
@@ -115,7 +117,7 @@ private:
     void rebuild_table(std::uint64_t states, const Sharing& share);
     template <class Add>
     bool add_states(StateIndex first, StateIndex end, const Add& add) const;
-    /// A dropped state has no number.
+    /// Compares the state with the one that has this number. Returns false for the number of a dropped state.
     [[nodiscard]] bool equals_state(StateIndex index, StateView state) const {
         return index < size_ && equals_state(row(index), state);
     }

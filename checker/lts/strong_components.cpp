@@ -7,7 +7,8 @@
 namespace robochart::lts {
 namespace {
 
-/// Stores only edges to vertices that have not been entered, and only while their source is on the path.
+/// Tarjan's algorithm. It stores an edge only if the target has not been entered, and only while the source is on the
+/// path.
 class Tarjan {
 public:
     Tarjan(const GraphView& graph, const OnComponent& report)
@@ -31,8 +32,8 @@ public:
 private:
     struct Frame {
         StateIndex vertex;
-        bool loops;         // has an edge to itself
-        std::size_t first;  // first of its targets in ahead_
+        bool loops;         // the vertex has an edge to itself
+        std::size_t first;  // index of the first of its targets in ahead_
     };
 
     void enter_vertex(StateIndex vertex) {
@@ -42,7 +43,7 @@ private:
         open_.push_back(vertex);
         targets_.clear();
         graph_.successors(vertex, targets_);
-        // The targets of the last vertex of the path are taken from the end of ahead_.
+        // The last vertex of the path takes its targets from the end of ahead_.
         for (auto target = targets_.rbegin(); target != targets_.rend(); ++target)
             if (!process_if_entered(*target)) ahead_.push_back(*target);
     }
@@ -82,7 +83,7 @@ private:
     std::vector<std::uint32_t> number_;  // order of entering, counted from 1
     std::vector<std::uint32_t> low_;
     std::vector<Frame> path_;
-    std::vector<StateIndex> ahead_;  // targets of the path's vertices
+    std::vector<StateIndex> ahead_;  // targets of the path's vertices that have not been visited yet
     std::vector<StateIndex> targets_;
     std::vector<StateIndex> open_;  // vertices whose component is incomplete
     std::uint32_t count_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strongly connected components of a graph whose edges are computed on demand.
+// Computes the strongly connected components of a graph whose edges are computed on demand.
 #pragma once
 
 #include <cstddef>
@@ -22,10 +22,10 @@ struct GraphView {
 /// only during the call.
 using OnComponent = std::function<void(std::span<const StateIndex> members, bool cyclic)>;
 
-/// Reports the components that are reachable from the roots, each after the components to which its edges lead. The
-/// order depends only on the roots and edges. Takes linear time, without recursion. Calls `successors` once for each
-/// vertex. Stores eight bytes for each vertex, and the targets of vertices on the path (Tarjan, Depth-first search and
-/// linear graph algorithms, 1972).
+/// Reports the components that are reachable from the roots. A component is reported after all components to which its
+/// edges lead. The order depends only on the roots and edges. Takes linear time, without recursion. Calls `successors`
+/// once for each vertex. Uses Tarjan's algorithm (Depth-first search and linear graph algorithms, 1972). Stores eight
+/// bytes for each vertex, and the targets of vertices on the path.
 void strong_components(const GraphView& graph, std::span<const StateIndex> roots, const OnComponent& report);
 
 }  // namespace robochart::lts

@@ -10,8 +10,8 @@
 
 namespace robochart::lts {
 
-/// The states are those of the original system. A representative replaces its images as the target of transitions. The
-/// events of transitions are those of the source state; they are not replaced by images.
+/// Its states are states of the original system. A transition leads to the representative of its original target. The
+/// event of a transition is the one that the source state performs, not an image of it.
 class SymmetricSystem final : public TransitionSystem, private SuccessorSink {
 public:
     /// `symmetry`: a symmetry of the system, or of the system that it reduces.
@@ -20,14 +20,14 @@ public:
     [[nodiscard]] std::size_t width() const override { return system_->width(); }
     void initial(std::span<Word> state) override;
     void successors(StateView state, SuccessorSink& sink) override;
-    /// Null if the original system cannot be copied.
+    /// Returns null if the original system cannot be copied.
     [[nodiscard]] std::unique_ptr<TransitionSystem> clone_for_thread() const override;
     [[nodiscard]] const EventTable& events() const override { return system_->events(); }
     [[nodiscard]] std::string describe(StateView state) const override { return system_->describe(state); }
     void set_budget(diagnostics::Pollable& budget) override;
     [[nodiscard]] std::unique_ptr<TransitionSystem> make_cycle_system(diagnostics::Pollable& budget) const override;
     [[nodiscard]] std::uint64_t chased_state_count() const override { return system_->chased_state_count(); }
-    /// The original system.
+    /// Returns the original system.
     [[nodiscard]] const TransitionSystem& original_system() const { return *system_; }
     [[nodiscard]] const Symmetry& symmetry() const { return symmetry_; }
 

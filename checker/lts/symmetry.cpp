@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of replicas are converted to rows of numbers that all replicas of a set share, so that a permutation of
-// replicas is a permutation of rows. In the representative of a state these rows are in ascending order.
+// Converts the states of replicas to rows of numbers that mean the same in all replicas of a set, so that a permutation
+// of replicas is a permutation of rows. In the representative of a state these rows are in ascending order.
 #include "checker/lts/symmetry.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetries of a system: permutations of equal parts of its states that map transitions to transitions
-// (docs/search.md, "Symmetry"). Gibson-Robinson and Lowe, "Symmetry reduction in CSP model checking", STTT 2019;
-// Clarke, Enders, Filkorn and Jha, "Exploiting symmetry in temporal logic model checking", FMSD 1996.
+// Symmetries of a system are permutations of equal parts of its states that map transitions to transitions
+// (docs/search.md, "Symmetry"). This file finds the representative of a state under them. Sources: Gibson-Robinson and
+// Lowe, "Symmetry reduction in CSP model checking", STTT 2019; Clarke, Enders, Filkorn and Jha, "Exploiting symmetry in
+// temporal logic model checking", FMSD 1996.
 #pragma once
 
 #include <map>
@@ -14,15 +15,15 @@
 
 namespace robochart::lts {
 
-/// A permutation of events: the pairs (event, image) in which both differ, ascending.
+/// A permutation of events. It lists the pairs (event, image) in which both differ, ascending.
 using EventPermutation = std::vector<std::pair<Event, Event>>;
 
-/// One value of a replica inside a state, and the mapping from this value to numbers that all replicas share. Two
-/// replicas are in the same state if these numbers are equal.
+/// One value of a replica inside a state, with its mapping to numbers that mean the same in all replicas. Two replicas
+/// are in the same state if all these numbers are equal.
 struct ReplicaPart {
     Field field;
-    std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< common number by value
-    std::shared_ptr<const std::vector<std::uint32_t>> value;   ///< value by common number
+    std::shared_ptr<const std::vector<std::uint32_t>> number;  ///< value to common number
+    std::shared_ptr<const std::vector<std::uint32_t>> value;   ///< common number to value
 };
 
 /// One of several equal parts of a system's states.
@@ -38,25 +39,25 @@ using ReplicaSet = std::vector<Replica>;
 /// state to a transition of the image state, labelled with the image of the event. Tau and tick are their own images.
 class Symmetry {
 public:
-    /// Permutations of the replicas, one for each set: replica i gets the state of replica `[i]`.
+    /// For each set, a permutation of its replicas: replica i gets the state of replica `[i]`.
     using Permutation = std::vector<std::vector<std::size_t>>;
 
     /// The sets must be disjoint.
     explicit Symmetry(std::vector<ReplicaSet> sets);
 
     [[nodiscard]] const std::vector<ReplicaSet>& sets() const { return sets_; }
-    /// The number of replicas in the largest set; 0 if there are no sets.
+    /// Returns the number of replicas in the largest set, or 0 if there are no sets.
     [[nodiscard]] std::size_t replicas() const;
     /// Returns the least event to which automorphisms map the event. The results for two events are equal if and only
     /// if one event is an image of the other.
     [[nodiscard]] Event orbit_representative(Event event) const;
     /// Replaces a state by the representative of its images.
     void replace_by_representative(std::span<std::uint32_t> state);
-    /// Returns an automorphism that maps one state to the other. Both must have the same representative; throws
-    /// std::logic_error otherwise.
+    /// Returns an automorphism that maps `from` to `to`. Throws std::logic_error if the two states have different
+    /// representatives.
     [[nodiscard]] Permutation find_permutation(std::span<const std::uint32_t> from,
                                                std::span<const std::uint32_t> to) const;
-    /// Replaces a state by its image.
+    /// Replaces a state by its image under the permutation.
     void apply(const Permutation& permutation, std::span<std::uint32_t> state) const;
 
 private:

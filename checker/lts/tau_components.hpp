@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strongly connected components of the taus of a graph.
+// Computes the strongly connected components of the taus of a graph, and contracts them.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct TauComponents {
 [[nodiscard]] TauComponents tau_components(const Graph& graph);
 [[nodiscard]] TauComponents every_state_alone(const Graph& graph);
 /// Returns a graph with one state for each component, and a tau loop if the component is cyclic. Each state has the
-/// number of its component, so the initial state is component[0] and not 0.
+/// number of its component. So the initial state is component[0], which may differ from 0.
 [[nodiscard]] Graph contract_components(const Graph& graph, const TauComponents& components);
 
 }  // namespace robochart::lts

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cache of the results of confluence proofs. The key is a query and the states of the components in it. Open
-// addressing with linear probing (Knuth, The Art of Computer Programming 3, section 6.4): a search makes several
-// queries for each state, and a look-up usually reads only one cache line.
+// Caches the results of confluence proofs. The key is a query and the states of the components that the query reads.
+// The table uses open addressing with linear probing (Knuth, The Art of Computer Programming 3, section 6.4): a search
+// makes several queries for each state, and a look-up usually reads only one cache line.
 #pragma once
 
 #include <cassert>
@@ -15,13 +15,13 @@ class AnswerTable {
 public:
     AnswerTable() : entries_(least) {}
 
-    /// `query` must not be `none`.
+    /// Returns the stored answer, if there is one. `query` must not be `none`.
     [[nodiscard]] std::optional<std::uint32_t> find(std::uint32_t query, std::uint64_t key) const {
         const Entry& entry = entries_[entry_index(query, key)];
         if (entry.query == none) return std::nullopt;
         return entry.answer;
     }
-    /// Stores an answer and replaces an earlier one.
+    /// Stores an answer. If the table already has an answer for this key, replaces it.
     void store_answer(std::uint32_t query, std::uint64_t key, std::uint32_t answer);
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
@@ -31,10 +31,10 @@ public:
 private:
     struct Entry {
         std::uint64_t key = 0;
-        std::uint32_t query = none;  ///< none: the entry is free
+        std::uint32_t query = none;  ///< `none` if the entry is free
         std::uint32_t answer = 0;
     };
-    static constexpr std::size_t least = 1024;  ///< number of entries; always a power of two
+    static constexpr std::size_t least = 1024;  ///< minimal number of entries; their number is a power of two
 
     /// Returns the index of the entry, or of a free entry for the key. At least a quarter of the entries is free.
     [[nodiscard]] std::size_t entry_index(std::uint32_t query, std::uint64_t key) const {

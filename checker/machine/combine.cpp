@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the operators of a skeleton to rules over its components. A vector states which components perform which
-// events, and the resulting event. Each operator converts the vectors of its operands to its own vectors, in one
-// function. The firing rules are stated in process/firing_rules.cpp and composition_rules.cpp.
+// Converts the operators of a skeleton to rules over its components. A vector lists the components that perform events
+// together, their events, and the resulting event. For each operator, one function converts the vectors of its operands
+// to its own vectors. The firing rules are stated in process/firing_rules.cpp and composition_rules.cpp.
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -35,7 +35,7 @@ struct Vector {
 };
 using Vectors = std::vector<Vector>;
 
-/// Orders actions. Most rules share their assignments with other rules.
+/// Orders actions, so that rules with equal actions share their assignments.
 struct LessActions {
     bool operator()(const Actions* a, const Actions* b) const { return *a < *b; }
 };
@@ -106,10 +106,10 @@ void Combiner::charge(std::size_t vectors) {
     charge_work(vectors);
 }
 
-/// Charges the work for parts, actions and assignments. Their number matters, because a rule of deeply nested operators
-/// can contain one of them for each operator.
+/// Adds to the work that this compilation has done, and ends it if the work is too large. The number of rules alone is
+/// no measure, because a rule of deeply nested operators can contain a part or an action for each operator.
 void Combiner::charge_work(std::size_t steps) const {
-    constexpr std::size_t worth = 20;  // allowed work for each rule
+    constexpr std::size_t worth = 20;  // allowed work for each of `most_rules_`
     constexpr std::size_t between_polls = 1024;
     const std::size_t before = work_;
     work_ += steps;
@@ -117,7 +117,8 @@ void Combiner::charge_work(std::size_t steps) const {
     if (work_ > worth * most_rules_) throw NotCompiled("the rules are too large");
 }
 
-/// The actions come first, because a later action of the vector may restart components that they turn off.
+/// Puts the actions `first` before those of the vector, because later actions may restart components that these actions
+/// turn off.
 void Combiner::prepend_actions(Vector& vector, const Actions& first) {
     vector.actions.insert(vector.actions.begin(), first.begin(), first.end());
 }
@@ -220,7 +221,7 @@ void Combiner::synchronise_vectors(std::vector<const Vectors*> who, Event event,
     std::move(open.begin(), open.end(), std::back_inserter(out));
 }
 
-/// The events of vectors; ascending, without duplicates.
+/// Returns the events of vectors; ascending, without duplicates.
 EventSet events_of(const Vectors& vectors) {
     EventSet events;
     for (const Vector& vector : vectors) events.push_back(vector.event);
@@ -228,7 +229,7 @@ EventSet events_of(const Vectors& vectors) {
     return events;
 }
 
-// P [|A|] Q: all operands together perform an event of A or tick. One operand performs any other event.
+// Combines P [|A|] Q: all operands together perform an event of A or tick. One operand performs any other event.
 Vectors Combiner::combine_parallel(const Node& node, std::vector<Vectors> operands) {
     const process::SetId set{terms_[node.term].payload};
     const auto joint = [&](Event event) { return event == tick || (event != tau && terms_.contains(set, event)); };
@@ -253,8 +254,8 @@ Vectors Combiner::combine_parallel(const Node& node, std::vector<Vectors> operan
     return result;
 }
 
-// Alphabetised parallel: all operands whose alphabet contains an event perform it together. One operand performs a tau,
-// and all operands perform tick.
+// Combines an alphabetised parallel: all operands whose alphabet contains an event perform it together. One operand
+// performs a tau, and all operands perform tick.
 Vectors Combiner::combine_alphabetised(const Node& node, std::vector<Vectors> operands) {
     const Term& term = terms_[node.term];
     Vectors result;
@@ -278,7 +279,7 @@ Vectors Combiner::combine_alphabetised(const Node& node, std::vector<Vectors> op
     return result;
 }
 
-// P \ A: an event of A becomes tau.
+// Applies P \ A: an event of A becomes tau.
 Vectors Combiner::apply_hiding(const Node& node, Vectors operand) {
     const process::SetId set{terms_[node.term].payload};
     for (Vector& vector : operand)
@@ -286,7 +287,7 @@ Vectors Combiner::apply_hiding(const Node& node, Vectors operand) {
     return operand;
 }
 
-// P[[R]]: an event becomes each of its images under R, or stays unchanged if it has none.
+// Applies P[[R]]: an event becomes each of its images under R, or stays unchanged if it has no image.
 Vectors Combiner::apply_renaming(const Node& node, const Vectors& operand) {
     const process::Renaming& pairs = terms_[process::RenamingId{terms_[node.term].payload}];
     Vectors result;
@@ -403,7 +404,7 @@ void Combiner::start_operands(NodeId id, std::vector<Assignment>& made) const {
     }
 }
 
-/// Returns the assignments, sorted by slot. If several actions assign to one slot, the last one counts.
+/// Returns the assignments, sorted by slot. If several actions assign to one slot, only the last assignment remains.
 std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
     std::vector<Assignment> made;
     for (const Action& action : actions) {
@@ -421,7 +422,7 @@ std::vector<Assignment> Combiner::assignments_of(const Actions& actions) const {
 }
 
 /// Returns, for each participant and event, the fraction of the participant's states in which it can perform the event.
-/// For inner regions it is an estimate.
+/// For inner regions, the fraction is an estimate.
 std::vector<std::vector<double>> Combiner::estimate_chances(const Region& region) const {
     std::vector<std::vector<double>> result;
     for (std::size_t who = 0; who < region.participants.size(); ++who) {

@@ -17,10 +17,10 @@
 namespace robochart::machine {
 namespace {
 
-/// The reachable states of a term in breadth-first order.
+/// Explores the reachable states of a term in breadth-first order.
 class Exploration {
 public:
-    /// `states` receives the number of states so far.
+    /// Stores the number of states found so far in `states`.
     Exploration(process::OperationalSemantics& semantics, std::size_t most_states, std::size_t& states)
         : semantics_(semantics), most_states_(most_states), states_(states) {}
 
@@ -144,7 +144,7 @@ ComponentPtr component_of(process::Machine machine) {
 /// Returns the outermost operands of parallel operators that hide events.
 std::vector<TermId> hiding_operands(const Skeleton& skeleton) {
     std::vector<bool> hides(skeleton.nodes.size());
-    for (std::size_t id = skeleton.nodes.size(); id-- > 0;) {  // children follow their parents
+    for (std::size_t id = skeleton.nodes.size(); id-- > 0;) {  // children come after their parents
         const Node& node = skeleton.nodes[id];
         hides[id] = node.kind == Node::Kind::operation &&
                     (node.op == Op::hide || std::ranges::any_of(node.children, [&](NodeId i) { return hides[i]; }));
@@ -171,8 +171,8 @@ std::vector<TermId> hiding_operands(const Skeleton& skeleton) {
 Compiler::Compiler(process::OperationalSemantics& semantics, const Bounds& bounds)
     : semantics_(semantics), bounds_(bounds) {}
 
-/// The machine that results from a compression is already minimal: no two of its states are branching bisimilar, and so
-/// no two of them are strongly bisimilar.
+/// Explores a term and minimises the result. A machine that results from a compression is already minimal: no two of
+/// its states are branching bisimilar, so no two of them are strongly bisimilar.
 ComponentPtr Compiler::explore_component(TermId term, diagnostics::Pollable& budget) {
     Exploration exploration(semantics_, bounds_.component_states, stage_.states);
     stage_.component = term;
@@ -187,7 +187,7 @@ ComponentPtr Compiler::minimise_component(ExplicitMachine machine, diagnostics::
     return std::make_shared<const Component>(machine.rows, std::move(machine.meaning));
 }
 
-/// Removes edges of components that no rule uses. Returns whether a component has become smaller.
+/// Removes edges of components that no rule uses. Returns true if a component has become smaller.
 bool Compiler::prune_unused_edges(const Supercombinator& combined, std::vector<ComponentPtr>& components,
                                   diagnostics::Pollable& budget) const {
     const std::vector<std::vector<bool>> used = used_events(combined);
@@ -206,7 +206,7 @@ ComponentPtr Compiler::component(TermId term, diagnostics::Pollable& budget) {
     return components_[term] = explore_component(term, budget);
 }
 
-/// Whether the process as a term has few states. The transitions computed here are cached.
+/// Returns true if the process, run as a term, has few states. The transitions that are computed here are cached.
 bool Compiler::is_small(TermId term, diagnostics::Pollable& budget) {
     std::size_t states = 0;
     try {
@@ -217,7 +217,8 @@ bool Compiler::is_small(TermId term, diagnostics::Pollable& budget) {
     }
 }
 
-/// Returns a component with one state and a loop for every first event of the operator (see gates in combine.cpp).
+/// Returns the gate of an operator (see combine.cpp): a component with one state and a loop for every first event of
+/// the operator.
 ComponentPtr Compiler::make_gate(const Node& node) const {
     process::TermStore& terms = semantics_.terms();
     std::vector<Component::RawEdge> row;
@@ -245,8 +246,8 @@ std::vector<ComponentPtr> Compiler::components(const Skeleton& skeleton, diagnos
     return result;
 }
 
-/// Builds the skeleton, and leaves out compressions that turn out to be too large. Each compression is tried before its
-/// term becomes a component.
+/// Builds the skeleton without the compressions whose operands are too large. It tries each compression before the
+/// compressed term becomes a component.
 std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& leaves, diagnostics::Pollable& budget) {
     constexpr int deepest_call = 100;
     process::TermStore& terms = semantics_.terms();
@@ -265,7 +266,7 @@ std::optional<Skeleton> Compiler::skeleton(TermId term, const std::set<TermId>& 
     }
 }
 
-/// Returns the inner prioritised processes, outermost first, whose components together have few states.
+/// Returns the inner prioritised processes whose components together have few states, outermost first.
 std::set<TermId> Compiler::small_regions(const Skeleton& skeleton, const std::vector<ComponentPtr>& components) const {
     std::set<TermId> result;
     for (const Node& node : skeleton.nodes) {
@@ -289,8 +290,8 @@ ComponentPtr Compiler::region(TermId term, diagnostics::Pollable& budget) {
                minimise_component(RowCollector(*system, term, bounds_.compressed_states).run(budget), budget);
 }
 
-/// Adds the largest parts of the process that can be compressed: operands of parallel operators that hide events. An
-/// operand with too many states is searched for smaller parts.
+/// Adds the largest parts of the process that can be compressed. Parts are operands of parallel operators that hide
+/// events. If an operand has too many states, looks for smaller parts inside it.
 void Compiler::find_parts(TermId term, std::set<TermId>& parts, diagnostics::Pollable& budget) {
     constexpr std::size_t deepest_part = 50;
     const DepthGuard guard(depth_of_parts_);
@@ -313,9 +314,9 @@ void Compiler::compress_parts(TermId term, diagnostics::Pollable& budget) {
     });
 }
 
-/// Makes a component of the part: its quotient under branching bisimilarity that respects divergence, which is a
-/// congruence for all operators above it (bisimulation.hpp). Returns false if the part has too many states, if all
-/// parts so far have too many states together, or if the part is already one component.
+/// Makes the part one component: its quotient under branching bisimilarity that respects divergence, which is a
+/// congruence for all operators above the part (bisimulation.hpp). Returns false if the part has too many states, if
+/// all parts so far have too many states in total, or if the part is already one component.
 bool Compiler::compress_part(TermId term, diagnostics::Pollable& budget) {
     if (const auto known = parts_.find(term); known != parts_.end()) return known->second;
     if (states_of_parts_ > bounds_.part_states || components_.contains(term)) return false;
@@ -343,7 +344,7 @@ bool Compiler::has_compressed_parts() const {
     return std::ranges::any_of(parts_, [](const auto& part) { return part.second; });
 }
 
-/// Returns the component before its minimisation. The components of a region are not minimised either.
+/// Returns the component as it was before its minimisation. The components inside a region are not minimised either.
 ComponentPtr Compiler::unminimised_component(const Node& node, diagnostics::Pollable& budget) {
     if (node.kind == Node::Kind::gate) return make_gate(node);
     ExplicitMachine machine;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Component machines: the explicit leaves of a compiled process (FDR's low-level machines; Gibson-Robinson et al.,
-// "FDR3: a parallel refinement checker for CSP", STTT 2016, section 3).
+// Component machines are the explicit leaves of a compiled process. FDR calls them low-level machines (Gibson-Robinson
+// et al., "FDR3: a parallel refinement checker for CSP", STTT 2016, section 3).
 #pragma once
 
 #include <cassert>
@@ -21,7 +21,7 @@ using process::TermId;
 /// A state of one component. The value `size()` means that the component is off: it has not started, or it has ended.
 using Local = std::uint32_t;
 
-/// An explicit machine whose events are numbered by their index in its alphabet. State 0 is the initial one.
+/// An explicit machine whose events are numbered by their index in its alphabet. State 0 is the initial state.
 class Component {
 public:
     struct Edge {
@@ -31,7 +31,7 @@ public:
     };
     using Edges = std::span<const Edge>;
 
-    /// An edge while the machine is built. It contains the event itself and not its index.
+    /// An edge of a machine that is being built. It contains the event itself and not its index.
     struct RawEdge {
         Event event;
         Event revealed;
@@ -42,18 +42,18 @@ public:
 
     [[nodiscard]] std::size_t size() const { return meaning_.size(); }
     [[nodiscard]] std::size_t edge_count() const { return edges_.size(); }
-    /// All events on edges, ascending, including tau and tick.
+    /// Returns all events on edges, ascending, including tau and tick.
     [[nodiscard]] const EventSet& alphabet() const { return alphabet_; }
     [[nodiscard]] TermId term_of(Local state) const {
         assert(state < meaning_.size());
         return meaning_[state];
     }
-    /// All edges of a state, ordered by event. Empty if the component is off.
+    /// Returns all edges of a state, ordered by event; none if the component is off.
     [[nodiscard]] Edges edges(Local state) const {
         if (state >= meaning_.size()) return {};
         return Edges(edges_).subspan(first_[state], first_[state + 1U] - first_[state]);
     }
-    /// The edges with one event.
+    /// Returns the edges of a state that have this event.
     [[nodiscard]] Edges edges(Local state, std::uint32_t event) const;
 
 private:
@@ -63,7 +63,7 @@ private:
     std::vector<TermId> meaning_;
     std::vector<std::uint32_t> first_;
     std::vector<Edge> edges_;
-    std::vector<std::uint32_t> by_event_;  // state * (alphabet + 1) + event; empty if the table would be large
+    std::vector<std::uint32_t> by_event_;  // index: state * (alphabet + 1) + event; empty if it would be large
 };
 
 using ComponentPtr = std::shared_ptr<const Component>;

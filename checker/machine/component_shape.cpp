@@ -13,7 +13,7 @@ namespace {
 using diagnostics::splitmix64_mixed;
 using Colour = std::uint64_t;
 
-constexpr std::size_t most_visited_edges = 50'000'000;  // number of edges visited in all rounds
+constexpr std::size_t most_visited_edges = 50'000'000;  // total number of edges visited in all rounds
 
 Colour combine_colours(Colour a, Colour b) {
     return splitmix64_mixed(splitmix64_mixed(a) + b);
@@ -24,7 +24,7 @@ std::size_t count_distinct(std::vector<Colour> colours) {
     return static_cast<std::size_t>(std::unique(colours.begin(), colours.end()) - colours.begin());
 }
 
-/// Computes colours that corresponding states and events of isomorphic components have in common.
+/// Computes colours for states and events. States or events that correspond in isomorphic components get equal colours.
 class Refinement {
 public:
     Refinement(const Component& component, const std::vector<std::uint64_t>& role, diagnostics::Pollable& budget)
@@ -48,8 +48,8 @@ public:
     [[nodiscard]] const std::vector<Colour>& events() const { return events_; }
 
 private:
-    /// The new colour of a state depends on its old colour and on the colours of all adjacent edges, independently of
-    /// their order.
+    /// Computes the new colours. The new colour of a state depends on its old colour and on the colours of all adjacent
+    /// edges, independently of the order of the edges.
     void refine_colours() {
         std::vector<Colour> states = states_;
         std::vector<Colour> events = events_;

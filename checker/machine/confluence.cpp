@@ -17,7 +17,7 @@ constexpr std::size_t most_together = 500;
 /// Maximal number of components that a proof may track in addition to the rule's parts.
 constexpr std::size_t most_beside = 4;
 
-/// The answers in the table that are not the number of another query.
+/// Values in the table that mean an answer. All other values are the number of another query.
 constexpr std::uint32_t no = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t yes = no - 1;
 
@@ -58,7 +58,8 @@ void Confluence::count_offers() {
     }
 }
 
-/// Lists each candidate at one component, which is the component that can perform its part in the fewest states.
+/// Lists each candidate at one of its components. This is the component that can perform its event in the fewest of its
+/// states.
 void Confluence::list_candidates(lts::Followed followed) {
     const auto share = [&](const Part& part) { return share_[part.slot][*part.event]; };
     for (RuleNumber number = 0; number < rules_->rules.size(); ++number) {
@@ -77,7 +78,7 @@ bool Confluence::follow_step(std::span<Local> state) {
     assert(state.size() == known_.size());
     ++states_asked_;
     for (std::uint32_t slot = 0; slot < state.size(); ++slot) {
-        if (state[slot] >= known_[slot].size()) continue;  // off
+        if (state[slot] >= known_[slot].size()) continue;  // the component is off
         for (const RuleNumber number : candidates(slot, state[slot])) {
             if (!is_confluent(number, state)) continue;
             for (const Part& part : rules_->rules[number].parts)
@@ -113,7 +114,7 @@ std::vector<Confluence::RuleNumber> Confluence::make_entry(std::uint32_t slot, L
     return result;
 }
 
-/// Whether condition 3 fails for all states of the other parts.
+/// Returns true if condition 3 fails for this state of the component, whatever the states of the other components are.
 bool Confluence::never_commutes(RuleNumber number, std::uint32_t slot, Local local) const {
     const WholeRule& rule = rules_->rules[number];
     for (const Component::Edge& edge : component(slot).edges(local))
@@ -133,8 +134,8 @@ std::uint64_t Confluence::state_key(const Tracked& tracked, Locals state) {
     return result;
 }
 
-/// Returns the number of the set that tracks these components for the rule, or of its replacement in the plan. Returns
-/// `no` if there is none, or if the states are too many for keys.
+/// Returns the number of the set that tracks these components for the rule. If the plan replaces this set, returns the
+/// number of the replacement. Returns `no` if there is none, or if the states are too many for keys.
 std::uint32_t Confluence::find_tracked_set(RuleNumber rule, Slots slots) {
     const auto [known, fresh] = numbers_.try_emplace({rule, std::move(slots)}, no);
     if (!fresh) return known->second;
@@ -167,7 +168,7 @@ namespace {
 
 /// Returns the work of the proofs, in the unit of `work_of_a_state`.
 double work(const ProofRecord::Sum& sum) {
-    constexpr double of_a_state = 4;  // in addition to its rules
+    constexpr double of_a_state = 4;  // in addition to the work for its rules
     return static_cast<double>(sum.rules) + of_a_state * static_cast<double>(sum.looked);
 }
 
@@ -176,8 +177,8 @@ bool known_well(const ProofRecord::Sum& sum) {
     return work(sum) >= enough;
 }
 
-/// Whether the saved work exceeds the work of the proofs. A followed tau removes at most one state. It also saves
-/// memory, so a proof may take more work than a state.
+/// Returns true if the saved work exceeds the work of the proofs. A followed tau removes at most one state. Because
+/// this also saves memory, a proof may take more work than a state.
 bool worth_it(const ProofRecord::Sum& sum, double work_of_a_state) {
     constexpr double most_for_a_state = 2;
     return sum.proofs > 0 &&
@@ -201,7 +202,8 @@ ProofPlan ProofRecord::plan(double work_of_a_state) const {
     return result;
 }
 
-/// Whether proofs that begin with this query pay off. (The next query tracks more components.)
+/// Returns true if proofs that begin with this query pay off, possibly because later queries succeed. (Each next query
+/// tracks more components.)
 bool ProofRecord::leads_to_proofs(const Key& key, double work_of_a_state) const {
     const auto known = sums_.find(key);
     if (known == sums_.end()) return false;
@@ -238,7 +240,7 @@ Slots Confluence::parts_of(RuleNumber rule) const {
     return slots;
 }
 
-/// Returns, among the selected components that perform an event in the rule, the one that can perform it in the fewest
+/// Among the selected components that perform an event in the rule, returns the one that can perform it in the fewest
 /// of its states.
 std::uint32_t Confluence::rarest_component(const WholeRule& rule, const std::vector<char>& has) const {
     const Part* rarest = nullptr;
@@ -250,8 +252,8 @@ std::uint32_t Confluence::rarest_component(const WholeRule& rule, const std::vec
     return rarest->slot;
 }
 
-/// Returns the rules in which the tracked component at this place performs the event, unless another tracked component
-/// is rarer in them.
+/// Returns the rules in which the tracked component at this place performs the event. Omits the rules that have another
+/// tracked component which can perform its event more rarely.
 const std::vector<Confluence::RuleNumber>& Confluence::rules_asking(const Tracked& tracked, std::size_t place,
                                                                     std::uint32_t event) const {
     assert(tracked.asking != nullptr && tracked.asking->size() == tracked.slots.size());
@@ -263,8 +265,8 @@ const std::vector<Confluence::RuleNumber>& Confluence::rules_asking(const Tracke
     return known->second;
 }
 
-/// Returns the set that also tracks the parts of another rule. It is the first rule with some untracked parts, but not
-/// too many.
+/// Returns the query that also tracks the components of another rule: the first of `others` that has some untracked
+/// components, but not too many.
 Confluence::Next Confluence::find_larger_tracked_set(std::uint32_t number, const std::vector<RuleNumber>& others) {
     const RuleNumber rule = tracked_[number].rule;
     const Slots& before = tracked_[number].slots;
@@ -286,8 +288,8 @@ void Confluence::store_answer(std::uint32_t number, std::uint64_t key, std::uint
     answers_.store_answer(number, key, answer);
 }
 
-/// The states of the tracked components that other rules can reach while the rule can fire. The rule is confluent
-/// either in all of these states or in none of them: they are the greatest set that condition 3 allows.
+/// Computes the states of the tracked components that other rules can reach while the rule can fire. The rule is
+/// confluent in all of these states or in none of them: they are the greatest set that condition 3 allows.
 class Confluence::Closure {
 public:
     explicit Closure(const Confluence& all) : all_(all) {}
@@ -313,17 +315,17 @@ public:
         return true;
     }
     [[nodiscard]] const std::vector<std::uint64_t>& state_keys() const { return keys_; }
-    /// Number of rules examined by the last proof.
+    /// Returns the number of rules that the last proof examined.
     [[nodiscard]] std::uint64_t rules() const { return next_.rules; }
-    /// After a failed proof: the rule that disturbs it, and the rules on the path to the state in which it does, last
-    /// first.
+    /// After a failed proof, returns the rule that disturbs it, followed by the rules on the path to the state of the
+    /// failure, in reverse order.
     [[nodiscard]] const std::vector<RuleNumber>& blamed_rules() const { return blamed_; }
-    /// After a failed proof: the keys of the states on the path from that state back to the first. The rules on the
-    /// path from the n-th state are the first n - 1 of the rules above.
+    /// After a failed proof, returns the keys of the states on the path, from the state of the failure back to the
+    /// first state. The rules between the n-th of these states and the failure are the first n - 1 of blamed_rules().
     [[nodiscard]] const std::vector<std::uint64_t>& led_on() const { return led_on_; }
 
 private:
-    /// Up to this number of keys are searched linearly; more are put into a set.
+    /// Up to this number, keys are searched linearly; more keys are put into a set.
     static constexpr std::size_t few = 16;
 
     void begin(const Tracked& tracked, std::size_t width) {
@@ -366,7 +368,7 @@ private:
     std::vector<Local> state_;  // the state that is being examined
     Outcomes next_;
     std::vector<std::uint64_t> keys_;
-    std::vector<std::pair<std::size_t, RuleNumber>> led_;  // by state: its predecessor and the rule
+    std::vector<std::pair<std::size_t, RuleNumber>> led_;  // by state: its predecessor, and the rule that leads to it
     std::unordered_set<std::uint64_t> known_;
     std::vector<RuleNumber> blamed_;
     std::vector<std::uint64_t> led_on_;
@@ -393,11 +395,11 @@ std::uint32_t Confluence::find_answer(std::uint32_t number, Locals state) {
     return known ? *known : prove_answer(number, here, state);
 }
 
-/// The answer depends only on the states of the tracked components, and so does the next query. If a proof fails, a
-/// proof that begins with a state on the path to the failure fails at the same state. The reason is that the search for
-/// this state is breadth first, so no shorter path leads to a state in which a condition fails. So all states on the
-/// path have the same answer. One of the rules of the failed proof determines the next query. A state on the path gets
-/// no next query if this rule comes before the state.
+/// Proves the answer to a query, and stores it. The answer depends only on the states of the tracked components, and so
+/// does the next query. If a proof fails, a proof that begins with a state on the path to the failure fails at the same
+/// state: the search for this state is breadth first, so no shorter path leads to a state in which a condition fails.
+/// So all states on the path have the same answer. One of the rules of the failed proof determines the next query. A
+/// state on the path gets no next query if this rule comes before the state.
 std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here, Locals state) {
     if (tracked_[number].asking == nullptr) {
         Asking& asking = asking_[tracked_[number].slots];
@@ -415,7 +417,7 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
         return yes;
     }
     const Next next = find_larger_tracked_set(number, closure.blamed_rules());
-    // This terminates, because each query tracks more components than the previous one.
+    // The sequence of queries ends, because each query tracks more components than the previous one.
     assert(next.number == no || tracked_[next.number].slots.size() > tracked_[number].slots.size());
     if (next.number != no) ++tracked_[number].next[next.number];
     for (std::size_t i = 0; i < closure.led_on().size(); ++i)
@@ -424,10 +426,11 @@ std::uint32_t Confluence::prove_answer(std::uint32_t number, std::uint64_t here,
     return next.number;
 }
 
-/// Checks conditions 2 to 4 in these states of the tracked components; the rest of the state is not read. `next`
-/// receives the states of these components in which the conditions must also hold (`state` is changed temporarily).
-/// `disturbing` receives the rule for which the conditions fail. A rule that needs events of several tracked components
-/// is examined only at one that can perform its event, because otherwise it cannot fire.
+/// Checks conditions 2 to 4 in these states of the tracked components. The other states in `state` are not read. `next`
+/// receives the states of the tracked components in which the conditions must also hold. `disturbing` receives the rule
+/// for which the conditions fail. `state` is changed temporarily. A rule that needs events of several tracked
+/// components is examined only at one of them and only if this component can perform its event. Otherwise the rule
+/// cannot fire.
 bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outcomes& next,
                            std::optional<RuleNumber>& disturbing) const {
     const WholeRule& rule = rules_->rules[tracked.rule];
@@ -465,7 +468,7 @@ bool Confluence::holds_now(const Tracked& tracked, std::span<Local> state, Outco
     return true;
 }
 
-/// Condition 2: every part is possible and has exactly one result.
+/// Checks condition 2: every part is possible and has exactly one result.
 bool Confluence::is_deterministic(const WholeRule& rule, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
         if (!part.event) return true;
@@ -475,7 +478,8 @@ bool Confluence::is_deterministic(const WholeRule& rule, Locals state) const {
     });
 }
 
-/// Whether some tracked component cannot perform its event of the rule, or the tracked rule prevents it.
+/// Returns true if some tracked component cannot perform its event of the rule `other`, or if the tracked rule prevents
+/// `other`.
 bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Locals state) const {
     return shares_region(rules_->rules[tracked.rule].preventing, other.prevented) ||
            std::ranges::any_of(other.parts, [&](const Part& part) {
@@ -484,7 +488,7 @@ bool Confluence::cannot_fire(const WholeRule& other, const Tracked& tracked, Loc
            });
 }
 
-/// Whether the components with a part in both rules reach the same states in either order.
+/// Returns true if the components that take part in both rules reach the same states in either order.
 bool Confluence::commutes_with(const WholeRule& rule, const WholeRule& other, Locals state) const {
     return std::ranges::all_of(rule.parts, [&](const Part& part) {
         const Part* const theirs = other.find_part(part.slot);
@@ -509,7 +513,8 @@ bool Confluence::commutes_with(const Part& part, const Part& other, Local local)
     });
 }
 
-/// Adds the states of the tracked components to which the parts of the other rule, from index `place` on, can lead.
+/// Adds the states of the tracked components to which the rule `other` can lead. The parts of the rule before index
+/// `place` have already been applied.
 void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::size_t place, std::span<Local> state,
                               Outcomes& next) const {
     const std::vector<Part>& parts = rules_->rules[other].parts;
@@ -534,7 +539,7 @@ void Confluence::add_outcomes(const Tracked& tracked, RuleNumber other, std::siz
     assert(next.states.size() == next.by.size() * state.size());
 }
 
-/// Whether all edges for this part lead from the state back to the same state.
+/// Returns true if all edges for this part lead from the state back to the same state.
 bool Confluence::stays_unchanged(const Part& part, Local local) const {
     if (part.assigned || !part.event) return false;
     const Component::Edges edges = component(part.slot).edges(local, *part.event);

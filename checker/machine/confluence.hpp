@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides by rules which taus of a compiled process are confluent (docs/search.md, "Confluent taus", contains the
-// statement and the proof). If only deadlocks matter, steps with any event may be confluent ("Deadlocks"). Groote and
-// van de Pol, "State space reduction using partial tau-confluence", MFCS 2000; Blom and van de Pol, "State space
-// reduction by proving confluence", CAV 2002.
+// statement and the proof). If only deadlocks matter, steps with any event may be confluent (docs/search.md,
+// "Deadlocks"). Sources: Groote and van de Pol, "State space reduction using partial tau-confluence", MFCS 2000; Blom
+// and van de Pol, "State space reduction by proving confluence", CAV 2002.
 #pragma once
 
 #include <cstdint>
@@ -25,28 +25,28 @@ namespace robochart::machine {
 
 /// Indices of components, ascending.
 using Slots = std::vector<std::uint32_t>;
-/// A plan lists the queries that proofs skip, because their proofs seldom succeed. The key of an entry consists of the
+/// A plan lists the queries whose proofs seldom succeed, so that they are skipped. The key of an entry consists of the
 /// slots of a rule's parts and the slots that the skipped query tracks. The value contains the slots that are tracked
 /// instead. If the value is empty, the proof is assumed to fail.
 using ProofPlan = std::map<std::pair<Slots, Slots>, Slots>;
 
 /// Records the costs and results of proofs. They are summed over all rules with the same components, because one
-/// channel causes many such rules, one for each value.
+/// channel causes many such rules (one for each value).
 class ProofRecord {
 public:
-    /// The costs and results of proofs that track the same components. `next`: how often each other set of components
-    /// was tracked after a failed proof.
+    /// The costs and results of proofs that track the same components. `next`: after a failed proof, how often each
+    /// other set of components was tracked next.
     struct Sum {
         std::uint64_t proofs = 0;  ///< number of successful proofs
         std::uint64_t looked = 0;  ///< number of states examined by proofs
         std::uint64_t rules = 0;   ///< number of rules examined in these states
-        std::uint64_t used = 0;    ///< number of steps followed because of such a proof
+        std::uint64_t used = 0;    ///< number of steps followed because of these proofs
         std::map<Slots, std::uint64_t> next;
     };
 
     [[nodiscard]] Sum& sum_of(const Slots& parts, const Slots& tracked) { return sums_[{parts, tracked}]; }
-    /// Returns the queries that proofs can skip if computing the successors of a state takes this much work. These are
-    /// proofs that never succeeded, and proofs that took more work than they saved.
+    /// Returns the queries that should be skipped if computing the successors of a state takes this much work. Their
+    /// proofs never succeeded, or took more work than they saved.
     [[nodiscard]] ProofPlan plan(double work_of_a_state) const;
 
 private:
@@ -56,48 +56,49 @@ private:
     std::map<Key, Sum> sums_;
 };
 
-/// Whether steps by this rule may be followed: it has a suitable event, and the first level in its regions (condition
-/// 1).
+/// Returns true if steps by this rule may be followed: the rule has a suitable event, and this event has the first
+/// level in all regions of the rule (condition 1).
 [[nodiscard]] bool is_candidate(const WholeRule& rule, lts::Followed followed);
 
 /// Proves that steps are confluent, and caches the results. A proof depends only on the rule of the step and on the
 /// current states of the components in the query. The answers do not depend on earlier queries.
 class Confluence {
 public:
-    /// `plan`: a plan for a system with the same rules. The results depend on it.
+    /// `plan`: a plan for a system with the same rules. It affects which steps are followed.
     Confluence(std::shared_ptr<const Supercombinator> combined, std::shared_ptr<const WholeRules> rules,
                lts::Followed followed, ProofPlan plan);
     Confluence(const Confluence&) = delete;
     Confluence& operator=(const Confluence&) = delete;
     ~Confluence();
 
-    /// Performs the first step of the state that is proved to be confluent. `state` contains the states of the
-    /// components. Returns false if there is no such step.
+    /// Finds the first step of the state that is proved to be confluent, and performs it. `state` contains the states
+    /// of the components. Returns false if there is no such step.
     bool follow_step(std::span<Local> state);
-    /// Adds the costs and results of the proofs so far.
+    /// Adds the costs and results of the proofs so far to the record.
     void add_to(ProofRecord&) const;
-    /// The total work so far, in the unit of `work_of_a_state`.
+    /// Returns the total work so far, in the unit of `work_of_a_state`.
     [[nodiscard]] double total_work() const;
 
 private:
     using RuleNumber = std::uint32_t;
     /// The states of all components. Only the states of tracked components are read.
     using Locals = std::span<const Local>;
-    /// The rules in which tracked components perform an event. Each rule is listed once: under one of these components
-    /// and the event that the rule requires of it. So a proof examines the rule only if that component can perform the
-    /// event. The list of an event is computed when a proof first reads a state with this event.
+    /// The rules in which tracked components perform an event. Each rule is listed only once: under one of these
+    /// components, and under the event that the rule requires of this component. So a proof examines the rule only if
+    /// that component can perform the event. The list of an event is computed when a proof first reads a state with
+    /// this event.
     using Asking = std::vector<std::unordered_map<std::uint32_t, std::vector<RuleNumber>>>;
     /// A query: a rule and the components whose current states its proofs read, with the statistics of these proofs.
     struct Tracked {
         RuleNumber rule = 0;
         Slots slots;                         ///< ascending: the rule's parts, and further components
         std::vector<std::uint64_t> weights;  ///< weight of each component's state in keys
-        std::vector<char> has;               ///< for each slot: whether it is in `slots`
+        std::vector<char> has;               ///< for each slot: whether `slots` contains it
         Asking* asking = nullptr;            ///< the rules for these slots; null before the first proof
         std::uint64_t proofs = 0, looked = 0, rules = 0, used = 0;  ///< as in ProofRecord
         std::map<std::uint32_t, std::uint64_t> next;  ///< how often each other query followed a failed proof
     };
-    /// The states to which other rules lead, and the rule that leads to each.
+    /// The states to which other rules lead; for each state, the rule that leads to it.
     struct Outcomes {
         std::vector<Local> states;  ///< states of all components, one after the other
         std::vector<RuleNumber> by;
@@ -116,7 +117,7 @@ private:
     void store_answer(std::uint32_t number, std::uint64_t key, std::uint32_t answer);
     std::uint32_t find_tracked_set(RuleNumber rule, Slots slots);
     std::uint32_t make_entry(RuleNumber rule, Slots slots);
-    /// The next query after a failed proof, and the number of rules that were examined to find it.
+    /// The next query after a failed proof, and how many rules were examined to find it.
     struct Next {
         std::uint32_t number;
         std::size_t rules;
@@ -141,19 +142,19 @@ private:
     std::shared_ptr<const Supercombinator> combined_;
     std::shared_ptr<const WholeRules> rules_;
     ProofPlan plan_;
-    std::vector<std::vector<double>> share_;  // by slot and event: the fraction of the component's states that can
-                                              // perform it
+    // By slot and event: the fraction of the states of the component in which it can perform the event.
+    std::vector<std::vector<double>> share_;
     std::vector<std::vector<std::vector<RuleNumber>>> leading_;  // by slot and event: the candidates listed there
-    std::vector<std::vector<std::uint32_t>> known_;              // by slot and state: one more than an index into
-                                                                 // lists_
+    // By slot and state: one more than the index of the list in lists_; 0 if the list has not been made.
+    std::vector<std::vector<std::uint32_t>> known_;
     std::vector<std::vector<RuleNumber>> lists_;
     std::deque<Tracked> tracked_;
     std::map<Slots, Asking> asking_;                                 // by slots
     std::vector<std::uint32_t> first_;                               // by rule: the query with which its proofs begin
-    std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // numbers of queries
+    std::map<std::pair<RuleNumber, Slots>, std::uint32_t> numbers_;  // the number of a query
     std::uint64_t states_asked_ = 0, answers_asked_ = 0;
-    AnswerTable answers_;               // by number of the query and key: `no`, `yes`, or the number of the next query
-    std::unique_ptr<Closure> closure_;  // stored to reuse its memory
+    AnswerTable answers_;               // by query number and key: `no`, `yes`, or the number of the next query
+    std::unique_ptr<Closure> closure_;  // kept to reuse its memory
 };
 
 }  // namespace robochart::machine

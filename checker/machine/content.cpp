@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content does not include data that are derived from the rest: leading edges, rules by event, and estimated
-// frequencies of events.
+// Writes the content of a compiled process. Data that can be derived from the rest are omitted: leading edges, rules by
+// event, and estimated frequencies of events.
 #include "checker/machine/content.hpp"
 
 namespace robochart::machine {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a compiled process: the data on which its transitions depend, independent of the session that compiled
-// it. If two compiled processes have equal content, their searches are equal and have equal packed states. The content
-// does not include the terms of states.
+// Computes the content of a compiled process: the data that determine its transitions, independent of the session that
+// compiled the process. Compiled processes with equal content have equal packed states, and searches of them are equal.
+// The content does not include the terms of states.
 #pragma once
 
 #include "base/cache/digest.hpp"
@@ -10,14 +10,14 @@
 
 namespace robochart::machine {
 
-/// Numbers events by their indices in an ascending list. Two sessions may give the events different numbers. They still
-/// compute the same content if the order of the numbers is the same.
+/// Numbers events by their indices in an ascending list. If two sessions give the events different numbers in the same
+/// order, they still compute the same content.
 class EventPlaces {
 public:
-    /// `named`: ascending.
+    /// `named` must be ascending.
     explicit EventPlaces(EventSet named);
     [[nodiscard]] const EventSet& named_events() const { return named_; }
-    /// The index of an event in the list.
+    /// Returns the index of an event in the list.
     [[nodiscard]] std::uint32_t index_of(Event event) const { return places_[event]; }
 
 private:

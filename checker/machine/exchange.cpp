@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t nowhere = static_cast<std::uint32_t>(-1);
 
-using Edges = std::vector<std::pair<std::uint32_t, Local>>;  // event and target
+using Edges = std::vector<std::pair<std::uint32_t, Local>>;  // event and target of each edge
 
 /// Returns, for each region, the components below it, ascending.
 std::vector<std::vector<std::uint32_t>> slots_below(const Supercombinator& combined) {
@@ -67,9 +67,9 @@ std::optional<lts::EventPermutation> Exchange::find_exchanged_events(diagnostics
     return events;
 }
 
-/// Condition 1: the mapping of equally numbered states and events is an isomorphism of the components. The fields of
-/// both components have the same width, so each can contain the states of the other. For a component that is never
-/// turned off, "off" is not a state.
+/// Checks condition 1: the mapping of equally numbered states and events is an isomorphism of the components. The
+/// fields of both components must have the same width, so that each can contain the states of the other. If a component
+/// is never turned off, "off" is not one of its states.
 bool Exchange::maps_component(std::uint32_t slot, diagnostics::Pollable& budget) {
     const std::uint32_t image = this->image_of_slot(slot);
     const Component& from = *combined_.components[slot];
@@ -100,8 +100,8 @@ bool Exchange::maps_component(std::uint32_t slot, diagnostics::Pollable& budget)
     return true;
 }
 
-/// Condition 2: each region has an image, which is the region over the images of its components. If several regions
-/// have the same components, inner regions are mapped to inner ones.
+/// Checks condition 2: each region has an image, which is the region over the images of its components. If several
+/// regions have the same components, inner regions are mapped to inner ones.
 bool Exchange::map_regions() {
     const std::vector<std::vector<std::uint32_t>> below = slots_below(combined_);
     std::vector<bool> taken(below.size(), false);
@@ -120,7 +120,7 @@ bool Exchange::map_regions() {
     return region_.back() + 1 == region_.size();
 }
 
-/// Condition 2, continued: the images of the participants of a region are the participants of its image.
+/// Checks the rest of condition 2: the images of the participants of a region are the participants of its image.
 bool Exchange::map_participants(std::uint32_t region) {
     const auto key = [](bool is_region, std::uint32_t index) { return std::pair(is_region, index); };
     std::map<std::pair<bool, std::uint32_t>, std::uint32_t> numbers;
@@ -138,7 +138,7 @@ bool Exchange::map_participants(std::uint32_t region) {
     return true;
 }
 
-/// Condition 3: a permutation of events maps the region's rules to those of its image.
+/// Checks condition 3: a permutation of events maps the region's rules to those of its image.
 bool Exchange::maps_rules(std::uint32_t region, diagnostics::Pollable& budget) {
     const Region& from = combined_.regions[region];
     const Region& to = combined_.regions[region_[region]];
@@ -189,8 +189,8 @@ Exchange::EventsByBody Exchange::map_requirements(std::uint32_t region, diagnost
     return bodies(mapped, budget);
 }
 
-/// Returns the images of the events of rules with these bodies; the images must be the expected events. If a body has
-/// several events, those with the same name correspond, then the remaining ones in their order.
+/// Returns the images of the events of rules with these bodies. The images must be the expected events. If a body
+/// occurs with several events, events with the same name correspond; the remaining events correspond in their order.
 std::optional<Exchange::Places> Exchange::event_images(const Region& from, const Region& to, const EventsByBody& bodies,
                                                        const EventsByBody& to_bodies) const {
     Places image(from.alphabet.size(), nowhere);
@@ -223,7 +223,7 @@ std::optional<Exchange::Places> Exchange::event_images(const Region& from, const
         if (mapped != expected) return std::nullopt;
     }
     for (std::uint32_t place = 0; place < image.size(); ++place) {
-        assert(image[place] != nowhere);  // each event has a rule, and so a body
+        assert(image[place] != nowhere);  // each event has a rule, and so it has a body
         for (const Event fixed : {process::tau, process::tick})
             if ((from.alphabet[place] == fixed) != (to.alphabet[image[place]] == fixed)) return std::nullopt;
     }

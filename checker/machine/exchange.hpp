@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks whether exchanging two groups of components is an automorphism of a compiled process: condition by condition
+// Checks whether exchanging two groups of components is an automorphism of a compiled process. The conditions are those
 // of docs/search.md, "Symmetry".
 #pragma once
 
@@ -19,7 +19,8 @@ namespace robochart::machine {
 /// are mapped to each other.
 class Exchange {
 public:
-    /// `shapes`: by slot, for the slots in both ranges. The ranges are disjoint and have the same length.
+    /// `shapes`: the shapes of the components, by slot, for the slots in both ranges. The ranges must be disjoint and
+    /// have the same length.
     Exchange(const Supercombinator& combined, const std::vector<ComponentShape>& shapes, SlotRange first,
              SlotRange second);
 
@@ -50,8 +51,8 @@ private:
     const std::vector<ComponentShape>& shapes_;
     SlotRange first_, second_;
     std::vector<Places> component_events_;                 // by slot; empty if every index is its own image
-    std::vector<std::uint32_t> region_;                    // by region: its image
-    std::vector<std::vector<std::uint32_t>> participant_;  // by region and participant: the number of the image there
+    std::vector<std::uint32_t> region_;                    // by region: the number of its image
+    std::vector<std::vector<std::uint32_t>> participant_;  // by region and participant: its image's number there
     std::vector<Places> region_events_;                    // by region
 };
 

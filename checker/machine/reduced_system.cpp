@@ -19,39 +19,39 @@ std::size_t most_steps(lts::Followed followed, std::size_t components) {
     constexpr std::size_t enough = 1000, for_each_component = 16;
     return followed == lts::Followed::taus ? enough : enough + for_each_component * components;
 }
-/// The numbers of states of the pilot rounds, which estimate the benefit of proofs. After the first rounds the least
-/// useful proofs are removed.
-constexpr std::size_t pilot_states[] = {200, 600, 2200};  // number of expanded states
-constexpr std::size_t pilot_found = 200'000;              // number of found states
-/// No further round begins after steps have been followed from this many states. The estimate is then good enough. A
-/// further round with long sequences of steps can cost more than the search itself, because the search often ends at a
+/// How many states the rounds of a pilot search cover. The rounds estimate the benefit of proofs. After the first
+/// rounds the least useful proofs are removed.
+constexpr std::size_t pilot_states[] = {200, 600, 2200};  // numbers of expanded states
+constexpr std::size_t pilot_found = 200'000;              // maximal number of found states
+/// No further round begins after steps have been followed from this many states, because the estimate is then good
+/// enough. A further round with long sequences of steps can cost more than the search itself, which often ends at a
 /// violation near the initial state.
 constexpr std::size_t pilot_followed = 20'000;
-/// A round ends early if its proofs take more work than `round` plus `step` for each state from which they follow a
-/// step. Proofs about locks and schedulers often examine thousands of states and fail.
+/// The work that the proofs of a round may take: `round`, plus `step` for each state from which they follow a step. If
+/// they take more, the round ends early. Proofs about locks and schedulers often examine thousands of states and fail.
 struct Allowance {
     double round, step;
 };
-constexpr Allowance large_allowance{60'000, 2'000};  // the most that a pilot search gets
+constexpr Allowance large_allowance{60'000, 2'000};  // the maximum for a pilot search
 /// A process with at least this many states gets the large allowance if the first pilot search has shown no gain.
 constexpr std::size_t states_for_large_allowance = 10'000;
 
-/// The allowance of the first pilot search. It is small compared with the search of a small process, and for a process
-/// of large components, small compared with its compilation.
+/// Returns the allowance of the first pilot search. It is small compared with the search of a small process. For a
+/// process with large components, it is small compared with the compilation.
 Allowance first_allowance(const Supercombinator& combined) {
     constexpr double least_of_a_round = 8'000, of_an_edge = 0.5, of_a_step = 200;
     double edges = 0;
     for (const ComponentPtr& component : combined.components) edges += static_cast<double>(component->edge_count());
     return {std::clamp(of_an_edge * edges, least_of_a_round, large_allowance.round), of_a_step};
 }
-/// A reduced search may take this many times the work of a full search, because it saves memory. The first round after
-/// which enough states have been expanded decides whether this holds.
+/// The work of a reduced search may be this many times the work of a full search, because the reduced search saves
+/// memory. The first round after which enough states have been expanded decides whether this holds.
 constexpr double most_work = 1.5;
 constexpr std::size_t enough_to_judge = 1000;
 
 /// Searches some states of a system. It expands the most recently found state first (depth first), so that it does not
-/// only visit states near the initial state. The order in which it takes the successors changes from state to state,
-/// but is the same in every run.
+/// visit only states near the initial state. The order in which it takes the successors of a state changes from state
+/// to state, but is the same in every run.
 class Pilot final : private lts::SuccessorSink {
 public:
     explicit Pilot(std::size_t width) : found_(width), followed_(width) {}
@@ -84,8 +84,8 @@ public:
         return true;
     }
     [[nodiscard]] std::size_t expanded_count() const { return expanded_; }
-    /// The number of states from which steps were followed. Sequences of steps often meet, so there are fewer such
-    /// states than steps.
+    /// Returns the number of states from which steps were followed. Sequences of steps often meet, so this number is
+    /// smaller than the number of steps.
     [[nodiscard]] std::size_t followed_count() const { return followed_.size(); }
 
 private:
@@ -113,7 +113,7 @@ public:
           budget_(budget),
           pilot_(combined->words) {}
 
-    /// Returns the plan for a search. No value if following steps costs more than it saves.
+    /// Returns the plan for a search, or no value if following steps costs more than it saves.
     std::optional<ProofPlan> run() {
         for (const std::size_t states : pilot_states)
             if (pilot_.followed_count() >= pilot_followed || !run_round(states)) break;
@@ -121,9 +121,9 @@ public:
     }
 
 private:
-    /// Returns false if there are no more states.
+    /// Runs a round that expands this many states. Returns false if there are no more states.
     bool run_round(std::size_t states) {
-        constexpr double of_a_state = 5;  // in addition to the steps of components
+        constexpr double of_a_state = 5;  // in addition to the work for the steps of components
         begin_round();
         const std::size_t expanded_before = pilot_.expanded_count();
         const double proofs_before = reduced_->work_of_proofs();
@@ -133,7 +133,7 @@ private:
         if (expanded == 0) return false;
         const double work = work_before_ + static_cast<double>(whole_->examined_step_count());
         const double work_of_a_state = of_a_state + work / static_cast<double>(pilot_.expanded_count());
-        // The reduction removes at most the states from which steps are followed.
+        // The reduction can remove at most the states from which steps are followed.
         const auto remaining = static_cast<double>(expanded);
         const auto removed = static_cast<double>(pilot_.followed_count() - followed_before);
         const double without = (remaining + removed) * work_of_a_state;
@@ -151,7 +151,7 @@ private:
         return true;
     }
 
-    /// If the plan has not changed since the previous round, the round reuses the cached answers.
+    /// Prepares a round. If the plan has not changed since the previous round, the round reuses the cached answers.
     void begin_round() {
         if (reduced_) return;
         auto whole = std::make_unique<SupercombinatorSystem>(combined_, terms_);
@@ -167,15 +167,15 @@ private:
     Allowance allowance_;
     diagnostics::Pollable& budget_;
     Pilot pilot_;
-    ProofRecord record_;      // of rounds with earlier plans
-    double work_before_ = 0;  // work of a search without reduction in these rounds
+    ProofRecord record_;      // the record of rounds with earlier plans
+    double work_before_ = 0;  // work of a search without reduction in the same rounds
     ProofPlan plan_;
-    std::unique_ptr<ReducedSystem> reduced_;        // with this plan; null: not made
+    std::unique_ptr<ReducedSystem> reduced_;        // uses this plan; null if not yet made
     const SupercombinatorSystem* whole_ = nullptr;  // owned by `reduced_`
     bool worth_it_ = true;
 };
 
-/// Whether the process has at least so many reachable states.
+/// Returns true if the process has at least this many reachable states.
 bool has_states(lts::TransitionSystem& system, std::size_t states, diagnostics::Pollable& budget) {
     struct Found final : lts::SuccessorSink {
         explicit Found(std::size_t width) : store(width) {}
@@ -195,8 +195,8 @@ bool has_states(lts::TransitionSystem& system, std::size_t states, diagnostics::
 
 }  // namespace
 
-/// A costly pilot search is made only for a process that is not small, because a search of all states of a small
-/// process costs less.
+/// Makes a plan by a pilot search. A costly pilot search is made only if the process is not small: for a small process,
+/// the search of all states costs less.
 std::optional<ProofPlan> SupercombinatorSystem::make_plan(lts::Followed followed, diagnostics::Pollable& budget) const {
     const auto plan_with = [&](const Allowance& allowance) {
         return PilotRounds(combined_, terms_, facts_.whole, followed, allowance, budget).run();
@@ -256,7 +256,7 @@ void ReducedSystem::initial(std::span<lts::Word> state) {
 }
 
 void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // The sink may ask for successors while it receives some, as in SupercombinatorSystem.
+    // The sink may ask for successors while it receives successors, as in SupercombinatorSystem.
     if (sink_ != nullptr) {
         const auto other = clone_for_thread();
         other->set_budget(*budget_);
@@ -267,8 +267,8 @@ void ReducedSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
     whole_->successors(state, *this);
 }
 
-/// If a step can be followed from the state, passes it as the only transition. The state is on a cycle of followed
-/// steps, or a sequence was cut off there.
+/// If a step can be followed from the state, passes the step as the only transition. The state is then on a cycle of
+/// followed steps, or a sequence was cut off at it.
 bool ReducedSystem::pass_followed_step(lts::StateView state) {
     unpack_locals(state);
     if (!follow_step()) return false;
@@ -278,7 +278,8 @@ bool ReducedSystem::pass_followed_step(lts::StateView state) {
     return true;
 }
 
-/// Each cycle of the reduced system is a cycle of the process without the followed taus.
+/// Reduces the cycle system of the whole process. A cycle of the reduced system is a cycle of the process in which the
+/// followed taus are left out.
 std::unique_ptr<lts::TransitionSystem> ReducedSystem::make_cycle_system(diagnostics::Pollable& budget) const {
     std::unique_ptr<lts::TransitionSystem> whole = whole_->make_cycle_system(budget);
     if (!whole || followed_ != lts::Followed::taus) return nullptr;
@@ -303,12 +304,12 @@ bool ReducedSystem::follow_step() {
     return true;
 }
 
-/// Follows confluent steps to the end, or to the least state of the cycle that they reach; returns the number of steps.
-/// (Cycles are found as in Brent, BIT 20, 1980.)
+/// Follows confluent steps until no step can be followed or the least state of a cycle is reached. Returns the number
+/// of steps. (Cycles are found as in Brent, BIT 20, 1980.)
 std::size_t ReducedSystem::follow_all_steps() {
     budget_->poll();
     begin_ = seen_ = locals_;
-    std::size_t length = 0;  // length of the cycle, if there is one
+    std::size_t length = 0;  // length of the cycle, if a cycle is found
     std::size_t next_look = 1;
     for (std::size_t steps = 0; steps < most_steps_; ++steps) {
         if (!follow_step()) return steps;
@@ -322,8 +323,8 @@ std::size_t ReducedSystem::follow_all_steps() {
     return most_steps_;
 }
 
-/// The current state is on the cycle. Repeats the run from its beginning up to the first visit of the least state of
-/// this cycle.
+/// Moves to the least state of the cycle that the current state is on. Repeats the sequence of steps from its beginning
+/// up to the first visit of this state. Returns the number of steps.
 std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     least_ = locals_;
     for (std::size_t i = 0; i < length; ++i) {
@@ -334,7 +335,7 @@ std::size_t ReducedSystem::enter_cycle(std::size_t length) {
     locals_ = begin_;
     std::size_t steps = 0;
     for (; locals_ != least_; ++steps) {
-        assert(steps < most_steps_);  // run has passed the state
+        assert(steps < most_steps_);  // the sequence has reached this state before
         follow_step();
     }
     return steps;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A compiled process without the states from which a confluent step is followed (docs/search.md, "Confluent taus",
-// "Deadlocks").
+// Reduces a compiled process by leaving out the states from which a confluent step is followed (docs/search.md,
+// "Confluent taus", "Deadlocks").
 #pragma once
 
 #include <memory>
@@ -13,12 +13,12 @@
 
 namespace robochart::machine {
 
-/// The states are those of the process. Targets of transitions are replaced by their representatives. If steps with any
-/// event are followed and a state has such a step, this step is the only transition of the state, and its event is
+/// Its states are states of the process. The target of each transition is replaced by its representative. If steps with
+/// any event are followed and a state has such a step, this step is the only transition of the state, and its event is
 /// reported as tau.
 class ReducedSystem final : public lts::ReducedSystem, private lts::SuccessorSink {
 public:
-    /// `plan`: the plan for its proofs (Confluence).
+    /// `plan`: the plan for the proofs of this system (Confluence).
     ReducedSystem(std::unique_ptr<lts::TransitionSystem> whole, std::shared_ptr<const Supercombinator> combined,
                   std::shared_ptr<const WholeRules> rules, lts::Followed followed, ProofPlan plan);
 
@@ -38,12 +38,12 @@ public:
     [[nodiscard]] std::vector<std::vector<lts::Word>> followed_path(lts::StateView state) override;
     /// Adds the costs and results of the proofs in the states found so far (Confluence).
     void add_to(ProofRecord& record) const { confluence_.add_to(record); }
-    /// The work of the proofs so far (Confluence).
+    /// Returns the work of the proofs so far (Confluence).
     [[nodiscard]] double work_of_proofs() const { return confluence_.total_work(); }
-    /// After this call, the system stores the states from which it follows steps. This makes following slower, so it is
-    /// used only to estimate the benefit of the reduction.
+    /// After this call, `states` receives the states from which this system follows steps. Because this slows down
+    /// following, it is used only to estimate the benefit of the reduction.
     void store_followed_states(lts::StateStore& states) { followed_states_ = &states; }
-    /// The compiled process that this system reduces.
+    /// Returns the compiled process that this system reduces.
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
 
 private:

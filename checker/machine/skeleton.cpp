@@ -15,7 +15,7 @@ namespace {
 using process::OpGroup;
 using process::Term;
 
-constexpr int deepest = 300;              // maximal nesting of operators; deeper ones belong to one component
+constexpr int deepest = 300;              // maximal nesting of operators; deeper operators belong to one component
 constexpr int deepest_look = 100;         // maximal nesting in the search for a parallel operator
 constexpr int deepest_prefix = 3;         // maximal number of events before a parallel operator
 constexpr std::size_t most_branches = 8;  // maximal number of branches of a prefix that is taken apart
@@ -41,16 +41,16 @@ public:
         result_.prefixes = prefixes_taken_;
         return std::move(result_);
     }
-    /// Whether the term contains a parallel operator that is active now or after few events.
+    /// Returns true if the term contains a parallel operator that is active now or after few events.
     bool is_composite(TermId term, int depth = 0, int prefixes = 0);
 
 private:
     TermId unfold_term(TermId term);
     bool looks_composite(const Term& term, int depth, int prefixes);
-    /// The enclosing nodes that have ended when control reaches a node...
+    /// The enclosing nodes that have ended when control reaches a node:
     struct Tail {
-        std::vector<NodeId> at_once;   ///< ...after any event
-        std::vector<NodeId> by_event;  ///< ...after a visible event of the node, which resolves the enclosing choices
+        std::vector<NodeId> at_once;   ///< ... after any event
+        std::vector<NodeId> by_event;  ///< ... after a visible event of the node, which resolves the enclosing choices
     };
 
     NodeId add_node(TermId term, NodeId region, const Tail& tail, int depth);
@@ -68,7 +68,7 @@ private:
     std::size_t prefixes_taken_ = 0;
     std::size_t chain_ = 0;  // number of prefixes around the current node
     Skeleton result_;
-    std::map<std::pair<TermId, int>, bool> composite_;  // false while it is unknown
+    std::map<std::pair<TermId, int>, bool> composite_;  // false also while the answer is being computed
 };
 
 /// Unfolds calls, and removes compressions that must be omitted.

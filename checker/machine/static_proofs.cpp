@@ -13,10 +13,10 @@ using process::tau;
 
 namespace {
 
-/// The graph of one component: a vertex for each of its states and for "off", and an edge for every way in which a
-/// remaining rule changes the state of the component. A rule that sets the state without an event of the component may
-/// do so in every state. One more vertex represents "any state": every state has an edge to it, and the edges of such
-/// rules start there. So the number of edges is linear.
+/// The graph of one component. It has a vertex for each of its states and for "off", and an edge for every way in which
+/// a remaining rule changes the state of the component. A rule that sets the state without an event of the component
+/// may do so in every state. To keep the number of edges linear, one more vertex represents "any state": every state
+/// has an edge to it, and the edges of such rules start there.
 class LocalGraph {
 public:
     LocalGraph(const Component& component, const std::vector<const Part*>& parts)
@@ -36,9 +36,9 @@ public:
         find_performed_on_cycles();
     }
 
-    /// Whether some edge that this part of a rule causes lies on a cycle.
+    /// Returns true if some edge that this part of a rule causes lies on a cycle.
     [[nodiscard]] bool is_on_cycle(const Part& part) const {
-        if (!part.event) return true;  // the rule can fire again in the state that it sets, and sets it again
+        if (!part.event) return true;  // in the state that the rule sets, it can set this state again
         if (!part.assigned) return on_cycle_[*part.event] != 0;
         const lts::StateIndex target = vertex_of(*part.assigned);
         for (Local local = 0; local < component_.size(); ++local)
@@ -85,7 +85,7 @@ private:
     }
 
     const Component& component_;
-    std::vector<char> performed_;                          // by event: whether a rule requires it alone
+    std::vector<char> performed_;                          // by event: whether a rule performs it and assigns no state
     std::vector<std::vector<lts::StateIndex>> set_after_;  // by event: states that rules set after it
     std::vector<lts::StateIndex> set_anywhere_;            // states that rules set in any state
     std::vector<std::uint32_t> number_of_;                 // by vertex: the number of its strong component
@@ -117,7 +117,7 @@ public:
     }
 
 private:
-    /// Removes the rules whose part in the component is on no cycle; returns them.
+    /// Removes the rules whose part in the component is on no cycle, and returns them.
     std::vector<std::uint32_t> remove_rules(std::uint32_t slot) {
         budget_.poll();
         std::vector<std::uint32_t>& rules = of_slot_[slot];
@@ -138,11 +138,11 @@ private:
     const Supercombinator& combined_;
     const WholeRules& rules_;
     diagnostics::Pollable& budget_;
-    std::vector<bool> left_;                           // by rule
-    std::vector<std::vector<std::uint32_t>> of_slot_;  // by slot: the remaining rules with a part there
+    std::vector<bool> left_;                           // by rule: whether it remains
+    std::vector<std::vector<std::uint32_t>> of_slot_;  // by slot: the remaining rules with a part in it
 };
 
-/// Whether all transitions of a state with the event lead to one state.
+/// Returns true if, in every state, all transitions with the event lead to one state.
 bool is_deterministic(const Component& component, std::uint32_t event) {
     for (Local local = 0; local < component.size(); ++local) {
         const Component::Edges edges = component.edges(local, event);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A compiled process: component machines and the rules by which their events become events of the whole (FDR's
-// supercombinators; Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2; Gibson-Robinson et al., STTT 2016).
+// Represents a compiled process: component machines, and the rules by which their events become events of the whole
+// process. FDR calls it a supercombinator (Roscoe, "Understanding Concurrent Systems", 20.4 and 9.2; Gibson-Robinson et
+// al., STTT 2016).
 #pragma once
 
 #include <cstdint>
@@ -22,56 +23,57 @@ using process::no_level;
 /// A participant in the rules of a region: a component, or an inner region.
 struct Participant {
     bool is_region = false;
-    std::uint32_t index = 0;  ///< slot, or region
+    std::uint32_t index = 0;  ///< number of the slot or region
 };
 
 /// The edges of a component that can fire rules in which the component is the first participant.
 struct Leading {
-    std::vector<std::uint32_t> first;  ///< by state, one more at the end
+    std::vector<std::uint32_t> first;  ///< by state: its first edge; one more at the end
     std::vector<Component::Edge> edges;
-    /// Empty if the component is off.
+    /// Returns the edges of a state; none if the component is off.
     [[nodiscard]] Component::Edges edges_of(Local state) const {
         if (state + 1U >= first.size()) return {};
         return Component::Edges(edges).subspan(first[state], first[state + 1U] - first[state]);
     }
 };
 
-/// A rule's requirement for one participant: it performs this event.
+/// What a rule requires of one participant: it performs this event.
 struct Requirement {
     std::uint32_t participant;
     std::uint32_t event;  ///< index in the participant's alphabet
 };
 
-/// An assignment of a rule: it starts a component that does not take part in the event, or turns it off.
+/// An assignment of a rule to a component that does not take part in the event. It starts the component or turns it
+/// off.
 struct Assignment {
     std::uint32_t slot;
     Local value;
 };
 
-/// "If these participants perform these events, the region performs this one."
+/// A rule says: if these participants perform these events, the region performs this event.
 struct Rule {
     Event event;
-    /// The displayed name of the event. If the rule hides an event, this is the hidden event. If it is tau, the
-    /// displayed name is that of the participant's tau. Otherwise it is the event itself.
+    /// The displayed name of the event. If the rule hides an event, the name is that of the hidden event. If the event
+    /// is a tau of the participant, the name is that of the participant's tau. Otherwise it is the event itself.
     Event revealed;
     std::uint32_t place;                               ///< index of the event in the region's alphabet
     std::uint32_t level;                               ///< level of the event in the region's priorities, or no_level
     Requirement lead;                                  ///< requirement for the first participant
     std::uint32_t first_requirement, end_requirement;  ///< requirements for the other participants
-    std::uint32_t first_assignment, end_assignment;    ///< several rules may share these assignments
+    std::uint32_t first_assignment, end_assignment;    ///< several rules may share assignments
 };
 
 /// The rules of the operators between one prioritise and the next. Each region has separate rules, because the
 /// operators above a prioritise must see only the events that it allows. A rule begins with the participant that can
-/// perform its event in the fewest states, so that rules that cannot fire are seldom examined.
+/// perform its event in the fewest states. So rules that cannot fire are seldom examined.
 struct Region {
     std::vector<Participant> participants;
-    std::vector<Leading> leading;                        ///< by participant, after list_leading; empty for regions
-    std::vector<EventSet> alphabets;                     ///< by participant
-    std::vector<Rule> rules;                             ///< sorted by first participant and its event
-    std::vector<std::vector<std::uint32_t>> by_event;    ///< by index in the alphabet: the rules
-    std::vector<double> chance;                          ///< by index: an estimate of the fraction of states in which
-                                                         ///< it happens
+    std::vector<Leading> leading;                      ///< by participant, set by list_leading; empty for regions
+    std::vector<EventSet> alphabets;                   ///< by participant
+    std::vector<Rule> rules;                           ///< sorted by first participant and its event
+    std::vector<std::vector<std::uint32_t>> by_event;  ///< by index in the alphabet: the rules
+    /// By index: an estimate of the fraction of states in which the event is possible.
+    std::vector<double> chance;
     std::vector<std::vector<std::uint32_t>> first_rule;  ///< by participant and event, one more at the end
     std::vector<Requirement> requirements;
     std::vector<Assignment> assignments;
@@ -83,22 +85,22 @@ struct SlotRange {
     std::uint32_t first = 0, end = 0;
 };
 
-/// A compiled process as data.
+/// The data of a compiled process.
 struct Supercombinator {
     std::vector<ComponentPtr> components;  ///< by slot
     std::vector<SlotRange> operands;       ///< ranges of all operators, without duplicates, large ones first
-    std::vector<Region> regions;           ///< inner ones first; the last is the whole process
+    std::vector<Region> regions;           ///< inner regions first; the last region is the whole process
     std::vector<Local> initial;            ///< by slot
     std::vector<Field> fields;             ///< by slot
     std::uint32_t words = 1;
 };
 
 /// Returns the rules of a skeleton whose components have been built. Throws NotCompiled if there are more than
-/// `most_rules` rules, or if computing them takes more work than so many rules should take. Polls the budget.
+/// `most_rules` rules, or if computing them takes more work than this number of rules should take. Polls the budget.
 [[nodiscard]] Supercombinator combine(const process::TermStore& terms, const Skeleton& skeleton,
                                       std::vector<ComponentPtr> components, std::size_t most_rules,
                                       diagnostics::Pollable& budget);
-/// Adds derived data that a system needs: the edges of the first participants of rules.
+/// Adds the derived data that a system needs: the edges of the first participants of rules.
 void list_leading(Supercombinator& combined, diagnostics::Pollable& budget);
 
 }  // namespace robochart::machine

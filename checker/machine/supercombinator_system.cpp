@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes successors by rules. Each event of the current state of each participant is looked up among the rules in
-// which the participant comes first. A rule fires for every combination of transitions of its other participants. The
-// moves of inner regions are computed when an outer rule needs them. Priorities that prevent an event are computed when
-// the event becomes possible.
+// Computes successors by rules. For each event that a participant can perform in the current state, it looks up the
+// rules in which the participant comes first. A rule fires for every combination of transitions of its other
+// participants. The moves of inner regions are computed when an outer rule needs them. The priorities that prevent an
+// event are computed when the event becomes possible.
 #include "checker/machine/supercombinator_system.hpp"
 
 #include <algorithm>
@@ -45,13 +45,13 @@ public:
     Firing(SupercombinatorSystem& system, std::uint32_t region)
         : system_(system), number_(region), region_(system.combined_->regions[region]), base_(system.changes_.size()) {}
 
-    /// Fires the rules with events that outer rules require of their first participant. Stores the results in the
-    /// region's list of moves.
+    /// Fires the rules with events that outer rules require of this region as their first participant. Stores the
+    /// results in the region's list of moves.
     void list_leading(const std::vector<std::uint32_t>& first_rule_around) {
         around_ = &first_rule_around;
         enumerate();
     }
-    /// Lists the transitions of the rules with one event.
+    /// Fires the rules with one event, and stores their moves.
     void list_event(std::uint32_t event) {
         assert(event < region_.by_event.size());
         for (const std::uint32_t rule : region_.by_event[event])
@@ -63,7 +63,7 @@ public:
         sink_ = &sink;
         enumerate();
     }
-    /// The first level of a rule that can fire, or no_level.
+    /// Returns the first level of a rule that can fire, or no_level.
     std::uint32_t find_best_level() {
         probing_ = true;
         enumerate();
@@ -104,7 +104,7 @@ private:
         return system_.fired_ == nullptr || (*system_.fired_)[number];
     }
 
-    /// Applies the change of one participant, and then processes the requirements from index `next` on. A tau gets the
+    /// Applies the step of one participant, and then processes the requirements from index `next` on. A tau gets the
     /// name of the first participant's tau.
     template <typename Way>
     void take_step(const Rule& rule, std::uint32_t who, const Way& way, std::uint32_t next, Event revealed) {
@@ -157,7 +157,7 @@ private:
         }
         if (rule.level != 0 && rule.level != no_level && system_.best_level(number_) < rule.level) return;
         Event revealed = rule.revealed == tau ? revealed_by_participant : rule.revealed;
-        if (rule.event == tau && revealed == process::tick) revealed = tau;  // of P ; Q, which has no name
+        if (rule.event == tau && revealed == process::tick) revealed = tau;  // in P ; Q
         if (sink_ != nullptr)
             to_sink(rule, revealed);
         else
@@ -189,7 +189,7 @@ private:
     SupercombinatorSystem& system_;
     std::uint32_t number_;
     const Region& region_;
-    std::size_t base_;  // beginning of the current changes; earlier ones belong to rules of enclosing regions
+    std::size_t base_;  // first change of the current rule; earlier ones belong to enclosing regions
     const std::vector<std::uint32_t>* around_ = nullptr;
     bool probing_ = false;
     std::uint32_t best_ = no_level;
@@ -229,7 +229,7 @@ std::uint32_t SupercombinatorSystem::best_level(std::uint32_t region) {
 }
 
 void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink& sink) {
-    // If one system object is both sides of a refinement, the sink calls this function again while it receives
+    // If both sides of a refinement use the same system object, the sink calls this function again while it receives
     // successors.
     if (busy_) {
         const std::unique_ptr<SupercombinatorSystem> another = make_copy();
@@ -249,7 +249,7 @@ void SupercombinatorSystem::successors(lts::StateView state, lts::SuccessorSink&
 void SupercombinatorSystem::pass_successors(lts::StateView state, lts::SuccessorSink& sink) {
     unpack(state);
     ++state_number_;
-    changes_.clear();  // it still has elements if a sink has thrown an exception in the previous call
+    changes_.clear();  // not empty if a sink has thrown an exception in the previous call
     for (Moves& moves : moves_) {
         moves.list.clear();
         moves.changes.clear();
@@ -265,7 +265,7 @@ std::unique_ptr<SupercombinatorSystem> SupercombinatorSystem::make_copy() const 
     return copy;
 }
 
-/// Returns the rules of the whole process. Null if there are too many.
+/// Returns the rules of the whole process, or null if there are too many.
 const WholeRules* SupercombinatorSystem::find_whole_rules(diagnostics::Pollable& budget) const {
     if (facts_.whole == nullptr && !facts_.too_many) {
         std::optional<WholeRules> rules = whole_rules(*combined_, budget);
@@ -294,7 +294,8 @@ bool SupercombinatorSystem::excludes_choices(diagnostics::Pollable& budget) cons
     return rules != nullptr && exclude_choices(*combined_, *rules);
 }
 
-/// A rule of the outermost region fires if some rule of the whole process that passes through it may lie on a cycle.
+/// Returns a system in which a rule of the outermost region fires only if some rule of the whole process that passes
+/// through it may lie on a cycle.
 std::unique_ptr<lts::TransitionSystem> SupercombinatorSystem::make_cycle_system(diagnostics::Pollable& budget) const {
     const WholeRules* const rules = find_whole_rules(budget);
     if (rules == nullptr) return nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A compiled process as a transition system.
+// Makes a compiled process available as a transition system.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,8 @@
 
 namespace robochart::machine {
 
-/// States are the components' packed states. Computing successors allocates no memory after the buffers have grown.
+/// Its states are the packed states of the components. Computing successors allocates no memory after the buffers have
+/// grown.
 class SupercombinatorSystem final : public lts::TransitionSystem {
 public:
     /// `terms` contains the terms that the states of components represent.
@@ -29,7 +30,8 @@ public:
     [[nodiscard]] bool excludes_choices(diagnostics::Pollable& budget) const override;
     [[nodiscard]] std::unique_ptr<lts::TransitionSystem> make_cycle_system(
         diagnostics::Pollable& budget) const override;
-    /// Builds the process before its components were minimised; null if that is not possible.
+    /// A function that builds the process as it was before its components were minimised. It returns null if that is
+    /// not possible.
     using MakeFiner = std::function<std::unique_ptr<lts::FinerSystem>(diagnostics::Pollable&)>;
     void set_finer_system(MakeFiner make) { make_finer_ = std::move(make); }
     [[nodiscard]] std::unique_ptr<lts::FinerSystem> make_finer_system(diagnostics::Pollable& budget) const override {
@@ -41,7 +43,7 @@ public:
     void set_budget(diagnostics::Pollable& budget) override { budget_ = &budget; }
     [[nodiscard]] const Supercombinator& combined() const { return *combined_; }
     [[nodiscard]] const std::shared_ptr<const Supercombinator>& share_combined() const { return combined_; }
-    /// The number of transitions of components that were examined for successors so far.
+    /// Returns how many transitions of components were examined for successors so far.
     [[nodiscard]] std::uint64_t examined_step_count() const { return work_; }
 
 private:
@@ -59,8 +61,8 @@ private:
     struct Moves {
         std::vector<Move> list;
         std::vector<Assignment> changes;
-        Range leading;                ///< moves by events that outer rules require of their first participant
-        std::vector<Range> by_event;  ///< moves requested by event
+        Range leading;                ///< moves for outer rules that begin with this region
+        std::vector<Range> by_event;  ///< by event: the moves that were requested
         std::uint64_t state = 0;      ///< number of the state for which `best` is valid
         std::uint32_t best = 0;       ///< the first level that has a move, or no_level
     };
@@ -77,23 +79,24 @@ private:
     Range moves_by(std::uint32_t region, std::uint32_t event);
     std::uint32_t best_level(std::uint32_t region);
 
-    /// What is known about the rules of the whole process. Copies of the system share it.
+    /// The known facts about the rules of the whole process. Copies of the system share them.
     struct RuleFacts {
-        std::shared_ptr<const WholeRules> whole;             ///< null: not computed, or too many
-        bool too_many = false;                               ///< whether there are too many rules to be useful
-        std::shared_ptr<const std::vector<bool>> on_cycles;  ///< rules_on_tau_cycles; null: not computed
-        /// Plans for the reduced forms. Outer value: whether it is known; inner value: whether there is a reduced form.
+        std::shared_ptr<const WholeRules> whole;             ///< null if not computed, or if there are too many rules
+        bool too_many = false;                               ///< true if there are too many rules for them to be useful
+        std::shared_ptr<const std::vector<bool>> on_cycles;  ///< result of rules_on_tau_cycles; null if not computed
+        /// The plans for the reduced forms. The outer value is missing if the plan is not known yet; the inner value is
+        /// missing if there is no reduced form.
         std::optional<std::optional<ProofPlan>> plan_of_taus, plan_of_steps;
     };
 
     std::shared_ptr<const Supercombinator> combined_;
     const process::TermStore& terms_;
     mutable RuleFacts facts_;                         // computed on first use
-    std::shared_ptr<const std::vector<bool>> fired_;  // by rule of the outermost region; null: all fire
+    std::shared_ptr<const std::vector<bool>> fired_;  // by rule of the outermost region: may it fire? null: all
     MakeFiner make_finer_;
     std::vector<Local> locals_;
     std::vector<Moves> moves_;         // by region
-    std::vector<Assignment> changes_;  // changes of the current rules, those of inner regions last
+    std::vector<Assignment> changes_;  // changes by the current rules; those of inner regions are last
     std::uint64_t state_number_ = 0;   // number of the current state
     std::vector<lts::Word> target_;
     bool busy_ = false;

@@ -15,9 +15,8 @@ using diagnostics::splitmix64_mixed;
 
 constexpr std::size_t largest_component = 20'000;  // number of states
 constexpr std::size_t most_rules = 200'000;
-constexpr std::size_t most_exchanges = 500;  // number of verifications
-/// When this many rules and states have been examined for proposals that turned out to be wrong, no more proposals are
-/// tried.
+constexpr std::size_t most_exchanges = 500;  // number of verified exchanges
+/// After this many rules and states have been examined for wrong proposals, no more proposals are tried.
 constexpr std::size_t most_in_vain = 200'000;
 
 /// Forwards polls to another budget and counts them.
@@ -117,7 +116,7 @@ private:
         if (!who.is_region) roles_[who.index][requirement.event] += what;
     }
 
-    /// Finds replicas of the first range, then of the first remaining range, and so on.
+    /// Finds replicas of the first range, then of the first range that remains, and so on.
     void find_sets(Ranges ranges) {
         const auto used = [&](const SlotRange& range) { return taken_[range.first]; };
         std::erase_if(ranges, used);

@@ -160,7 +160,7 @@ private:
     Region region_;
 };
 
-/// Reads the field of a slot. It must be wide enough for the states of the component and the value "off".
+/// Reads the field of a slot. The field must be wide enough for the states of the component and the value "off".
 Field read_field(ByteReader& in, const Supercombinator& process, std::size_t slot) {
     Field field{in.read_below(process.words), in.read_below(32), in.read_word()};
     const bool all_ones = std::has_single_bit(field.mask + std::uint64_t{1});
@@ -208,7 +208,7 @@ std::shared_ptr<const std::vector<std::uint32_t>> read_values(ByteReader& in) {
     return std::make_shared<const std::vector<std::uint32_t>>(std::move(values));
 }
 
-/// The states of a component of the process.
+/// Reads a part of a replica: the states of one component of the process.
 lts::ReplicaPart read_part(ByteReader& in, const Supercombinator& process) {
     const std::uint32_t slot = in.read_below(process.components.size());
     lts::ReplicaPart part{process.fields[slot], read_values(in), read_values(in)};
@@ -280,8 +280,8 @@ Supercombinator read_supercombinator(ByteReader& in, TermId meaning) {
 
 namespace {
 
-/// Returns the compiled process of a system without symmetry, or the process that the system reduces. Null for other
-/// systems.
+/// Returns the compiled process of a system without symmetry. For a reduced system, this is the process that it
+/// reduces. Returns null for other systems.
 const Supercombinator* process_of(const lts::TransitionSystem& system) {
     if (const auto* machine = dynamic_cast<const SupercombinatorSystem*>(&system)) return &machine->combined();
     const auto* smaller = dynamic_cast<const ReducedSystem*>(&system);

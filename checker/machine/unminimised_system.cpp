@@ -10,7 +10,7 @@
 namespace robochart::machine {
 namespace {
 
-/// Adds the states of the component without the events that are not in `events`.
+/// Adds the states of the component to the graph, without the edges of events that are not in `events`.
 void add_states(const Component& component, const EventSet& events, lts::StateIndex first, lts::Graph& graph) {
     for (Local state = 0; state < component.size(); ++state) {
         for (const Component::Edge& edge : component.edges(state))
@@ -22,8 +22,8 @@ void add_states(const Component& component, const EventSet& events, lts::StateIn
 
 }  // namespace
 
-/// Minimises both components together, below a root with a different transition to each of them. No two states of
-/// `minimised` are bisimilar.
+/// Minimises both components together: a new root has a different transition to each of them. No two states of
+/// `minimised` are bisimilar, so each state is mapped to at most one of them.
 std::optional<StateMap> StateMap::make(const Component& component, const Component& minimised,
                                        diagnostics::Pollable& budget) {
     const auto size = static_cast<Local>(component.size());

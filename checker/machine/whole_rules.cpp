@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rule that requires an event of an inner region is combined with the region's rules for that event. The order of
-// changes is that of SupercombinatorSystem: changes of participants, in the order of the requirements, then the rule's
-// assignments; if several of them change one slot, the last change applies.
+// Combines a rule that requires an event of an inner region with the region's rules for that event. The order of
+// changes is that of SupercombinatorSystem: first the changes of the participants, in the order of the requirements,
+// then the rule's assignments. If several of them change one slot, the last change applies.
 #include "checker/machine/whole_rules.hpp"
 
 #include <algorithm>
@@ -46,8 +46,8 @@ private:
         std::optional<std::uint32_t> event;
         Local value;
     };
-    /// A rule of a region in which the events of inner regions are replaced by changes of components. The changes are
-    /// in the order in which they apply.
+    /// A rule of a region in terms of components: changes of components replace the events of inner regions. The
+    /// changes are in the order in which they apply.
     struct Changes {
         Event event = process::tau;
         std::uint32_t place = 0;
@@ -165,7 +165,7 @@ private:
     const Supercombinator& combined_;
     diagnostics::Pollable& budget_;
     std::size_t parts_ = 0;
-    std::vector<std::vector<Changes>> inside_;       // by region: its rules
+    std::vector<std::vector<Changes>> inside_;       // by region: its rules in terms of components
     std::vector<std::vector<std::uint32_t>> slots_;  // by region: the slots below it
     WholeRules result_;
 };

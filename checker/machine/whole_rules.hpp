@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules of all regions as rules of the whole process: the component events of one transition, and the priorities on
-// which it depends. Used for proofs about transitions; successors are computed by the rules of the regions.
+// Converts the rules of all regions to rules of the whole process. Such a rule contains the events of the components in
+// one transition, and the priorities on which the transition depends. These rules are used for proofs about
+// transitions. Successors are computed with the rules of the regions.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace robochart::machine {
 /// What a rule of the whole process does with the component in one slot.
 struct Part {
     std::uint32_t slot = 0;
-    std::optional<std::uint32_t> event;  ///< the event that the component performs, by its index in the component's
-                                         ///< alphabet
+    /// The event that the component performs, as an index in its alphabet.
+    std::optional<std::uint32_t> event;
     std::optional<Local> assigned;  ///< the state that the rule assigns to the component, independently of its event
 };
 
@@ -26,35 +27,36 @@ struct Passage {
     std::uint32_t level = no_level;
 };
 
-/// "If these components perform these events, the whole process performs this one", unless a priority prevents it.
+/// A rule of the whole process says: if these components perform these events, the process performs this event, unless
+/// a priority prevents it.
 struct WholeRule {
     Event event = process::tau;
     std::uint32_t outermost = 0;     ///< the rule of the outermost region through which it passes
     std::uint32_t level = no_level;  ///< the level of its event in the outermost region
     std::vector<Part> parts;         ///< ascending by slot, one for each slot
-    /// The regions that can prevent the rule, because its level there is not the first.
+    /// The regions that can prevent the rule, because its level in them is not the first.
     std::vector<Passage> prevented;
-    std::vector<std::uint32_t> preventing;  ///< the regions in which it prevents everything that does not have the
-                                            ///< first level
+    /// The regions in which the rule prevents all events that do not have the first level.
+    std::vector<std::uint32_t> preventing;
 
     [[nodiscard]] const Part* find_part(std::uint32_t slot) const;
 };
 
-/// All rules, with indexes of the rules in which a component performs an event, and of those that assign its state.
+/// All rules, with two indexes: the rules in which a component performs an event, and the rules that assign its state.
 struct WholeRules {
     std::vector<WholeRule> rules;
     std::vector<std::vector<std::vector<std::uint32_t>>> asking;  ///< by slot and event
     std::vector<std::vector<std::uint32_t>> assigning;            ///< by slot
-    /// For each slot, the rules that events of its component can prevent. The component is below a region that can
+    /// For each slot, the rules that events of its component can prevent: the component is below a region that can
     /// prevent these rules.
     std::vector<std::vector<std::uint32_t>> preventable;
 };
 
-/// The rules of the whole process. No value if there are too many rules to be useful. Polls the budget.
+/// Returns the rules of the whole process. Returns no value if there are too many rules to be useful. Polls the budget.
 [[nodiscard]] std::optional<WholeRules> whole_rules(const Supercombinator& combined, diagnostics::Pollable& budget);
 
-/// For each region, its rules in terms of components: the outermost region of such a rule is the region. No value if
-/// there are too many rules to be useful. Polls the budget.
+/// Returns, for each region, its rules in terms of components. The outermost region of such a rule is this region.
+/// Returns no value if there are too many rules to be useful. Polls the budget.
 [[nodiscard]] std::optional<std::vector<std::vector<WholeRule>>> rules_of_regions(const Supercombinator& combined,
                                                                                   diagnostics::Pollable& budget);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part of a process passes through segments: a sequential component runs, or an operator stays in place while its
-// operands move. A segment ends when its operator is resolved and an operand that had not run before continues.
+// Divides the run of a part of a process into segments. In a segment, a sequential component runs, or an operator stays
+// while its operands move. A segment ends when its operator is resolved and an operand that had not run before
+// continues.
 #include "checker/process/behaviour.hpp"
 
 #include <algorithm>
@@ -16,11 +17,11 @@ namespace robochart::process {
 namespace {
 
 constexpr std::size_t most_parts = 500;
-constexpr std::size_t most_entries = 10'000'000;  // for all traces together
+constexpr std::size_t most_entries = 10'000'000;  // total size of all traces
 constexpr int deepest_parts = 100;
 constexpr int deepest_look = 50;
 constexpr std::size_t shown_events = 3;
-constexpr std::size_t most_looked_at = 200'000;  // total number of states of compressed operands
+constexpr std::size_t most_looked_at = 200'000;  // total number of searched states of compressed operands
 
 struct Step {
     std::size_t index;  ///< index in the whole run
@@ -28,14 +29,15 @@ struct Step {
 };
 using Steps = std::vector<Step>;
 
-/// The work spent on one run, including the runs of compressed operands in it.
+/// The work spent so far on one run, including the runs of its compressed operands.
 struct Work {
     std::size_t looked_at = 0;
     std::size_t parts = 0;
 };
 
-/// Searches breadth first over pairs of a term and the number of events performed. Returns a shortest run with these
-/// events to a state with the offer of `end`, if `end` is stable. No value if the work limit is reached.
+/// Searches for a shortest run with these events. If `end` is stable, the run must end in a stable state with the same
+/// offer. Searches breadth first over pairs of a term and the number of events performed. Returns no value if the work
+/// limit is reached.
 std::optional<std::vector<Transition>> run_inside(OperationalSemantics& semantics, TermId from,
                                                   const std::vector<Event>& events, const Behaviour& end, Work& work) {
     struct Node {
@@ -92,7 +94,7 @@ private:
         Behaviour behaviour;
         TermId end;
         std::size_t next;      ///< the step after the segment
-        bool goes_on = false;  ///< whether another segment follows, which may be empty
+        bool goes_on = false;  ///< whether another, possibly empty, segment follows
     };
 
     Behaviour begin(TermId initial) {
@@ -140,7 +142,8 @@ private:
     std::size_t most_parts_;
 };
 
-/// Operators that are only above sequential processes (choices, sequences) belong to the component.
+/// Returns false for operators that are only above sequential processes (choices, sequences): they belong to the
+/// component.
 bool Splitter::worth_taking_apart(TermId id, int look) {
     if (look > deepest_look) return false;
     const Term term = terms_[unfold_term(id)];
@@ -177,8 +180,8 @@ Splitter::Segment Splitter::component(TermId from, const Steps& steps, std::size
     return segment;
 }
 
-/// A machine is the result of compressing an operand. The run of the operand with the same events is reported
-/// separately.
+/// Splits the run of a machine that results from compressing an operand. The run of the operand with the same events is
+/// reported separately.
 Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::size_t next, int depth) {
     Segment segment{begin(from), from, next, false};
     const Term term = terms_[unfold_term(from)];
@@ -191,7 +194,7 @@ Splitter::Segment Splitter::compression(TermId from, const Steps& steps, std::si
         if (step.transition.event != tau) events.push_back(step.transition.event);
         if (step.transition.event != tau) shown.push_back(step.index);
     }
-    add_offer(segment.behaviour, segment.end);  // only for a machine: its transitions are already known
+    add_offer(segment.behaviour, segment.end);  // a machine's transitions are already known, so this takes little work
     const TermId operand = term.children.front();
     const auto inside = run_inside(semantics_, operand, events, segment.behaviour, work_);
     if (!inside) return segment;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firing rules of the operators that compose a system: parallel, hiding, renaming, priority, chase. Notation and
-// sources as in firing_rules.cpp.
+// Implements the firing rules of the operators that compose a system: parallel, hiding, renaming, priority, chase. The
+// notation and the sources are those of firing_rules.cpp.
 #include <algorithm>
 #include <unordered_set>
 
@@ -26,8 +26,8 @@ void FiringRules::fire_parallel(const Term& term, List& list) {
     synchronise_all(term, everyone, list);
 }
 
-// UCS 9.2, alphabetised parallel: an event of some alphabet happens if every operand whose alphabet contains it
-// performs it. Operands perform taus alone. Tick is as in [|A|].
+// UCS 9.2, alphabetised parallel: an event of some alphabet happens if every operand whose alphabet contains the event
+// performs it. Each operand performs its taus alone. Tick is as in [|A|].
 void FiringRules::fire_alphabetised(const Term& term, List& list) {
     tick_together(term, list);
     std::vector<std::size_t> participants;
@@ -50,8 +50,8 @@ void FiringRules::tick_together(const Term& term, List& list) {
     if (all) list.push_back({tick, tick, omega_});
 }
 
-/// Adds the synchronised steps for every event of the term's set, except tick, that all participants perform. Only
-/// events of the first participant need to be examined.
+/// For every event of the term's set except tick, adds the synchronised steps if all participants can perform the
+/// event. Only events of the first participant need to be examined.
 void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_t>& participants, List& list) {
     if (participants.empty()) return;
     Event last = tau;
@@ -62,7 +62,7 @@ void FiringRules::synchronise_all(const Term& term, const std::vector<std::size_
     }
 }
 
-/// Adds all combinations of the participants' steps with one event. The last participant varies fastest.
+/// Adds all combinations of the participants' steps with this event. The last participant varies fastest.
 void FiringRules::synchronise(const Term& term, const std::vector<std::size_t>& participants, Event event, List& list) {
     std::vector<std::span<const Transition>> steps;
     for (std::size_t participant : participants) {

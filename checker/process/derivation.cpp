@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules are stated in firing_rules.cpp and composition_rules.cpp. A step has several derivations if two operands
-// can both perform it without a change of their states. The first operand is then taken.
+// Finds derivations by the rules in firing_rules.cpp and composition_rules.cpp. A step has several derivations if two
+// operands can both perform it without changing their states. The result is then the derivation by the first of these
+// operands.
 #include "checker/process/derivation.hpp"
 
 #include <algorithm>
@@ -31,8 +32,8 @@ private:
     [[nodiscard]] bool in_set(Event event) const {
         return event != tau && event != tick && terms_.contains(SetId{term_.payload}, event);
     }
-    /// Returns a transition of the operand that has this event and, if `target` is given, leads to it. Prefers a
-    /// transition with the same hidden event.
+    /// Returns a transition of the operand that has this event and, if `target` is given, leads to it. If several
+    /// transitions match, prefers one with the same hidden event.
     std::optional<Transition> find_move(std::size_t operand, Event event, std::optional<TermId> target) {
         std::optional<Transition> found;
         for (const Transition& transition : semantics_.successors(term_.children[operand])) {
@@ -47,7 +48,7 @@ private:
             if (std::ranges::find(movers, i) == movers.end() && target_.children[i] != term_.children[i]) return false;
         return true;
     }
-    /// All these operands move with the event of the step, and the operator stays.
+    /// Derives the step if all these operands move with its event, and the operator stays.
     Found move_together(const std::vector<std::size_t>& movers) {
         if (!frame_stays() || !others_stay(movers)) return std::nullopt;
         Derivation result;
@@ -58,7 +59,7 @@ private:
         }
         return result;
     }
-    /// One operand moves with this event, and the operator stays.
+    /// Derives the step if only this operand moves, with this event, and the operator stays.
     Found move_alone(std::size_t operand, Event event) {
         if (!frame_stays() || !others_stay({operand})) return std::nullopt;
         const std::optional<Transition> own = find_move(operand, event, target_.children[operand]);
@@ -70,7 +71,7 @@ private:
             if (Found found = move_alone(i, step_.event)) return found;
         return std::nullopt;
     }
-    /// One operand moves, and its successor replaces the operator.
+    /// Derives the step if this operand moves and its successor replaces the operator.
     Found resolve_by(std::size_t operand) {
         const std::optional<Transition> own = find_move(operand, step_.event, step_.target);
         if (!own) return std::nullopt;
@@ -81,14 +82,14 @@ private:
             if (Found found = resolve_by(i)) return found;
         return std::nullopt;
     }
-    /// Operand 0 moves with `event`, and operand 1 replaces the operator.
+    /// Derives the step if operand 0 moves with `event` and operand 1 replaces the operator.
     Found hand_over(Event event) {
         if (step_.target != term_.children[1]) return std::nullopt;
         const std::optional<Transition> own = find_move(0, event, std::nullopt);
         if (!own) return std::nullopt;
         return Derivation{{{0, *own}}, 1, true};
     }
-    /// All these operands terminate, and the result is Ω.
+    /// Derives the step if all these operands terminate and the result is Ω.
     Found terminate_operands(const std::vector<std::size_t>& movers) {
         Derivation result;
         for (std::size_t mover : movers) {
@@ -155,7 +156,7 @@ private:
 
     OperationalSemantics& semantics_;
     TermStore& terms_;
-    Term term_;  // copies, because computing successors may create terms
+    Term term_;  // a copy, because computing successors may create terms
     Term target_;
     Transition step_;
 };

@@ -13,17 +13,18 @@
 namespace robochart::process {
 
 struct Derivation {
-    std::vector<std::pair<std::size_t, Transition>> moves;  ///< operand, and its transition
-    /// The operand that continues alone if the step resolves the operator.
+    std::vector<std::pair<std::size_t, Transition>> moves;  ///< operands that move, with their transitions
+    /// If the step resolves the operator: the operand that continues alone.
     std::optional<std::size_t> survivor;
-    bool starts = false;  ///< whether the operand that continues alone starts with this step
+    bool starts = false;  ///< whether the operand that continues alone has not run before this step
 };
 
-/// The name in CSPM.
+/// Returns the name of the compression in CSPM.
 [[nodiscard]] std::string_view name_of(Compression kind);
-/// Whether the steps of the operator come from its operands.
+/// Returns true if the steps of the operator come from its operands.
 [[nodiscard]] bool is_operator(Op op);
-/// Returns no value if the step is not a transition of the term, or if no operand causes it.
+/// Returns the moves of the operands that cause this step. Returns no value if the step is not a transition of the
+/// term, or if no operand causes it.
 [[nodiscard]] std::optional<Derivation> derivation(OperationalSemantics& semantics, TermId term,
                                                    const Transition& step);
 

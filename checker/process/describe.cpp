@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes process terms for readers. It evaluates no definition, so that a report never fails.
+// Describes process terms for readers. It evaluates no definition, so that printing a report cannot fail.
 #include <string>
 #include <string_view>
 
@@ -47,7 +47,7 @@ public:
                 return join_children(term, " ⊓ ", depth);
             case Op::sync_interrupt:
                 return join_children(term, " △ ", depth);
-            // These operators behave like their first operand until it ends.
+            // These operators are described by their first operand, because they behave like it until it ends.
             case Op::sequential:
             case Op::interrupt:
             case Op::sliding:
@@ -79,8 +79,8 @@ private:
         return text;
     }
 
-    /// Describes the term that a state of a machine represents. A machine that was explored as a whole has no terms for
-    /// its states; its states are described by their numbers.
+    /// Describes the term that a state of a machine represents. If a machine was explored as a whole, its states have
+    /// no terms and are described by their numbers.
     std::string machine_state(const Term& state, int depth) {
         const Term& compressed = terms_[state.children[1]];
         if (state.children[0] != compressed.children.front()) return describe(state.children[0], depth + 1);
@@ -94,7 +94,7 @@ private:
                op == Op::internal_choice || op == Op::sync_interrupt;
     }
 
-    /// Lists the first events that a prefix offers, because the name of its definition is unknown here.
+    /// Describes a prefix by the first events that it offers, because the name of its definition is unknown here.
     [[nodiscard]] std::string prefix(const Term& term) const {
         constexpr std::size_t shown = 3;
         const std::vector<Branch>* branches = terms_.known_branches(term.payload);

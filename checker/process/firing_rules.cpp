@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Firing rules after Roscoe, "Understanding Concurrent Systems" (UCS), chapters 9 and 20, and the FDR 4.2 manual,
-// "Defining Processes" and "Built-In Definitions". In the comments x is any action, and a is a visible event or tick
-// unless stated otherwise. FDR's rule for termination holds throughout: P --✓--> always ends in Ω, which has no
-// transitions.
+// Implements the firing rules after Roscoe, "Understanding Concurrent Systems" (UCS), chapters 9 and 20, and the FDR
+// 4.2 manual, "Defining Processes" and "Built-In Definitions". In the comments x is any action, and a is a visible
+// event or tick unless stated otherwise. FDR's rule for termination always holds: P --✓--> always ends in Ω, which has
+// no transitions.
 #include "checker/process/firing_rules.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t short_list = 24;
 
-/// Does the same for a few transitions, without a table.
+/// Does the same as drop_repeated_targets for a few transitions, without a table.
 void drop_repeated_targets_of_few(std::vector<Transition>& list) {
     std::size_t distinct = 0;
     for (const Transition& step : list) {
@@ -30,7 +30,7 @@ void drop_repeated_targets_of_few(std::vector<Transition>& list) {
     list.resize(distinct, Transition{tau, tau, TermId{0}});
 }
 
-/// Keeps, among the transitions with one event, the first to each target.
+/// Removes repeated transitions: of those with the same event and target, only the first stays.
 void drop_repeated_targets(std::vector<Transition>& list) {
     std::unordered_set<std::uint32_t> seen;
     Event event = 0;
@@ -110,7 +110,7 @@ void FiringRules::fire(const Term& term, List& list) {
     switch (term.op) {
         case Op::stop:
         case Op::omega:
-            return;  // STOP and Ω have no rule
+            return;  // STOP and Ω have no transitions
         // UCS 9.2: SKIP --✓--> Ω.
         case Op::skip:
             return list.push_back({tick, tick, omega_});
@@ -169,13 +169,13 @@ void FiringRules::copy_transitions(TermId operand, List& list) const {
 }
 
 // A name has the transitions of its body. UCS 9.2 unfolds recursion by a tau; FDR does not, and no model distinguishes
-// them if every recursion reaches an event.
+// the two rules if every recursion reaches an event.
 void FiringRules::fire_call(const Term& term, List& list) {
     copy_transitions(terms_.unfold(term.payload), list);
 }
 
 // FDR manual, "Compression": a compression preserves the value of its operand in the models that it supports. The
-// identity preserves all models.
+// implementation here returns the operand's transitions unchanged, which preserves all models.
 void FiringRules::fire_compressed(const Term& term, List& list) {
     refuse_unsupported(term);
     copy_transitions(term.children.front(), list);
@@ -269,7 +269,8 @@ void FiringRules::fire_interrupt(const Term& term, List& list) {
             {step.event, step.revealed, step.event == tau ? with_operand(term, 1, step.target) : step.target});
 }
 
-// FDR manual, synchronising interrupt P /+A+\ Q: as /\, but an event of A happens in both and interrupts nothing.
+// FDR manual, synchronising interrupt P /+A+\ Q: as /\, but P and Q perform an event of A together, and it interrupts
+// nothing.
 void FiringRules::fire_sync_interrupt(const Term& term, List& list) {
     const SetId set{term.payload};
     for (const Transition& step : known_.list_transitions(term.children[0])) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The firing rules of every operator, each with its published statement. Private to checker/process.
+// Implements the firing rules of every operator, each with its published statement. Private to checker/process.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace robochart::process {
 
-/// The transitions computed so far.
+/// Gives the firing rules the transitions that have been computed so far.
 class KnownTransitions {
 public:
     virtual ~KnownTransitions() = default;
@@ -18,7 +18,7 @@ public:
     [[nodiscard]] virtual std::span<const Transition> list_transitions(TermId) const = 0;
 };
 
-/// Throws SemanticsError for `deter` and the watchdogs, which are not compressions in this sense.
+/// Throws SemanticsError for `deter` and the watchdogs, because they do not preserve the value of their operands.
 void refuse_unsupported(const Term& compressed);
 
 /// Derives the transitions of a term from the transitions of its operands.
@@ -26,12 +26,12 @@ class FiringRules {
 public:
     FiringRules(TermStore& terms, const KnownTransitions& known);
 
-    /// Returns an operand whose transitions must be computed before those of this term. No value if all of them are
-    /// known, so that `transitions` can be called.
+    /// Returns an operand whose transitions must be computed before those of this term. Returns no value if all of them
+    /// are known; `transitions` can then be called.
     std::optional<TermId> missing_operand(TermId);
-    /// Returns the transitions, sorted by event and without duplicates.
+    /// Returns the term's transitions, sorted by event and without duplicates.
     std::vector<Transition> transitions(TermId);
-    /// Computing the transitions of a term polls the budget, which must outlive it.
+    /// Sets the budget that the computation of transitions polls. The budget must outlive this object.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
 
 private:

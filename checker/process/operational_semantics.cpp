@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes and caches the transitions of terms. The terms on which a term depends are on an explicit stack. So deep
+// Computes and caches the transitions of terms. An explicit stack stores the terms on which a term depends. So deep
 // terms use the heap and not the call stack, and recursion without an event is detected.
 #include "checker/process/operational_semantics.hpp"
 
@@ -16,8 +16,8 @@
 namespace robochart::process {
 namespace {
 
-/// The depth at which definitions that unfold each other without an event, and nested operators, are assumed to be
-/// infinite.
+/// Deeper nesting is assumed to be infinite. This limits nested operators, and definitions that unfold each other
+/// without an event.
 constexpr std::size_t deepest_nesting = 1'000'000;
 
 enum class Progress : std::uint8_t { unknown, pending, known };
@@ -115,7 +115,7 @@ void OperationalSemantics::Impl::compute(TermId root) {
     }
 }
 
-/// All reachable states of the operand in breadth-first order.
+/// Explores all reachable states of the operand in breadth-first order.
 Machine OperationalSemantics::Impl::explore_operand(TermId operand) {
     Machine machine;
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;
@@ -137,7 +137,7 @@ Machine OperationalSemantics::Impl::explore_operand(TermId operand) {
     return machine;
 }
 
-/// Returns the compressed operand. No value if the operand has too many states.
+/// Compresses the operand of a term. Returns no value if the operand has too many states.
 std::optional<Machine> OperationalSemantics::Impl::compress_operand(TermId term) {
     constexpr int deepest = 200;
     refuse_unsupported(terms[term]);
@@ -161,8 +161,8 @@ std::optional<Machine> OperationalSemantics::Impl::compress_operand(TermId term)
     return result;
 }
 
-/// Returns the transitions of the initial state of the compressed machine. The other states become terms whose
-/// transitions are known.
+/// Returns the transitions of the initial state of the compressed machine. Creates terms with known transitions for all
+/// its states. If the operand has too many states, returns the transitions of the operand.
 std::vector<Transition> OperationalSemantics::Impl::compressed_transitions(TermId term) {
     const std::optional<Machine> made = compress_operand(term);
     if (!made) {
@@ -173,8 +173,8 @@ std::vector<Transition> OperationalSemantics::Impl::compressed_transitions(TermI
         return {same.begin(), same.end()};
     }
     const Machine& machine = *made;
-    // The children of a state: a term that it represents, the compressed term, and the first state (unless it is the
-    // first state itself).
+    // A state of the machine has these children: a term that it represents, the compressed term, and the first state
+    // (unless it is the first state itself).
     std::vector<TermId> states;
     for (TermId meaning : machine.meaning) {
         std::vector<TermId> operands{meaning, term};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The operational semantics of process terms. The results of all other engines are compared with it. The firing rules
-// follow Roscoe, Understanding Concurrent Systems (2010), chapter 9, with FDR's treatment of termination: tick is an
-// event of the semantics, parallel operators synchronise it in order to terminate, and nothing follows it.
+// follow Roscoe, Understanding Concurrent Systems (2010), chapter 9. Termination follows FDR: tick is an event of the
+// semantics, the operands of a parallel operator must terminate together, and no event follows tick.
 #pragma once
 
 #include <cstdint>
@@ -26,41 +26,44 @@ struct Transition {
     friend bool operator==(const Transition&, const Transition&) = default;
 };
 
-/// Thrown for a term without an operational semantics: recursion that reaches no event, or an operator without rules.
+/// Thrown for a term without an operational semantics: a recursion that reaches no event, or an operator without rules.
 class SemanticsError : public std::runtime_error {
 public:
     explicit SemanticsError(const std::string& message, std::optional<TermId> at = std::nullopt)
         : std::runtime_error(message), term(at) {}
-    std::optional<TermId> term;  ///< the erroneous term, if it is known
+    std::optional<TermId> term;  ///< the term that has no semantics, if it is known
 };
 
-/// Thrown by a budget to stop long work.
+/// Thrown by a budget to stop work that takes too long.
 using Interrupted = diagnostics::LimitReached;
 
 /// Computes and stores the transitions of the terms of one store.
 class OperationalSemantics {
 public:
-    /// With a compressor, a compressed term is explored completely when its transitions are first needed, and behaves
-    /// as the machine that the compressor returns. Without a compressor, or if the operand has too many states, the
-    /// term behaves as its operand. Use only one object for each store. Each state of a machine is a term, and only the
-    /// object that created this term knows its transitions.
+    /// With a compressor, a compressed term is explored completely when its transitions are first needed. It then
+    /// behaves as the machine that the compressor returns. Without a compressor, or if the operand has too many states,
+    /// the term behaves as its operand. Use only one object for each store: each state of a machine is a term, and only
+    /// the object that created this term knows its transitions.
     explicit OperationalSemantics(TermStore& terms, Compressor* compressor = nullptr);
     ~OperationalSemantics();
     OperationalSemantics(const OperationalSemantics&) = delete;
     OperationalSemantics& operator=(const OperationalSemantics&) = delete;
 
-    /// The transitions of a term, sorted by event and, for one event, by the order of operands; without duplicates.
-    /// Valid during the lifetime of this object. Throws SemanticsError, and the exceptions of the definitions.
+    /// Returns the transitions of a term without duplicates, sorted by event and then by the order of operands. The
+    /// result is valid during the lifetime of this object. Throws SemanticsError, and the exceptions of the
+    /// definitions.
     std::span<const Transition> successors(TermId term);
     [[nodiscard]] TermStore& terms() const;
-    /// The first state of the machine that a compressed term behaves as. No value if the term is not compressed,
-    /// there is no compressor, the compression is omitted, or the term has no transitions. Throws as `successors`.
+    /// Returns the first state of the machine that gives a compressed term its behaviour. Returns no value if the term
+    /// is not compressed, there is no compressor, the compression is omitted, or the term has no transitions. Throws as
+    /// `successors`.
     std::optional<TermId> first_machine_state(TermId term);
-    /// The terms whose compression was omitted so far, because their operands have too many states.
+    /// Returns the terms whose compression was omitted so far because their operands have too many states.
     [[nodiscard]] const std::set<TermId>& left_out() const;
-    /// Computing transitions polls the budget, which must outlive it.
+    /// Sets the budget that the computation of transitions polls. The budget must outlive this object.
     void set_budget(diagnostics::Pollable& budget);
-    /// The number of known states of the compressed operand that is being explored; 0 if there is none.
+    /// Returns the number of known states of the compressed operand that is being explored, or 0 if none is being
+    /// explored.
     [[nodiscard]] std::size_t states_explored() const;
 
 private:
@@ -68,7 +71,7 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// A readable description of a term's state: the definitions of its active components, with arguments; parallel
+/// Returns a readable description of a term's state: the definitions of its active components, with arguments. Parallel
 /// components are joined by " ‖ ".
 [[nodiscard]] std::string describe(const TermStore& terms, TermId term);
 

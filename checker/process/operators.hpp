@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The properties of the operators that algorithms on terms need, in one table. The firing rules (firing_rules.cpp and
-// composition_rules.cpp) give the operators their meaning.
+// Lists, in one table, the properties of the operators that algorithms on terms need. The firing rules
+// (firing_rules.cpp and composition_rules.cpp) give the operators their meaning.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,21 @@ namespace robochart::process {
 
 /// Groups of operators that an algorithm treats alike.
 enum class OpGroup : std::uint8_t {
-    leaf,             ///< no steps of operands: a basic process, a name, a state of a machine
-    prefix,           ///< its own events, then a continuation
-    internal_choice,  ///< its own taus, then an operand
-    parallel,         ///< all operands stay
+    leaf,             ///< has no operands that move: a basic process, a name, a state of a machine
+    prefix,           ///< performs its own events, then becomes the continuation
+    internal_choice,  ///< performs its own taus, then becomes an operand
+    parallel,         ///< all operands stay while they move
     unary,            ///< the operand stays; its steps get another name, or are prevented
     resolving,        ///< one operand can replace the operator
-    synchronising,    ///< as `resolving`, but the operands can also move together
-    compression       ///< the steps of a machine that is computed from the operand
+    synchronising,    ///< as `resolving`, but the operands can also move together and keep the operator
+    compression       ///< performs the steps of a machine that is computed from the operand
 };
 
-/// The operands that can perform steps from the start, so that their transitions determine those of the operator.
+/// Which operands can perform steps from the start, so that their transitions determine those of the operator.
 enum class Running : std::uint8_t { none, first, all };
 
-/// The table of the store to which the payload of a term refers. `none` if the payload is something else, or if there
-/// is none.
+/// The table of the store to which the payload of a term refers. It is `none` if the payload is something else or if
+/// there is none.
 enum class Payload : std::uint8_t { none, set, renaming, order };
 
 /// The properties of an operator.
@@ -90,8 +90,8 @@ struct OpProperties {
     return {OpGroup::leaf, Running::none, varies, Payload::none};
 }
 
-/// Returns how many of the operands run from the start. The others start when a running operand ends and they replace
-/// it.
+/// Returns how many of the operands run from the start. Any other operand starts when a running operand ends and is
+/// replaced by it.
 [[nodiscard]] constexpr std::size_t running_operands(Op op, std::size_t operands) {
     switch (properties_of(op).running) {
         case Running::none:

@@ -14,7 +14,7 @@ bool contains(const EventSet& set, Event event) {
     return std::ranges::binary_search(set, event);
 }
 
-/// Returns the events that chains of pairs reach from `from`.
+/// Returns the events that are below `from`, directly or through other events.
 std::set<Event> events_below(const Below& direct, Event from) {
     std::set<Event> found;
     std::vector<Event> work{from};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Handles work that fails because the process cannot be evaluated or is too large to be explored. Such a process is
+// Handles work that fails because a process cannot be evaluated or is too large to be explored. Such a process is
 // called refused.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace robochart::process {
 
-/// Returns the result of `work`, or a default-constructed one if the process is refused. Interruptions, lack of memory
-/// and internal errors are not refusals: their exceptions leave the function.
+/// Does the work and returns its result, or a default-constructed result if the process is refused. Exceptions for
+/// interruptions, lack of memory and internal errors are passed on.
 template <typename Work>
 auto unless_refused(const Work& work) -> decltype(work()) {
     try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hash-consed terms, event sets, renamings and priority orders. Ids are assigned in the order of creation, so they
-// depend only on the calls, never on addresses or on the order of a hash table.
+// Stores terms, event sets, renamings and priority orders without duplicates (hash consing). Ids are assigned in the
+// order of creation. So they depend only on the calls, never on addresses or on the order of a hash table.
 #include "checker/process/term.hpp"
 
 #include <cassert>
@@ -34,7 +34,7 @@ void sort_unique(std::vector<T>& items) {
     diagnostics::sort_unique(items);
 }
 
-/// Values numbered in the order of first appearance.
+/// Numbers values in the order of their first appearance.
 template <class Value, class Id>
 class Interner {
 public:
@@ -58,13 +58,13 @@ struct TermStore::Impl {
     std::vector<std::uint32_t> hashes;
     std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(1024, empty_slot);
     Interner<EventSet, SetId> sets;
-    std::vector<std::vector<bool>> members;  // by set: a bit for every event up to its largest
+    std::vector<std::vector<bool>> members;  // by set: a bit for every event up to the largest event of the set
     Interner<Renaming, RenamingId> renamings;
     Interner<PriorityOrder, OrderId> orders;
     std::vector<std::optional<TermId>> unfoldings;
     std::deque<std::optional<std::vector<Branch>>> branches;
 
-    /// The slot that contains an equal term, or the free one where it belongs.
+    /// Returns the slot that contains an equal term, or the free slot where the term belongs.
     [[nodiscard]] std::size_t find_slot(const Term& term, std::uint32_t hash) const {
         const std::size_t mask = slots.size() - 1;
         assert((slots.size() & mask) == 0 && terms.size() < slots.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Process terms: hash-consed CSP operator trees over integer events. The CSPM evaluator builds them, the operational
-// semantics executes them, the compiler converts them to machines. Equal terms have equal ids.
+// Process terms: trees of CSP operators over events, stored without duplicates (hash consing), so that equal terms have
+// equal ids. The CSPM evaluator builds them, the operational semantics executes them, and the compiler converts them to
+// machines.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +36,8 @@ enum class Op : std::uint8_t {
     omega,  ///< the state after tick, without transitions
     run,
     chaos,   ///< set
-    call,    ///< payload: Definitions call; unfolds without a tau
-    prefix,  ///< payload: Definitions prefix: its branches
+    call,    ///< payload: the number of the call for Definitions; unfolds without a tau
+    prefix,  ///< payload: the number of the prefix for Definitions, which gives its branches
     external_choice,
     internal_choice,  ///< n children, n >= 2
     sequential,       ///< P ; Q
@@ -46,18 +47,21 @@ enum class Op : std::uint8_t {
     sync_choice,      ///< [+ set +], n children
     sync_interrupt,   ///< P /+ set +\ Q
     parallel,         ///< n children, all synchronise on `set` and on tick (interleaving: empty set)
-    alphabetised,     ///< n children with one alphabet each in `sets`; all children whose alphabet contains an event
-                      ///< perform it together; tick needs all
+    /// Each of the n children has an alphabet in `sets`. All children whose alphabet contains an event perform it
+    /// together; all children perform tick together.
+    alphabetised,
     hide,
     rename,            ///< one child; set / renaming
     prioritise,        ///< one child; order
     prioritise_order,  ///< one child; payload: the pairs (higher, lower) of priority_order, stored as a renaming
-    chase,             ///< one child: taus are followed immediately, the first one if there are several
-    compress,          ///< one child; payload: Compression. Meaning: the child's, in the models that the compression
-                       ///< preserves
-    machine,           ///< a state of a compressed machine; children: a term that it represents, the compressed term,
-                       ///< and the first state unless it is the first itself; created only by the semantics
-    chaos_offer,       ///< set: the state of chaos(set) that offers the whole set; created only by the firing rules
+    chase,             ///< one child: its taus are followed immediately; if there are several, the first one
+    /// One child; the payload is a Compression. In the models that the compression preserves, the meaning is that of
+    /// the child.
+    compress,
+    /// A state of a compressed machine, which only the semantics creates. Children: a term that it represents, the
+    /// compressed term, and the first state (unless it is the first state itself).
+    machine,
+    chaos_offer,  ///< set: the state of chaos(set) that offers the whole set; created only by the firing rules
 };
 
 /// The compressions of FDR by name. docs/cspm.md describes how this program implements them.
@@ -72,15 +76,16 @@ enum class Compression : std::uint32_t {
     explicate,
     deter,
     lazyenumerate,
-    // For these compressions only the names are supported, and the computation of their transitions is an error. `sets`
-    // contains the watchdog's alphabet and event.
+    // Only the names of these compressions are supported: computing their transitions is an error. `sets` contains the
+    // watchdog's alphabet and event.
     trace_watchdog,
     failure_watchdog
 };
 
-/// Priorities for `prioritise`: level 0 first. Tau and tick have level 0. Events in no level are incomparable: they
-/// prevent nothing and are never prevented. A state's event of level k>0 is kept only if no tau, tick or event of a
-/// lower-numbered level is possible. An event listed twice has its first level.
+/// Priorities for `prioritise`: the sets of events by level; level 0 is the highest. Tau and tick have level 0. Events
+/// without a level prevent no event, and no event prevents them. If a state can perform an event of level k > 0, the
+/// event stays only if no tau, tick or event of a lower-numbered level is possible. An event that is listed twice has
+/// its first level.
 using PriorityOrder = std::vector<EventSet>;
 
 /// An operator with its children; equal terms have one TermId.
@@ -98,15 +103,15 @@ struct Branch {
     TermId target;
 };
 
-/// The definitions of the names in terms; the CSPM evaluator implements them. Results must not change: the term store
-/// calls each function at most once for each index and stores the result. Evaluation errors are thrown as
+/// Gives the definitions of the names in terms; the CSPM evaluator implements it. The term store calls each function at
+/// most once for each index and stores the result, so results must not change. Errors of the evaluation are thrown as
 /// EvaluationError.
 class Definitions {
 public:
     virtual ~Definitions() = default;
     virtual TermId unfold(std::uint32_t call) = 0;
     virtual std::vector<Branch> branches(std::uint32_t prefix) = 0;
-    /// "P(1,true)" for reports.
+    /// Returns the text of the call for reports, such as "P(1,true)".
     [[nodiscard]] virtual std::string describe_call(std::uint32_t call) const = 0;
 };
 
@@ -131,10 +136,10 @@ public:
 
     void define(Definitions& definitions) { definitions_ = &definitions; }
     TermId unfold(std::uint32_t call);  ///< memoised
-    /// Unfolds calls: returns the first term that is not a call, or the last one after `most` unfoldings.
+    /// Unfolds calls: returns the first term that is not a call, or the last term after `most` unfoldings.
     TermId unfold_calls(TermId term, int most);
     const std::vector<Branch>& branches(std::uint32_t prefix);  ///< memoised
-    /// Returns the branches if they have already been computed. Evaluates nothing.
+    /// Returns the branches if they have already been computed, otherwise null. Evaluates nothing.
     [[nodiscard]] const std::vector<Branch>* known_branches(std::uint32_t prefix) const;
     [[nodiscard]] const Definitions& definitions() const { return *definitions_; }
     [[nodiscard]] EventTable& events() { return events_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Process terms as transition systems.
+// Implements the transition system of a process term.
 #include "checker/process/term_system.hpp"
 
 namespace robochart::process {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process term as a transition system: states are terms, one word each.
+// Makes a process term available as a transition system. Its states are terms, which take one word each.
 #pragma once
 
 #include "checker/lts/transition_system.hpp"
@@ -7,7 +7,8 @@
 
 namespace robochart::process {
 
-/// The operational semantics of one term. Shares the store's terms and the semantics' cache with other systems.
+/// The transition system of one term in the operational semantics. It shares the terms of the store and the cache of
+/// the semantics with other systems.
 class TermSystem final : public lts::TransitionSystem {
 public:
     TermSystem(OperationalSemantics& semantics, TermId initial) : semantics_(semantics), initial_(initial) {}
@@ -26,7 +27,8 @@ private:
     TermId initial_;
 };
 
-/// The operands of an external choice, or of a name that is defined as one; empty for other terms.
+/// Returns the operands of an external choice, or of a name that is defined as an external choice. Returns an empty
+/// list for other terms.
 [[nodiscard]] std::vector<TermId> choice_operands(TermStore& terms, TermId term);
 
 }  // namespace robochart::process

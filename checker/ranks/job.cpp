@@ -48,7 +48,7 @@ std::chrono::milliseconds read_time(ByteReader& in) {
     return std::chrono::milliseconds(time);
 }
 
-/// The remaining time is sent and not the time of the deadline, because the clocks of two machines differ.
+/// Writes the remaining time instead of the time of the deadline, because the clocks of two machines differ.
 void write_deadline(const refine::Limits& limits, ByteWriter& out) {
     out.write_number(limits.deadline ? 1 : 0);
     if (!limits.deadline) return;

@@ -19,8 +19,7 @@ ServedRanks::~ServedRanks() {
     try {
         end();
     } catch (const std::exception&) {
-        // Errors are ignored: other ranks that are lost need no message that the work has ended, and a destructor
-        // cannot report a lack of memory.
+        // Errors are ignored: ranks that are lost need no message, and a destructor cannot report a lack of memory.
     }
 }
 
@@ -53,7 +52,7 @@ std::optional<refine::Violation> ServedRanks::search_together(lts::TransitionSys
                                                               refine::Budget& budget, refine::Statistics& statistics) {
     std::string sent = job;
     exchange_.broadcast(sent);
-    refine::run_together(exchange_, [] {});  // all ranks know the task
+    refine::run_together(exchange_, [] {});  // all ranks now know the search
     return refine::search_by_threads(exchange_, threads, system, question, budget, statistics);
 }
 
@@ -96,7 +95,7 @@ void serve_searches(Exchange& exchange, const std::string& program) {
             throw;
         } catch (const std::exception&) {
             // If all ranks have left the search together, rank 0 reports the reason. Otherwise other ranks wait for
-            // this one, so this program must end.
+            // this rank, so this program must end.
             if (!exchange.left_together()) throw;
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Separate programs, or threads that act like programs, that share searches. The first program parses, evaluates and
-// compiles. For each search it sends the other programs the data that they need (job.hpp). Between searches they wait.
-// Every program searches with several threads.
+// Shares searches among separate programs, or threads that act like programs. The first program parses, evaluates and
+// compiles. For each search it sends the other programs the data that they need (job.hpp). The other programs wait
+// between searches. Every program searches with several threads.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 namespace robochart::ranks {
 
 /// The first program uses this class. The other ranks of the exchange run serve_searches until this object is
-/// destroyed. The exchange must outlive the object. Each program searches with Limits::threads threads, or with one if
-/// that is 0.
+/// destroyed. The exchange must outlive the object. Each program searches with Limits::threads threads, or with one
+/// thread if this number is 0.
 class ServedRanks final : public refine::LevelStrategy {
 public:
     /// `program` is the identity of this program. The other ranks reject searches of a program with another identity.
@@ -25,11 +25,12 @@ public:
     /// Ends the other ranks. No search is possible afterwards. The destructor calls this function if it has not been
     /// called before, and discards its exceptions.
     void end();
-    /// A process that stays a term is searched by one thread of the first program only.
+    /// Searches the system together with the other ranks. A system whose process was not compiled is searched by one
+    /// thread of the first program only.
     std::optional<refine::Violation> search(lts::TransitionSystem& system, const refine::LevelQuestion& question,
                                             refine::Budget& budget, refine::Statistics& statistics) override;
-    /// Whether an error has ended a search at this rank only. The other ranks then still wait for this rank: no further
-    /// search is possible, and the other programs do not end by themselves.
+    /// Returns true if an error has ended a search at this rank only. The other ranks then still wait for this rank. No
+    /// further search is possible, and the other programs do not end by themselves.
     [[nodiscard]] bool others_wait() const { return others_wait_; }
 
 private:
@@ -44,10 +45,10 @@ private:
     bool ended_ = false;
 };
 
-/// Runs in every other program, and takes part in each search until rank 0 ends. The first program reports why a search
-/// ended. Throws errors that occur only in this program, because the others wait for it. `program`: the identity of
-/// this program. If another program has sent the search, rows and messages may differ, so all ranks leave the search
-/// together (storage::BadFile).
+/// Every program except the first one runs this function. It takes part in each search until rank 0 ends. The first
+/// program reports why a search ended. This function throws only errors that occur in its own program while the other
+/// ranks wait for this program. `program`: the identity of this program. If another version has sent the search, its
+/// rows and messages may have another form, so all ranks leave the search together (storage::BadFile).
 void serve_searches(refine::Exchange& exchange, const std::string& program);
 
 }  // namespace robochart::ranks

@@ -55,7 +55,7 @@ std::string text_of(const RowKind& kind, const Checkpoint& checkpoint) {
     return text + check_line(text);
 }
 
-/// Splits a text into words.
+/// Splits the text of a checkpoint into words.
 class Parser {
 public:
     Parser(std::string path, std::string_view text) : path_(std::move(path)), whole_(text), rest_(text) {}
@@ -141,7 +141,7 @@ Checkpoint parse_checkpoint(const std::string& path, std::string_view text, cons
     return result;
 }
 
-/// The parts of a checkpoint's name; no value for other names.
+/// The rank and the number in the name of a checkpoint. parse_name returns no value for other names.
 struct Named {
     std::uint64_t number = 0;
     Place place;
@@ -195,7 +195,7 @@ std::string name_of(std::uint64_t number, const Place& place) {
 }
 
 void write(const std::string& folder, const RowKind& kind, const Checkpoint& checkpoint) {
-    // Otherwise no run could read it (see parsed).
+    // No run could read any other checkpoint (see parsed).
     assert(checkpoint.levels > 0 && checkpoint.expanded.size() < checkpoint.levels);
     assert(checkpoint.place.rank < checkpoint.place.ranks);
     const std::string path = folder + "/" + name_of(checkpoint.number, checkpoint.place);
@@ -237,7 +237,7 @@ Checkpoint read(const std::string& folder, const RowKind& kind, const std::strin
 
 namespace {
 
-/// Returns the checkpoints of all ranks with this number. Throws BadFile.
+/// Reads the checkpoints of all ranks with this number. Throws BadFile.
 std::vector<Checkpoint> read_all_ranks(const std::string& folder, const RowKind& kind, std::uint64_t number,
                                        std::uint32_t ranks) {
     std::vector<Checkpoint> all;

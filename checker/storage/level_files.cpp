@@ -56,7 +56,8 @@ void LevelFiles::adopt(const Checkpoint& checkpoint, diagnostics::Pollable& budg
             if (entry.file != number)
                 throw BadFile(fmt::format("{}: level {} is in another file too",
                                           diagnostics::escape_for_display(files_.back().file->path()), level));
-            // `read` finds rows by their position in the level.
+            // `read` computes the block of a row from its position in the level, so all blocks before the last must be
+            // full.
             if (entry.count > 0 && blocks[i - 1].rows != RowFile::rows_of_block)
                 throw BadFile(fmt::format("{}: block {} has too few rows for one that others of its level follow",
                                           diagnostics::escape_for_display(files_.back().file->path()), i - 1));
@@ -84,7 +85,7 @@ const RowFile& LevelFiles::to_read(std::uint32_t file) {
 LevelFiles::File LevelFiles::new_file(const RowKind& kind) {
     for (;;) {
         const std::string name = fmt::format("rows-{}-of-{}-{}", where_.place.rank, where_.place.ranks, next_name_++);
-        if (is_there(path_in(where_, name))) continue;  // the file exists from an earlier run
+        if (is_there(path_in(where_, name))) continue;  // an earlier run has left this file
         return {std::make_unique<RowFile>(RowFile::create(path_in(where_, name), kind)), name, 0, false};
     }
 }
@@ -134,8 +135,9 @@ std::uint32_t LevelFiles::give_up(std::uint32_t count) {
     return given;
 }
 
-/// If no checkpoint names the file, truncates it; more rows can then be appended, even if it was finished before. A
-/// file that a checkpoint names is kept, but some of its blocks are no longer valid.
+/// The rows are also removed from the last file if no checkpoint names this file. More rows can then be appended to it,
+/// even if it was finished before. A file that a checkpoint names does not change, but some of its blocks are no longer
+/// valid.
 void LevelFiles::forget_from(std::uint32_t level) {
     if (level >= levels_.size()) return;
     for (std::size_t i = level; i < levels_.size(); ++i) {
@@ -213,8 +215,8 @@ void LevelFiles::finish_last() {
     (void)to_read(static_cast<std::uint32_t>(files_.size() - 1));
 }
 
-/// Saves rows to a file. Each piece becomes a level of the file. A file that could not be written is deleted, because
-/// the disk may be full.
+/// Saves rows to a file. Each piece of rows becomes a level of the file. If the file cannot be written, it is deleted,
+/// because the disk may be full.
 SavedFile LevelFiles::save(const RowKind& kind, const GivePieces& give) {
     File made;
     std::uint32_t pieces = 0;
@@ -240,8 +242,9 @@ void LevelFiles::note_written(const Checkpoint& made) {
         if (level_file.used > 0) level_file.named = true;
 }
 
-/// On failure, deletes the files that were written in addition to the levels, because the disk may be full. They are
-/// kept if the checkpoint already has its name and only the folder may not have reached the disk.
+/// On failure, deletes the files that contain the data besides the levels, because the disk may be full. It does not
+/// delete them if the checkpoint already has its name and only the synchronisation of the folder with the disk has
+/// failed.
 void LevelFiles::checkpoint(const Beside& beside) {
     Checkpoint made{number_ + 1, where_.place, levels(), {}, {}, {}, beside.expanded};
     try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The levels of one rank of a search in files of a folder: written in order, read in any order. A checkpoint makes them
-// permanent.
+// Stores the levels of one rank of a search in files of a folder. Levels are written in order and read in any order. A
+// checkpoint makes them permanent.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ class LevelFiles {
 public:
     explicit LevelFiles(FolderOf where) : where_(std::move(where)) {}
 
-    /// Takes over the levels of a checkpoint of this rank; reads and checks all its files. The caller must limit the
+    /// Takes over the levels of a checkpoint of this rank. Reads and checks all its files. The caller must limit the
     /// number of levels. Polls the budget for each block. Throws BadFile.
     void adopt(const Checkpoint& checkpoint, diagnostics::Pollable& budget);
 
@@ -34,51 +34,51 @@ public:
     [[nodiscard]] std::uint64_t rows(std::uint32_t level) const { return levels_[level].rows; }
     [[nodiscard]] std::uint64_t rows() const { return rows_; }
 
-    /// Appends the next level. `rows`: ascending, without duplicates; may be empty. Throws CannotWrite and then leaves
-    /// everything unchanged.
+    /// Appends the next level. `rows` must be ascending and without duplicates; it may be empty. Throws CannotWrite and
+    /// then leaves everything unchanged.
     void add_level(std::span<const Word> rows);
-    /// Appends the next level, whose rows `give` passes piece by piece: ascending, without duplicates, in pieces of
-    /// RowFile::rows_of_block rows except for the last. Also throws the exceptions of `give`.
+    /// Appends the next level. `give` passes its rows piece by piece, ascending and without duplicates. Each piece
+    /// except the last has RowFile::rows_of_block rows. Also throws the exceptions of `give`.
     void add_level(const std::function<void(const TakeRows&)>& give);
-    /// Drops the last levels to free space: at most `count`, and only levels after those of the last checkpoint.
-    /// Returns their number.
+    /// Drops at most `count` of the last levels to free space, but no level of the last checkpoint. Returns the number
+    /// of dropped levels.
     std::uint32_t give_up(std::uint32_t count);
-    /// Removes this level and all later ones. Their disk space is freed, except in files that a checkpoint names.
+    /// Removes this level and all later levels. Frees their disk space, except in files that a checkpoint names.
     void forget_from(std::uint32_t level);
 
-    /// Appends the rows of a level, beginning with row number `first`, to `rows`, at most `most`; returns their number.
-    /// Throws BadFile.
+    /// Appends at most `most` rows of a level to `rows`, beginning with row number `first`. Returns the number of
+    /// appended rows. Throws BadFile.
     std::size_t read(std::uint32_t level, std::uint64_t first, std::size_t most, std::vector<Word>& rows);
-    /// Calls `visit` with the rows of each block of a level, ascending. Throws BadFile.
+    /// Calls `visit` with the rows of each block of a level; blocks and rows are ascending. Throws BadFile.
     void each_block(std::uint32_t level, const TakeRows& visit);
 
     /// Calls `visit` with each block of a level for which `wants` returns true, ascending. The arguments of `wants` are
-    /// the block's first row and that of the level's next block (empty for the last block). Throws BadFile.
+    /// the first row of the block and the first row of the next block (empty for the last block). Throws BadFile.
     using WantsBlock = std::function<bool(std::span<const Word> first, std::span<const Word> next)>;
     void each_block_if(std::uint32_t level, const WantsBlock& wants, const TakeRows& visit);
 
-    /// Closes the finished file that is open, if there is one. It is opened again when it is read.
+    /// Closes the finished file that is open, if there is one. The next access opens it again.
     void close_finished_files();
 
-    /// Passes rows piece by piece. The rows of each piece are ascending, without duplicates.
+    /// A function that passes rows piece by piece. The rows of each piece are ascending, without duplicates.
     using GivePieces = std::function<void(const TakeRows&)>;
-    /// The contents of a checkpoint in addition to the levels.
+    /// The contents of a checkpoint besides the levels.
     struct Beside {
-        std::vector<Word> marks;  ///< ascending
+        std::vector<Word> marks;  ///< rows of level 0, ascending
         GivePieces unsure;        ///< rows followed by their levels as another word; may be empty
         std::vector<SavedFigures> expanded;
     };
     /// Writes a checkpoint of all levels. Removes this rank's checkpoints that are older than the newest complete one.
-    /// Throws CannotWrite; then the previous one stays valid, and the call can be repeated.
+    /// If it throws CannotWrite, the previous checkpoint stays valid and the call can be repeated.
     void checkpoint(const Beside& beside);
-    /// After this call, the numbers of new checkpoints are greater than this one.
+    /// Gives later checkpoints numbers that are greater than this one.
     void number_from(std::uint64_t number) { number_ = number; }
 
-    /// Reads the rows of a checkpoint's file in addition to the levels; `levels`: each row is followed by its level.
-    /// Polls the budget for each block. Throws BadFile.
+    /// Reads the rows of a file that a checkpoint names besides the levels. `levels`: each row is followed by its
+    /// level. Polls the budget for each block. Throws BadFile.
     static void read_beside(const FolderOf& where, const SavedFile& file, bool levels, diagnostics::Pollable& budget,
                             const TakeRows& visit);
-    /// Memory use.
+    /// Returns the memory use in bytes.
     [[nodiscard]] std::uint64_t bytes() const;
 
 private:
@@ -90,7 +90,7 @@ private:
     };
     struct Level {
         std::uint32_t file = 0;
-        std::uint32_t first = 0;  ///< block
+        std::uint32_t first = 0;  ///< first block
         std::uint32_t count = 0;  ///< number of blocks
         std::uint64_t rows = 0;
     };
@@ -109,7 +109,7 @@ private:
     std::uint32_t saved_levels_ = 0;  ///< levels in the last checkpoint
     std::uint64_t next_name_ = 0;
     std::uint32_t open_file_ = 0xFFFFFFFFU;  ///< the only finished file that may be open
-    // The block that was read last.
+    // The block that was read last, and its file.
     std::uint32_t cached_file_ = 0xFFFFFFFFU;
     std::uint32_t cached_block_ = 0;
     std::vector<Word> cached_;

@@ -13,7 +13,7 @@ void put_number(std::uint64_t number, std::string& out) {
     out.push_back(static_cast<char>(number));
 }
 
-/// Reads varints; `failed` after an invalid one.
+/// Reads varints. `failed` returns true after an invalid varint.
 class Numbers {
 public:
     explicit Numbers(std::string_view bytes) : at_(bytes.data()), end_(bytes.data() + bytes.size()) {}
@@ -99,7 +99,8 @@ bool RowDecoder::decode(std::size_t count, std::vector<Word>& rows) {
     return good;
 }
 
-/// Decodes rows after `last_`. `fixed`: their width as a constant, which makes divisions by it fast; 0: any width.
+/// Decodes the rows that follow `last_`. `fixed` is their width as a constant, which makes divisions by the width fast;
+/// 0 stands for any width.
 template <std::size_t fixed>
 bool RowDecoder::decode_after(std::size_t count, Word* row) {
     const std::size_t width = fixed == 0 ? width_ : fixed;

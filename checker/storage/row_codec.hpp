@@ -20,8 +20,8 @@ using Word = std::uint32_t;
 
 /// Appends the code of ascending rows without duplicates. The size of `rows` is a multiple of `width` words.
 void encode_rows(std::span<const Word> rows, std::size_t width, std::string& out);
-/// Appends `count` rows decoded from such a code. Returns false if the bytes are not a code of this many rows; the
-/// words appended so far are then invalid. Decoded rows are ascending and without duplicates.
+/// Decodes `count` rows and appends them to `rows`. Returns false if the bytes do not encode this many rows; the words
+/// appended so far are then invalid. Decoded rows are ascending and without duplicates.
 [[nodiscard]] bool decode_rows(std::string_view bytes, std::size_t width, std::size_t count, std::vector<Word>& rows);
 
 /// Decodes rows piece by piece.
@@ -30,7 +30,8 @@ public:
     /// `bytes` must outlive the object. `width` is the number of words in a row, and not 0.
     RowDecoder(std::string_view bytes, std::size_t width)
         : at_(bytes.data()), end_(bytes.data() + bytes.size()), width_(width) {}
-    /// Appends the next `count` rows. Returns false if the remaining bytes are not a code of this many rows.
+    /// Decodes the next `count` rows and appends them to `rows`. Returns false if the remaining bytes do not encode
+    /// this many rows.
     [[nodiscard]] bool decode(std::size_t count, std::vector<Word>& rows);
     [[nodiscard]] bool at_end() const { return at_ == end_; }
 
@@ -41,7 +42,7 @@ private:
     const char* at_;
     const char* end_;
     std::size_t width_;
-    std::vector<Word> last_;  ///< the last decoded row; empty: none yet
+    std::vector<Word> last_;  ///< the last decoded row; empty before the first one
 };
 
 }  // namespace robochart::storage

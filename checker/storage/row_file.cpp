@@ -168,7 +168,7 @@ void RowFile::write_block(std::uint32_t level, std::span<const Word> rows) {
     write(buffer_);
 }
 
-/// Returns the end without its check, and computes the check over the checks of all blocks.
+/// Returns the end of the file without its check.
 std::string RowFile::end_of() const {
     std::string end;
     write_number(end, no_level, 4);
@@ -219,7 +219,7 @@ void RowFile::close_until_read() {
     if (finished_) file_ = diagnostics::Descriptor();
 }
 
-/// If another file has replaced this one, its blocks are detected, because their checks do not match.
+/// If another file has replaced this one, reading detects it, because the checks of the blocks do not match.
 void RowFile::open_to_read() const {
     file_ = diagnostics::Descriptor(::open(path_.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
     if (!file_.is_open()) cannot_open(path_, errno);

@@ -33,10 +33,10 @@ struct RowKind {
     diagnostics::Digest search{};
 };
 
-/// The kind of rows that consist of a row of this kind and its level as an additional word.
+/// Returns the kind of rows that consist of a row of this kind and its level as an additional word.
 [[nodiscard]] RowKind with_level(RowKind kind);
 
-/// Receives some rows.
+/// A function that receives some rows.
 using TakeRows = std::function<void(std::span<const Word>)>;
 
 class RowFile {
@@ -52,42 +52,42 @@ public:
 
     /// Creates a new file, which must not exist. Throws CannotWrite.
     static RowFile create(const std::string& path, const RowKind& kind);
-    /// Opens an existing file; reads and checks all of it. Polls the budget for each block. Throws BadFile.
+    /// Opens an existing file, and reads and checks all of it. Polls the budget for each block. Throws BadFile.
     static RowFile open(const std::string& path, const RowKind& kind, diagnostics::Pollable& budget);
 
-    /// Appends rows of one level, ascending, without duplicates, after those of this level in the file. Throws
-    /// CannotWrite; after any exception the file is unchanged.
+    /// Appends rows to the last level or to a new one. The rows must be ascending, without duplicates, and greater than
+    /// the rows of this level in the file. Throws CannotWrite. After any exception the file is unchanged.
     void append(std::uint32_t level, std::span<const Word> rows);
-    /// Removes the blocks from this number on. The file must have been created by this object, and nothing may refer to
-    /// it. It is then no longer finished.
+    /// Removes all blocks from number `blocks` on. This object must have created the file, and nothing may refer to the
+    /// removed blocks. The file is then no longer finished.
     void remove_blocks_from(std::size_t blocks);
     /// Completes the file: writes its end and waits until its contents are on the disk. Afterwards no rows can be
     /// appended. If this throws CannotWrite, the file is unchanged. If the system could not write the contents to the
-    /// disk, the file can still be read, but neither finished nor extended.
+    /// disk, the file can still be read, but can neither be finished nor extended.
     void finish();
     [[nodiscard]] bool finished() const { return finished_; }
-    /// Closes a finished file until it is read again, because few files can be open at a time.
+    /// Closes a finished file until it is read again. The number of open files is limited.
     void close_until_read();
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
     [[nodiscard]] std::uint64_t rows() const { return rows_; }
-    /// The current size of the file in bytes.
+    /// Returns the current size of the file in bytes.
     [[nodiscard]] std::uint64_t size() const { return size_; }
-    /// The first row of a block, stored in memory.
+    /// Returns the first row of a block, which is stored in memory.
     [[nodiscard]] std::span<const Word> first_row(std::size_t block) const {
         return std::span(firsts_).subspan(block * kind_.width, kind_.width);
     }
-    /// Appends the rows of a block to `rows`. Throws BadFile if they differ from what was written.
+    /// Reads the rows of a block and appends them to `rows`. Throws BadFile if they differ from what was written.
     void read(std::size_t block, std::vector<Word>& rows) const;
-    /// Reads the code of these rows (row_codec.hpp). Returns its check.
+    /// Reads the encoded rows of a block (row_codec.hpp) into `code`. Returns the check of the block.
     Check read_code(std::size_t block, std::string& code) const;
-    /// Memory use for the offset, first row and check of each block.
+    /// Returns the memory in bytes for the offset, first row and check of each block.
     [[nodiscard]] std::uint64_t bytes() const {
         return blocks_.capacity() * sizeof(Block) + checks_.capacity() * sizeof(Check) +
                firsts_.capacity() * sizeof(Word);
     }
-    /// The check at the end of a finished file. It identifies the file.
+    /// Returns the check at the end of a finished file. This check identifies the file.
     [[nodiscard]] const Check& check() const { return end_check_; }
 
 private:
@@ -114,7 +114,7 @@ private:
     std::uint64_t rows_ = 0;
     std::uint64_t size_ = 0;
     bool finished_ = false;
-    std::string lost_;  ///< the reason why the file could not be finished; "": the file can still grow
+    std::string lost_;  ///< the reason why the file could not be finished; "" if the file can still grow
     Check head_check_{};
     Check end_check_{};
     mutable std::string buffer_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radix sort from the last byte to the first. Bytes in which no two rows differ are skipped. Rows of a level differ in
-// few bytes, so this takes a quarter of the time of a sort by comparisons.
+// Uses a radix sort from the last byte to the first. Bytes in which no two rows differ are skipped. Rows of a level
+// differ in few bytes, so this takes a quarter of the time of a sort by comparisons.
 #include "checker/storage/sort_rows.hpp"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ void sort_rows(std::vector<Word>& rows, std::size_t width) {
                 scatter_rows<3>(rows, other, width, word, shift, place);
             else
                 scatter_rows<0>(rows, other, width, word, shift, place);
-            assert(place.back() == count);  // each row has its place
+            assert(place.back() == count);  // every row has been moved to its place
             rows.swap(other);
         }
     }

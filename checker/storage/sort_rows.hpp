@@ -8,7 +8,8 @@
 
 namespace robochart::storage {
 
-/// The size of `rows` is a multiple of `width` words. The sort needs the same amount of memory again.
+/// Sorts rows of `width` words. The size of `rows` must be a multiple of `width`. The sort needs the memory of `rows` a
+/// second time.
 void sort_rows(std::vector<std::uint32_t>& rows, std::size_t width);
 
 }  // namespace robochart::storage

@@ -12,7 +12,7 @@
 namespace robochart::storage {
 namespace {
 
-/// The maximal number of runs that are merged at once. There is a limit because each of them needs a block in memory.
+/// The maximal number of runs that are merged at once. Each of these runs needs a block in memory.
 constexpr std::size_t most_runs = 64;
 
 }  // namespace
@@ -61,7 +61,7 @@ private:
     std::size_t width_;
     std::string code_;
     RowDecoder decoder_;
-    std::size_t left_ = 0;  ///< remaining rows of the block
+    std::size_t left_ = 0;  ///< remaining rows of the current block
     std::size_t at_ = 0;
     std::vector<Word> rows_;
 };
@@ -73,7 +73,7 @@ void SortedRuns::add(std::span<const Word> rows) {
 void SortedRuns::add(const std::function<void(const TakeRows&)>& give) {
     if (runs_.size() >= most_runs) merge_into_one();
     if (!file_) {
-        ::unlink(path_.c_str());  // an earlier program may have been killed here
+        ::unlink(path_.c_str());  // an earlier program may have been killed before it removed this name
         file_.emplace(RowFile::create(path_, kind_));
         ::unlink(path_.c_str());
     }
@@ -131,7 +131,7 @@ void SortedRuns::merge(const TakeRows& take) const {
                 take(rows);
                 rows.clear();
             }
-            // Rows are passed in ascending order, because each run is ascending and the reader with the least row is
+            // The rows are passed in ascending order: each run is ascending, and the reader with the least row is
             // always first.
             assert(last.empty() ||
                    std::lexicographical_compare(last.begin(), last.end(), first.row(), first.row() + width));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores rows in sorted runs in an unnamed file that is deleted when the program ends, and returns them in order,
-// without duplicates. Sorts rows that do not fit into memory (external sorting: Knuth, TAOCP 3, 5.4.1).
+// Stores rows in sorted runs and returns them in order, without duplicates. So it sorts rows that do not fit into
+// memory (external sorting: Knuth, TAOCP 3, 5.4.1). The runs are in an unnamed file, which the system deletes when the
+// program ends.
 #pragma once
 
 #include <optional>
@@ -13,30 +14,31 @@ namespace robochart::storage {
 
 class SortedRuns {
 public:
-    /// The file is created at this path. Its name is removed as soon as it is open. `kind`: the kind of the rows.
+    /// Creates the file at this path when it is needed, and removes its name as soon as it is open. `kind`: the kind of
+    /// the rows.
     SortedRuns(std::string path, const RowKind& kind) : path_(std::move(path)), kind_(kind) {}
 
-    /// Adds a run: ascending rows without duplicates. Runs may have rows in common. Throws CannotWrite and then leaves
-    /// everything unchanged.
+    /// Adds a run. Its rows must be ascending and without duplicates. Runs may have rows in common. Throws CannotWrite
+    /// and then leaves everything unchanged.
     void add(std::span<const Word> rows);
-    /// Adds a run; `give` passes its rows piece by piece.
+    /// Adds a run. `give` passes its rows piece by piece.
     void add(const std::function<void(const TakeRows&)>& give);
     [[nodiscard]] bool empty() const { return runs_.empty(); }
-    /// The number of rows in all runs; rows in several runs count several times.
+    /// Returns the number of rows in all runs. A row that occurs in several runs is counted several times.
     [[nodiscard]] std::uint64_t rows() const;
-    /// A lower bound on the number of different rows: the length of the longest run.
+    /// Returns the length of the longest run. The number of different rows is at least as large.
     [[nodiscard]] std::uint64_t longest_run() const;
-    /// Passes all rows to `take`, ascending, without duplicates, in pieces of RowFile::rows_of_block rows except for
-    /// the last. Throws BadFile, and the exceptions of `take`.
+    /// Passes all rows to `take`, ascending and without duplicates. Each piece except the last has
+    /// RowFile::rows_of_block rows. Throws BadFile, and the exceptions of `take`.
     void merge(const TakeRows& take) const;
     /// Removes all runs and frees their disk space.
     void clear();
-    /// Memory use while nothing is merged.
+    /// Returns the memory in bytes that is used while no runs are merged.
     [[nodiscard]] std::uint64_t bytes() const;
 
 private:
     struct Run {
-        std::size_t first = 0;  ///< block
+        std::size_t first = 0;  ///< first block
         std::size_t end = 0;
         std::uint64_t rows = 0;
     };
@@ -45,7 +47,7 @@ private:
 
     std::string path_;
     RowKind kind_;
-    std::optional<RowFile> file_;  ///< the runs are its levels
+    std::optional<RowFile> file_;  ///< each level of this file is a run
     std::vector<Run> runs_;
 };
 

@@ -78,7 +78,7 @@ bool Diagrams::equals(Node node, Level level, const Entry* entries, std::size_t 
                       [](const Entry& a, const Entry& b) { return a.value == b.value && a.child == b.child; });
 }
 
-/// Returns the index in the hash table at which the node is stored, or at which it must be inserted.
+/// Returns the place in the hash table that contains the node, or in which it must be inserted.
 Node& Diagrams::place_of(Level level, const Entry* entries, std::size_t count) {
     const std::size_t mask = table_.size() - 1;
     std::size_t place = hash_of(level, entries, count) & mask;
@@ -148,7 +148,7 @@ std::size_t Diagrams::all_bytes() const {
     return node_bytes() + table_.size() * sizeof(Node) + results_.size() * sizeof(Result);
 }
 
-/// The result cache has up to 16 entries for each node, and uses at most half of the memory.
+/// Enlarges the result cache. It has up to 16 entries for each node, and uses at most half of the memory.
 void Diagrams::grow_results() {
     const std::size_t size = std::min(8 * table_.size(), space_.most_results);
     if (size <= results_.size() || size * sizeof(Result) > space_.bytes / 2) return;
@@ -193,8 +193,8 @@ std::vector<bool> Diagrams::mark() const {
     return marked;
 }
 
-/// Mark and sweep. Nodes keep their numbers. The result cache is cleared, because its entries may refer to nodes that
-/// have been freed.
+/// Frees unused nodes by mark and sweep. The other nodes keep their numbers. The result cache is cleared, because its
+/// entries may refer to nodes that have been freed.
 void Diagrams::collect() {
     ++collections_;
     const std::vector<bool> marked = mark();
@@ -308,7 +308,7 @@ Node Diagrams::lift(Node node, Level level) {
 long double Diagrams::count_tuples(Node set) const {
     std::vector<long double> full{1};
     for (Level level = 1; level <= levels(); ++level) full.push_back(full.back() * domains_[level]);
-    // Nodes by level: children come first.
+    // The nodes by level. The numbers of tuples are computed for children first.
     std::vector<std::vector<Node>> by_level(levels() + std::size_t{1});
     std::vector<bool> found(records_.size());
     const auto add = [&](Node node) {

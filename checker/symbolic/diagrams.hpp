@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of tuples as multi-valued decision diagrams (Kam, Villa, Brayton and Sangiovanni-Vincentelli, "Multi-valued
-// decision diagrams", 1998). A node of level k represents a set of tuples of the variables 1 to k. Diagrams are
-// quasi-reduced: the children of a node of level k have level k - 1, except `nothing` and `everything`, which represent
-// the empty set and the full set at each level. Equal sets of one level are one node.
+// Represents sets of tuples by multi-valued decision diagrams (Kam, Villa, Brayton and Sangiovanni-Vincentelli,
+// "Multi-valued decision diagrams", 1998). A node of level k represents a set of tuples of the variables 1 to k.
+// Diagrams are quasi-reduced: the children of a node of level k have level k - 1. The only exceptions are `nothing` and
+// `everything`, which represent the empty set and the full set at each level. Equal sets of one level are one node.
 #pragma once
 
 #include <cassert>
@@ -29,75 +29,78 @@ public:
     OutOfSpace() : std::runtime_error("decision diagrams have no more memory") {}
 };
 
-/// The memory of diagrams.
+/// The memory that diagrams may use.
 struct Space {
-    std::size_t bytes = std::size_t{1} << 30U;             ///< for nodes, tables and results
-    std::size_t most_results = std::size_t{1} << 25U;      ///< for tests: stored results of operations, a power of 2
-    std::size_t first_collection = std::size_t{1} << 24U;  ///< bytes of nodes that cause the first collection
-    bool always_collect = false;                           ///< for tests: collects before every new node
+    std::size_t bytes = std::size_t{1} << 30U;  ///< for nodes, tables and results
+    /// For tests: number of stored results of operations, a power of 2.
+    std::size_t most_results = std::size_t{1} << 25U;
+    std::size_t first_collection = std::size_t{1} << 24U;  ///< size of the nodes at the first collection
+    /// For tests: whether garbage is collected before every new node.
+    bool always_collect = false;
 };
 
 /// Creates nodes and computes with the sets that they represent. The creation of a node may start a garbage collection,
 /// which frees all nodes that are not kept. Operations do not keep their results. So the caller must keep each node
-/// that it still needs after the next operation (keep_always, Kept).
+/// that it needs after the next operation (keep_always, Kept).
 class Diagrams {
 public:
     struct Entry {
         Value value;
         Node child;
     };
-    /// The kinds of stored results.
+    /// The operations whose results are stored.
     enum class Operation : std::uint32_t { none, unite, intersect, subtract, fire, saturate, disable, precede };
 
-    /// `domains`: the number of values of each variable, by level; the first element is unused.
+    /// `domains`: by level, the number of values of the variable. The first element is unused.
     Diagrams(std::vector<Value> domains, const Space& space, diagnostics::Pollable& budget);
 
     [[nodiscard]] Level levels() const { return static_cast<Level>(domains_.size() - 1); }
     [[nodiscard]] Value domain(Level level) const { return domains_[level]; }
-    /// The level of a node other than `nothing` and `everything`.
+    /// Returns the level of a node, which must not be `nothing` or `everything`.
     [[nodiscard]] Level level_of(Node node) const {
         assert(node > everything && records_[node].level != 0);
         return records_[node].level;
     }
-    /// The number of entries of a node of this level. `everything` has one for each value.
+    /// Returns the number of entries of a node of this level. `everything` has one entry for each value.
     [[nodiscard]] std::size_t entry_count(Level level, Node node) const {
         if (node <= everything) return node == nothing ? 0 : domains_[level];
         assert(records_[node].level == level);
         return records_[node].count;
     }
-    /// An entry of a node of this level. Entries are ascending by value, and no child is `nothing`.
+    /// Returns an entry of a node of this level. Entries are ascending by value, and no child is `nothing`.
     [[nodiscard]] Entry entry(Node node, std::size_t index) const {
         if (node == everything) return {static_cast<Value>(index), everything};
         assert(index < records_[node].count);
         return entries_[records_[node].first + index];
     }
     [[nodiscard]] Node child(Node node, Value value) const;
-    /// Whether the set contains the tuple; `values` by level, the first element is unused.
+    /// Returns true if the set contains the tuple. `values` contains its values by level; the first element is unused.
     [[nodiscard]] bool contains(Node set, const std::vector<Value>& values) const;
 
     /// Returns the set that contains only the least tuple of this set, which must not be empty. The caller must keep
     /// the given set during the call.
     [[nodiscard]] Node least_tuple(Node set);
 
-    /// Begins a node; the caller then pushes its entries. Another node may be begun and ended before this one is ended.
-    /// The garbage collection keeps entries that have been pushed.
+    /// Begins a node, for which the caller then pushes entries. Another node may be begun and ended before this node is
+    /// ended. The garbage collection keeps entries that have been pushed.
     [[nodiscard]] std::size_t begin_node() const { return building_.size(); }
     void push(Value value, Node child) {
         if (child != nothing) building_.push_back({value, child});
     }
-    /// The child of the last entry that was pushed.
+    /// Returns the child of the last entry that was pushed.
     [[nodiscard]] Node& last_child() { return building_.back().child; }
     /// Ends a node and returns it. `begun` is the result of begin_node for this node.
     [[nodiscard]] Node end_node(Level level, std::size_t begun);
 
     [[nodiscard]] Node unite(Level level, Node a, Node b);
     [[nodiscard]] Node intersect(Level level, Node a, Node b);
-    /// The tuples of `a` that are not in `b`.
+    /// Returns the tuples of `a` that are not in `b`.
     [[nodiscard]] Node subtract(Level level, Node a, Node b);
-    /// Converts a set to a higher level: returns all tuples of this level whose lower variables form a tuple of `node`.
+    /// Converts a set to a higher level. The result contains all tuples of this level whose lower variables form a
+    /// tuple of `node`.
     [[nodiscard]] Node lift(Node node, Level level);
 
-    /// The cache of the results of operations.
+    /// The following functions read and write the cache of results of operations.
     [[nodiscard]] bool find_result(Operation operation, Level level, Node a, std::uint32_t b, Node c,
                                    Node& result) const;
     void store_result(Operation operation, Level level, Node a, std::uint32_t b, Node c, Node result);
@@ -107,11 +110,10 @@ public:
         always_.push_back(node);
         return node;
     }
-    /// Sets a function that the garbage collection calls to get further nodes that it must keep.
+    /// Sets a function that returns further nodes that the garbage collection must keep.
     void set_users(std::function<void(std::vector<Node>&)> list_used) { list_used_ = std::move(list_used); }
 
-    /// Keeps a node during the lifetime of the object. The objects must be destroyed in the reverse order of their
-    /// creation.
+    /// Keeps a node during its lifetime. Objects must be destroyed in the reverse order of their creation.
     class Kept {
     public:
         Kept(Diagrams& diagrams, Node node) : diagrams_(diagrams), place_(diagrams.kept_.size()) {
@@ -128,22 +130,22 @@ public:
         std::size_t place_;
     };
 
-    /// The number of tuples, or infinity if the number is too large for the type.
+    /// Returns the number of tuples, or infinity if the number is too large for the type.
     [[nodiscard]] long double count_tuples(Node set) const;
-    /// The number of nodes of a set.
+    /// Returns the number of nodes of a set.
     [[nodiscard]] std::size_t count_nodes(Node set) const;
-    /// The number of nodes that have been created so far, including those that have been collected.
+    /// Returns how many nodes have been created so far, including those that have been collected.
     [[nodiscard]] std::uint64_t made() const { return made_; }
     [[nodiscard]] std::uint64_t collections() const { return collections_; }
 
 private:
     struct Record {
         std::size_t first = 0;
-        Level level = 0;  // 0: not in use, or `nothing` or `everything`
+        Level level = 0;  // 0 if not in use, and for `nothing` and `everything`
         std::uint32_t count = 0;
     };
     struct Result {
-        std::uint32_t key = 0;  // operation and level; 0: none
+        std::uint32_t key = 0;  // operation and level; 0 if the entry is empty
         Node a = 0;
         std::uint32_t b = 0;
         Node c = 0, result = 0;
@@ -171,8 +173,8 @@ private:
     std::vector<Record> records_;  // by node
     std::vector<Entry> entries_;
     std::vector<Node> free_;
-    std::vector<Node> table_;  // hash table of nodes, of which at most a half is used; 0: empty
-    std::size_t used_ = 0;     // nodes in the table
+    std::vector<Node> table_;  // hash table of nodes, at most half full; 0: empty place
+    std::size_t used_ = 0;     // number of nodes in the table
     std::vector<Result> results_;
     std::vector<Entry> building_;
     std::vector<Node> kept_, always_;

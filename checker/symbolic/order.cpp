@@ -18,7 +18,7 @@ public:
              diagnostics::Pollable& budget)
         : size_(domains.size()), budget_(budget) {
         for (const std::uint32_t domain : domains) weight_.push_back(std::log2(static_cast<double>(domain) + 1));
-        // A group that contains a large part of the variables is wide in every order, so it is ignored.
+        // A group that contains a large part of the variables spans many levels in every order, so it is ignored.
         const std::size_t most = std::max<std::size_t>(8, size_ / 3);
         for (const Indices& group : groups)
             if (group.size() > 1 && group.size() <= most) groups_.push_back(group);
@@ -42,8 +42,8 @@ private:
         return places;
     }
 
-    /// For each group, adds the bits of all variables from the first variable of the group to its last one. The cost is
-    /// the sum over all groups.
+    /// Returns the cost of an order. For each group, it is the sum of the bits of all variables from the first to the
+    /// last variable of the group. The costs of all groups are added.
     double cost(const Indices& order) const {
         const Indices places = places_of(order);
         std::vector<double> before{0};
@@ -58,8 +58,8 @@ private:
         return sum;
     }
 
-    /// FORCE: each round moves every variable to the mean of the centres of its groups. It ends when several rounds
-    /// have not reduced the cost.
+    /// Improves an order by FORCE: each round moves every variable to the mean of the centres of its groups. The
+    /// function ends when several rounds have not reduced the cost.
     Indices force(Indices order) const {
         constexpr int most_rounds = 100, rounds_without_gain = 5;
         Indices best = order;
@@ -105,8 +105,8 @@ private:
         std::vector<bool> placed(size_);
         for (std::uint32_t start = 0; start < size_; ++start) {
             if (placed[start]) continue;
-            // The traversal should start at a variable at the border of the graph, because its levels are then narrow.
-            // The last variable of a traversal is such a variable.
+            // The traversal should start at the border of the graph, because its levels are then narrow. The last
+            // variable of a traversal is at the border.
             std::uint32_t end = start;
             for (int again = 0; again < 2; ++again) end = traverse(end, neighbours).back();
             for (const std::uint32_t variable : traverse(end, neighbours)) {

@@ -22,8 +22,8 @@ Product::Product(const refine::NormalTable& table, const std::vector<machine::Wh
     }
 }
 
-/// Relates each node that allows the event to the node after the event, unless the specification diverges in the
-/// latter.
+/// Returns the relation from each node that allows the event to the node after the event. Leaves out nodes after which
+/// the specification diverges.
 LocalRelation Product::relation_of(Event event) const {
     std::vector<std::pair<Value, Value>> pairs;
     for (Value node = 0; node < table_.nodes.size(); ++node) {
@@ -36,7 +36,7 @@ LocalRelation Product::relation_of(Event event) const {
     return LocalRelation(std::move(pairs));
 }
 
-/// The states in which none of the steps is possible, as a set of the level below the node.
+/// Returns the states in which none of the steps is possible, as a set of the level below the node.
 Node Product::none_possible(std::vector<Step> steps) {
     const Diagrams::Kept states(diagrams_, relations_.none_possible(std::move(steps)));
     return diagrams_.keep_always(diagrams_.lift(states.get(), diagrams_.levels() - 1));
@@ -51,7 +51,7 @@ Node Product::none_possible_of(const std::vector<Event>& events) {
     return not_possible_[events] = none_possible(std::move(steps));
 }
 
-/// The events of the implementation's rules that the node does not allow.
+/// Returns the events of the implementation's rules that the node does not allow.
 std::vector<Event> Product::forbidden_events(Value node) const {
     std::vector<Event> events;
     const auto& arcs = table_.nodes[node].arcs;
@@ -86,7 +86,7 @@ Node Product::refusing(Node pairs) {
 }
 
 /// Returns the states whose acceptance includes none of `acceptances`. A state with tick has the acceptance that
-/// contains only tick, whatever else it offers; a stable state accepts what it offers.
+/// contains only tick, whatever else it offers. A stable state accepts what it offers.
 Node Product::refusing(const std::vector<EventSet>& acceptances, Node states, Node stable, Node without_tick) {
     const Level level = diagrams_.levels() - 1;
     const bool may_only_tick = std::ranges::any_of(
@@ -97,7 +97,7 @@ Node Product::refusing(const std::vector<EventSet>& acceptances, Node states, No
     return diagrams_.unite(level, ticking.get(), others.get());
 }
 
-/// Returns the states of this set in which some event of the acceptance is not possible. The caller must keep the set.
+/// Returns the states of this set in which some event of the acceptance is impossible. The caller must keep the set.
 Node Product::lacking(const EventSet& acceptance, Node states) {
     const Level level = diagrams_.levels() - 1;
     Diagrams::Kept sum(diagrams_, nothing);

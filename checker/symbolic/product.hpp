@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides refinement by the set of reachable pairs. A pair consists of a node of the specification's normal form and a
-// state of the implementation (Roscoe, "Understanding Concurrent Systems", 16.1). The node is the highest variable. An
-// event that can change the node is a relation on the node and on the variables of the event's rule; all other events
-// leave the node as it is (docs/search.md, "Decision diagrams").
+// Decides refinement with the set of reachable pairs. A pair consists of a node of the specification's normal form and
+// a state of the implementation (Roscoe, "Understanding Concurrent Systems", 16.1). The node is the highest variable.
+// An event that can change the node is a relation on the node and on the variables of the event's rule. All other
+// events leave the node unchanged (docs/search.md, "Decision diagrams").
 #pragma once
 
 #include <map>
@@ -15,18 +15,18 @@ namespace robochart::symbolic {
 
 class Product {
 public:
-    /// The highest level of the diagrams represents the node; all other levels belong to the variables of `relations`.
-    /// `rules` are the rules that the steps of `relations` represent, in the same order. Polls the budget.
+    /// The highest level of the diagrams must be reserved for the node; all other levels belong to the variables of
+    /// `relations`. `rules` are the rules that the steps of `relations` represent, in the same order. Polls the budget.
     Product(const refine::NormalTable& table, const std::vector<machine::WholeRule>& rules, Relations& relations,
             Diagrams& diagrams, diagnostics::Pollable& budget);
 
-    /// The steps between pairs. A pair has no step with an event that its node does not allow, and none with an event
-    /// after which the specification diverges.
+    /// Returns the steps between pairs. A pair has no step with an event that its node does not allow, and no step with
+    /// an event after which the specification diverges.
     [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
-    /// The pairs of this set whose state has an event that the node does not allow.
+    /// Returns the pairs of this set whose state can perform an event that the node does not allow.
     [[nodiscard]] Node forbidden(Node pairs);
-    /// The pairs of this set whose state refuses more than the node allows: it is stable or has tick, and its
-    /// acceptance includes none of the node's (refine/search/stability.hpp).
+    /// Returns the pairs of this set whose state refuses more than the node allows. Such a state is stable or has tick,
+    /// and its acceptance includes none of the node's acceptances (refine/search/stability.hpp).
     [[nodiscard]] Node refusing(Node pairs);
 
 private:
@@ -42,8 +42,9 @@ private:
     Relations& relations_;
     Diagrams& diagrams_;
     diagnostics::Pollable& budget_;
-    std::map<process::Event, std::vector<Step>> by_event_;      // steps of the implementation
-    std::map<std::vector<process::Event>, Node> not_possible_;  // by events: the states in which none is possible
+    std::map<process::Event, std::vector<Step>> by_event_;  // steps of the implementation
+    // The states in which none of the events is possible.
+    std::map<std::vector<process::Event>, Node> not_possible_;
     std::vector<Step> steps_;
 };
 

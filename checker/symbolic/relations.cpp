@@ -51,7 +51,8 @@ Variables make_variables(const machine::Supercombinator& combined, const std::ve
     for (const std::uint32_t slot : order) {
         variables.level_of[slot] = static_cast<Level>(variables.slot_at.size());
         variables.slot_at.push_back(slot);
-        variables.domains.push_back(static_cast<Value>(combined.components[slot]->size()) + 1);  // the last one: off
+        // The last value means that the component is off.
+        variables.domains.push_back(static_cast<Value>(combined.components[slot]->size()) + 1);
     }
     return variables;
 }
@@ -89,7 +90,8 @@ Level Relations::level_of(const Step& step) const {
     return std::max(level_of(step.chain), highest_level(step.guard));
 }
 
-/// If the part has an event, the component performs it. If the part assigns a state, the component then has this state.
+/// Returns the relation on the variable of a part. If the part has an event, the component performs it. If the part
+/// assigns a state, the component is then in this state.
 std::uint32_t Relations::relation_of(const Part& part) {
     constexpr std::uint32_t none = 0xffffffffU;
     const auto key = std::tuple(part.slot, part.event.value_or(none), part.assigned.value_or(none));
@@ -119,7 +121,7 @@ Chain Relations::chain_of(const WholeRule& rule) {
     return chain;
 }
 
-/// The number of the list that begins with this link.
+/// Returns the number of the list that begins with this link.
 Chain Relations::chain_from(const Link& link) {
     budget_.poll();
     const auto key = std::tuple(link.level, link.relation, link.next);
@@ -135,7 +137,7 @@ Step Relations::extend(const Step& step, Level level, const LocalRelation& relat
     return {chain_from({level, number, step.chain}), step.guard};
 }
 
-/// Returns the states in which no region prevents the rule. The region `except` is ignored.
+/// Returns the states in which no region except `except` prevents the rule.
 Node Relations::guard_of(const WholeRule& rule, std::optional<std::uint32_t> except) {
     Diagrams::Kept guard(diagrams_, everything);
     for (const Passage& passage : rule.prevented) {
@@ -149,9 +151,9 @@ Node Relations::guard_of(const WholeRule& rule, std::optional<std::uint32_t> exc
     return strip(guard.get());
 }
 
-/// Returns the states in which no rule of the region with a level before `level` is possible. Only the priorities of
-/// inner regions are considered when this decides whether a rule is possible. The priorities of the region itself can
-/// be ignored: if they prevent a rule, another rule of a still lower level is possible.
+/// Returns the states in which no rule of the region with a level before `level` is possible. To decide whether such a
+/// rule is possible, only the priorities of inner regions are considered. The region's own priorities can be ignored:
+/// if they prevent the rule, another rule of a still lower level is possible.
 Node Relations::region_guard(std::uint32_t region, std::uint32_t level) {
     if (const auto known = guards_.find({region, level}); known != guards_.end()) return known->second;
     std::vector<Step> better;
@@ -162,7 +164,7 @@ Node Relations::region_guard(std::uint32_t region, std::uint32_t level) {
     return guard;
 }
 
-/// Removes the levels at the top on which a set does not depend.
+/// Removes the highest levels of a set, as far as the set does not depend on them.
 Node Relations::strip(Node guard) const {
     while (guard > everything) {
         const Level level = diagrams_.level_of(guard);
@@ -176,8 +178,8 @@ Node Relations::strip(Node guard) const {
     return guard;
 }
 
-/// The steps are applied in the order of their levels, the lowest first. So each step is applied to a set that has only
-/// the level of the step.
+/// Returns the states in which none of the steps is possible. The steps are applied in the order of their levels, the
+/// lowest first, so that each step is applied to a set that has only the level of the step.
 Node Relations::none_possible(std::vector<Step> steps) {
     std::ranges::sort(steps, [&](const Step& a, const Step& b) {
         const Level level_a = level_of(a), level_b = level_of(b);

@@ -26,7 +26,7 @@ Saturation::Saturation(const Relations& relations, const std::vector<Step>& step
 }
 
 void Saturation::list_steps(const std::vector<Step>& steps, diagnostics::Pollable& budget) {
-    constexpr std::uint32_t unchanged = 0xffffffffU;  // only the guard depends on the level
+    constexpr std::uint32_t unchanged = 0xffffffffU;  // the step does not change this variable; only its guard reads it
     std::map<std::tuple<Level, Chain, Node>, std::vector<std::uint32_t>> groups;
     for (const Step& step : steps) {
         budget.poll();
@@ -69,7 +69,7 @@ void Saturation::clear(Level level) {
     rows_[level].values.clear();
 }
 
-/// Adds tuples to a child. The caller must keep `more`. Returns whether this has changed the child.
+/// Adds tuples to a child. The caller must keep `more`. Returns true if this has changed the child.
 bool Saturation::add(Level level, Value value, Node more) {
     Row& row = rows_[level];
     const Node before = row.children[value];
@@ -110,7 +110,7 @@ Node Saturation::saturate(Level level) {
     return result;
 }
 
-/// Fires the steps whose highest level this is from the states with one value of its variable.
+/// Fires the steps whose highest level is this level, from the states with this value of its variable.
 void Saturation::fire_steps(Level level, Value value, std::deque<Value>& queue) {
     Row& row = rows_[level];
     for (const TopSteps& step : steps_[level]) {
@@ -126,7 +126,7 @@ void Saturation::fire_steps(Level level, Value value, std::deque<Value>& queue) 
     }
 }
 
-/// Applies the lower part of a step to a set, and returns the saturated set of the states that it reaches.
+/// Applies the lower part of a step to a set. Returns the states that it reaches, as a saturated set.
 Node Saturation::fire(Level level, Node states, Chain chain, Node guard) {
     if (states == nothing || guard == nothing) return nothing;
     if (chain == no_link && guard == everything) return states;

@@ -27,17 +27,17 @@ using refine::RunStep;
 using refine::Violation;
 using refine::ViolationKind;
 
-/// The operations on diagrams recurse once or twice for each level, so the stack of a thread limits the number of
-/// levels.
+/// The maximal number of levels. The operations on diagrams recurse once or twice for each level, so the stack of a
+/// thread limits this number.
 constexpr std::size_t most_levels = 4'000;
 
-/// Thrown if the stage has used its time.
+/// Thrown if the stage has used up its time.
 class OutOfTime : public std::runtime_error {
 public:
     OutOfTime() : std::runtime_error("decision diagrams have no more time") {}
 };
 
-/// The budget of the check, with a bound on the CPU time of this thread.
+/// The budget of the check, with an additional limit on the CPU time of this thread.
 class StageBudget final : public diagnostics::Pollable {
 public:
     StageBudget(refine::Budget& budget, std::chrono::duration<double> share)
@@ -46,7 +46,8 @@ public:
         constexpr std::uint32_t between_checks = 4096;
         if (++polls_ % between_checks == 0) check();
     }
-    /// The stage gives up before the memory limit of the check is reached, because the search may need no more memory.
+    /// Checks the limits. The stage gives up before the memory limit of the check is reached, because the search may
+    /// need less memory.
     void check() {
         const std::uint64_t most = budget_.limits().memory_bytes;
         if (diagnostics::resident_bytes() > most - most / 16) throw OutOfSpace();
@@ -54,7 +55,7 @@ public:
         if (now() > end_) throw OutOfTime();
     }
 
-    /// During the lifetime of the object, only this part of the remaining time may be used.
+    /// Limits the work during its lifetime to this part of the remaining time.
     class Part {
     public:
         Part(StageBudget& budget, double part) : budget_(budget), end_(budget.end_) {
@@ -84,7 +85,7 @@ private:
 /// Explores one process, or the pairs of its states with the nodes of a specification.
 class Exploration {
 public:
-    /// `table`: the specification; null for a question without one.
+    /// `table`: the normal form of the specification, or null for a question without a specification.
     Exploration(lts::TransitionSystem& system, const Supercombinator& combined, const RegionRules& rules,
                 Variables variables, const std::shared_ptr<const NormalTable>& table, const StageOptions& options,
                 const Space& space, StageBudget& own, refine::Budget& budget)
@@ -131,8 +132,8 @@ private:
     };
     struct Path {
         Run run;
-        Value node = 0;         ///< at the end of the run
-        bool shortest = false;  ///< whether it is known to be a shortest one
+        Value node = 0;         ///< the specification's node at the end of the run
+        bool shortest = false;  ///< whether the run is known to be a shortest one
         [[nodiscard]] Place end() const { return {node, run.last_state()}; }
     };
 
@@ -144,7 +145,7 @@ private:
 
     [[nodiscard]] Place initial() const { return {0, refine::initial_of(system_)}; }
 
-    /// The values of a place by level; the first element is unused.
+    /// Returns the values of a place by level; the first element is unused.
     [[nodiscard]] std::vector<Value> values_of(const Place& place) const {
         std::vector<Value> values(variables_.slot_at.size());
         for (Level level = 1; level < values.size(); ++level) {
@@ -155,8 +156,8 @@ private:
         return values;
     }
 
-    /// Returns the states from which some of these steps leads into the set. The caller must keep the set and the
-    /// result.
+    /// Returns the states from which at least one of these steps leads into the set. The caller must keep the set and
+    /// the result.
     Node before(Node states, const std::vector<Step>& steps) {
         Diagrams::Kept sum(diagrams_, nothing);
         for (const Step& step : steps) {
@@ -166,8 +167,8 @@ private:
         return sum.get();
     }
 
-    /// The fault with the shortest run. If a refusal and a forbidden event are at pairs with runs of equal length, the
-    /// refusal is returned, as in the explicit search.
+    /// Returns the fault with the shortest run. If a refusal and a forbidden event have runs of equal length, returns
+    /// the refusal, as the explicit search does.
     std::optional<Violation> find_fault(refine::Model model) {
         const bool with_refusals = model != refine::Model::traces;
         const Node refusing = diagrams_.keep_always(with_refusals ? product_->refusing(reached_) : nothing);
@@ -198,9 +199,9 @@ private:
         return Violation{ViolationKind::deadlock, path.run, {}, {}, path.shortest};
     }
 
-    /// Consider the greatest set of reachable states in which each state has a tau to a state of the set. A state
-    /// diverges iff it is in this set. To decide whether the set is empty, it suffices to follow the taus that may lie
-    /// on a cycle.
+    /// Finds a divergence. A state diverges iff it belongs to the greatest set of reachable states in which each state
+    /// has a tau to a state of the set. To decide whether this set is empty, it suffices to follow the taus that may
+    /// lie on a cycle.
     std::optional<Violation> find_divergence() {
         const std::vector<Step> taus = list_cycle_taus();
         const Level top = diagrams_.levels();
@@ -230,7 +231,7 @@ private:
         return taus;
     }
 
-    /// Returns a shortest path if there is enough time to find it, and otherwise some path. Returns no value if a
+    /// Returns a shortest path if there is enough time to find it, and some path otherwise. Returns no value if a
     /// shortest path has more than `most` steps.
     std::optional<Path> path_to(Node bad, std::size_t most = no_bound) {
         try {
@@ -263,12 +264,13 @@ private:
 
     /// Searches backward from one of the bad states. It applies the steps one after the other, each to the result of
     /// the step before it. So each set contains the previous set and the states from which one step leads into it. This
-    /// needs far fewer rounds than rings, in which all steps are applied to the same set.
+    /// needs far fewer rounds than shortest_path_to, which applies all steps to the same set.
     Path some_path_to(Node bad) {
         const Level top = diagrams_.levels();
         const std::vector<Value> first = values_of(initial());
         std::vector<Node> sets{diagrams_.keep_always(diagrams_.least_tuple(bad))};
-        // The direction of the order alternates. The steps of the run may occur in this order or in the opposite order.
+        // The order of the steps is reversed in every round, because the steps of the run may occur in this order or in
+        // the opposite order.
         for (bool forward = true; !diagrams_.contains(sets.back(), first); forward = !forward) {
             const Node before_all = sets.back();
             for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -283,7 +285,7 @@ private:
         return walk_down(sets);
     }
 
-    /// Follows transitions of the process forward from the initial state. Each set contains all earlier sets. A state
+    /// Follows transitions of the process forward from the initial state. Each set contains all previous sets. A state
     /// that is in a set but not in the previous set has a transition into the previous set.
     Path walk_down(const std::vector<Node>& sets) {
         Path path{{initial().state, {}}, 0};
@@ -298,7 +300,7 @@ private:
         }
     }
 
-    /// Returns the node after the event, or that the node does not allow the event.
+    /// Returns the node after the event. If the node does not allow the event, the result says so.
     Monitor::Advance advance(Value node, process::Event event) {
         if (!monitor_ || event == process::tau) return {Monitor::Effect::follow, node};
         return monitor_->advance(node, event);
@@ -315,7 +317,7 @@ private:
         throw std::logic_error("decision diagrams: a state has no transition that its rules give it");
     }
 
-    /// Follows taus inside the set until a state repeats. The run then ends in this state.
+    /// Follows taus inside the set until a state is reached again. The run then ends in this state.
     void walk_to_cycle(Violation& violation, const Place& start, Node diverging) {
         std::vector<std::vector<lts::Word>> states{start.state};
         std::vector<RunStep> taus;
@@ -354,8 +356,8 @@ private:
     Node reached_ = nothing;
 };
 
-/// The whole normal form of the specification. No value if it has too many nodes, if there is not enough time, or if a
-/// part of it that a search may never reach cannot be evaluated.
+/// Returns the whole normal form of the specification. Returns no value if it has too many nodes, if there is not
+/// enough time, or if a part of it that a search may never reach cannot be evaluated.
 std::optional<NormalTable> specification_table(const refine::SymbolicQuestion& question,
                                                std::chrono::duration<double> share, refine::Budget& budget) {
     constexpr std::size_t most_nodes = 100'000;
@@ -368,7 +370,7 @@ std::optional<NormalTable> specification_table(const refine::SymbolicQuestion& q
         refine::NormalForm normal(*question.specification, own);
         return refine::table_of(normal, question.model, most_nodes);
     } catch (const process::Interrupted&) {
-        budget.check();  // throws unless only the smaller limit of states was reached
+        budget.check();  // throws, unless only the smaller limit of states was reached
         return std::nullopt;
     } catch (const std::logic_error&) {
         throw;

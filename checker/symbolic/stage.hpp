@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Answers questions about compiled processes by decision diagrams: deadlock, divergence, and refinement in each model.
-// In general, this is not faster than an explicit search. It is faster for networks of many components in which each
-// rule involves few components.
+// In general this is not faster than an explicit search. It is faster for networks of many components if each rule
+// involves few components.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,15 @@
 
 namespace robochart::symbolic {
 
-/// The bounds of the stage, and settings for tests.
+/// The limits of the stage, and settings for tests.
 struct StageOptions {
     std::chrono::duration<double> delay{3};  ///< CPU time that the explicit search uses before the stage starts
-    std::chrono::duration<double> share{3};  ///< CPU time of the stage
-    double part_for_rings = 0.5;             ///< of the time left when a violation is known: for its shortest run
-    Space space = {};                        ///< at most an eighth of the memory of the run
-    std::vector<std::uint32_t> order = {};   ///< for tests: slots from the lowest level up; empty: a good order
+    std::chrono::duration<double> share{3};  ///< CPU time that the stage may use
+    /// After a violation is found: the part of the remaining time that may be used to find its shortest run.
+    double part_for_rings = 0.5;
+    Space space = {};  ///< uses at most an eighth of the memory of the run
+    /// For tests: slots from the lowest level up; if empty, a good order is computed.
+    std::vector<std::uint32_t> order = {};
 };
 
 class DiagramStage final : public refine::SymbolicStage {
@@ -44,7 +46,7 @@ private:
                                                           refine::Budget& budget) const;
 
     const StageOptions options_;
-    std::optional<GivenUp> given_up_;  // the last attempt without an answer, which another search does not repeat
+    std::optional<GivenUp> given_up_;  // the last attempt without an answer; another search does not repeat it
 };
 
 }  // namespace robochart::symbolic

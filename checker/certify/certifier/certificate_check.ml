@@ -7,12 +7,12 @@ type 'a array = 'a Array.t
 type figures = { pairs : int; nodes : int; transitions : int; components : int; rules : int }
 type answer = Certified of figures | Refused of string | Undecided of string
 
-(* Everything that the theorem is applied to. *)
+(* The data to which the theorem is applied. *)
 type proof =
   | Of_refinement of model * shape * system * shape * system * normal_form * int list evidence * int list pairs
   | Of_property of property * shape * system * int list pairs
 
-(* The numbers of bits of components, by word. *)
+(* Returns the layout of packed states: for each word, the numbers of bits of its components. *)
 let layout_of sizes event_count =
   let rec bits size = if size <= 1 then 0 else 1 + bits ((size + 1) / 2) in
   let add (groups, group, used) size =
@@ -22,7 +22,7 @@ let layout_of sizes event_count =
   let groups, group, _ = List.fold_left add ([], [], 0) sizes in
   { groups = List.rev (List.rev group :: groups); event_count }
 
-(* Equal states of components are merged: those that no transition distinguishes. *)
+(* Finds how states of components are merged. States are merged if no transition distinguishes them. *)
 let shape_of (process : Formats.process) event_count =
   let mergings = Array.map Search.equal_states process.component_edges in
   let merges =
@@ -33,7 +33,7 @@ let shape_of (process : Formats.process) event_count =
 
 let width shape = List.length shape.packs.groups
 
-(* The state of each component, in words. *)
+(* Returns the text of a state: the state of each component. *)
 let state_name (process : Formats.process) shape words =
   let locals =
     List.concat
@@ -75,7 +75,7 @@ let property_task property : Search.task =
     forbid_cycles = property <> Deadlock_free;
     event_fault = (fun _ _ -> "") }
 
-(* The specification of a claim, and what is asked of the implementation. *)
+(* What the search needs to check the implementation, from the claim and its specification. *)
 type plan = {
   shape : shape;
   name : int -> string;
@@ -110,19 +110,21 @@ let search_pairs ?(lenient = false) (claim : Formats.claim) plan ~most =
   Search.pairs_for ~lenient lts (width plan.shape) plan.task ~most ~name:plan.name
     ~state_name:(state_name claim.implementation plan.shape)
 
-(* Finds the evidence before the check. `lenient` overlooks violations: for tests, which must be refused then. *)
+(* Finds the evidence before the check. With `lenient`, for tests, it overlooks violations; the check must then refuse
+   the evidence. *)
 let prove ?(lenient = false) ?forge (claim : Formats.claim) ~most =
   let plan = plan_of ?forge claim ~most in
   let found = search_pairs ~lenient claim plan ~most in
   (plan.completed (Search.pairs_record found plan.choose), plan.nodes, found)
 
-(* The theorem `program_sound` says what `true` means here. Nothing else certifies. *)
+(* Runs the verified check. The theorem `program_sound` states what its answer `true` means. Only this answer certifies
+   a claim. *)
 let accepted = function
   | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, pairs) ->
       certify_refinement model spec_shape spec shape impl normal evidence pairs
   | Of_property (property, shape, impl, pairs) -> certify_property property shape impl pairs
 
-(* Which part of the check refuses. *)
+(* Returns which part of the check refuses. *)
 let first_refused = function
   | Of_refinement (model, spec_shape, spec, shape, impl, normal, evidence, _) ->
       if not (shape_ok spec_shape spec) then "the specification is not a well-formed process"
@@ -142,7 +144,7 @@ let guarded f =
   | Out_of_memory -> Undecided "there is no more memory"
   | Invalid_argument _ | Not_found | Failure _ | Division_by_zero -> Refused "the evidence is malformed"
 
-(* Finds the pairs while they are checked. If the check refuses, another search tells the run to the violation. *)
+(* Finds the pairs while the check visits them. If the check refuses, another search finds the run to the violation. *)
 let certify (claim : Formats.claim) ~most =
   guarded (fun () ->
       let plan = plan_of claim ~most in

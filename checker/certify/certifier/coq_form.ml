@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* A certificate as a file for Coq: the definitions, the proofs, the evidence, and a theorem that Coq's virtual machine
-   decides. It needs neither this program nor OCaml. *)
+(* Writes a certificate as a file for Coq: the definitions, the proofs, the evidence, and a theorem that Coq's virtual
+   machine decides. Checking this file needs neither this program nor OCaml. *)
 open Verified
 
 type 'a array = 'a Array.t
@@ -8,11 +8,11 @@ type 'a array = 'a Array.t
 let number x = string_of_int x
 let pair a b = Printf.sprintf "(%s, %s)" a b
 
-(* The brackets of lists would hide those of primitive arrays. *)
+(* Writes a list. The notation with brackets is not used, because it would hide that of primitive arrays. *)
 let list f l = "(" ^ String.concat " :: " (List.map f l @ [ "nil" ]) ^ ")"
 let nat x = Printf.sprintf "%d%%nat" x
 
-(* A primitive array; its last entry is the value outside of its bounds. *)
+(* Writes a primitive array. Its last entry is the value for indices outside of its bounds. *)
 let array ~default f values =
   Printf.sprintf "[| %s | %s |]%%array" (String.concat "; " (Array.to_list (Array.map f values))) default
 
@@ -51,7 +51,7 @@ let system out name (process : Formats.process) shape =
 let origin o = Printf.sprintf "{| by_event := %b; from := %d; depth := %d |}" o.by_event o.from o.depth
 let no_origin = "{| by_event := true; from := 0; depth := 0 |}"
 
-(* The normal form, and why its members are reached. *)
+(* Writes the normal form, and why its members are reached. *)
 let normal_form out (nodes : Search.node array) (evidence : int list evidence) =
   let count = Array.length nodes in
   let by_node name kind ~default f = define out name ("array (" ^ kind ^ ")") (array ~default f (Array.init count Fun.id)) in
@@ -96,7 +96,7 @@ let normal_form out (nodes : Search.node array) (evidence : int list evidence) =
     \   loop_size := length loop_states; loop := get loop_states; loop_next := get loop_nexts;\n\
     \   diverging_member := fun n => fst (get node_loops n); loop_entry := fun n => snd (get node_loops n) |}"
 
-(* The pairs, in ascending order of nodes and words, so that a pair is found by halving. *)
+(* Writes the pairs in ascending order of nodes and words, so that a binary search finds a pair. *)
 let pairs_of out (found : Search.found) ~choose =
   let store = found.store in
   let order = Array.init store.filled Fun.id in
@@ -152,7 +152,7 @@ let preamble =
    Definition fitting (sets : array (list ev)) (moves : list (ev * list int)) : int :=\n\
   \  first_place (fun A => if offers moves tick then forallb (fun a => a =? tick) A else forallb (offers moves) A) sets.\n\n"
 
-(* Text inside a comment: it neither ends the comment nor begins a string or another comment. *)
+(* Changes a text for a comment, so that it neither ends the comment nor begins a string or another comment. *)
 let comment text =
   String.mapi (fun i c -> if c = '"' || (c = '*' && i > 0 && text.[i - 1] = '(') || (c = ')' && i > 0 && text.[i - 1] = '*') then '_' else c) text
 
@@ -167,7 +167,7 @@ let prove out statement lemma =
   Printf.bprintf out "\nTheorem holds : %s.\nProof. apply (%s). vm_cast_no_check (eq_refl true). Qed.\nPrint Assumptions holds.\n"
     statement lemma
 
-(* Names of events, for readers. *)
+(* Lists the names of events for readers. *)
 let event_list (claim : Formats.claim) =
   String.concat "" (List.init (claim.event_count - 2) (fun i -> Printf.sprintf "   %d: %s\n" (i + 2) (comment (claim.event_name (i + 2)))))
 

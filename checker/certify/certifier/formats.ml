@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Reads the files of a certificate (docs/certificates.md). Part of what has to be believed: it decides what a file
-   means. *)
+(* Reads the files of a certificate (docs/certificates.md). This file must be trusted, because it determines what the
+   files mean. *)
 open Verified
 
 type 'a array = 'a Array.t
@@ -19,7 +19,7 @@ let read_file path =
           try really_input_string channel (in_channel_length channel)
           with End_of_file | Sys_error _ | Invalid_argument _ -> unreadable "%s: cannot be read" path)
 
-(* The lines of a text, one after the other. Each of them ends with a line feed. *)
+(* The lines of a text, which are read one after the other. Each line ends with a line feed. *)
 type lines = { text : string; mutable at : int; mutable number : int; file : string }
 
 let lines_of file text = { text; at = 0; number = 0; file }
@@ -50,7 +50,7 @@ let rec pairs_of lines = function
   | a :: b :: rest -> (a, b) :: pairs_of lines rest
   | [ _ ] -> fail lines "numbers come in pairs"
 
-(* The rest of a line after a keyword. *)
+(* Reads the rest of a line after a keyword. *)
 let keyword lines word =
   let line = next_line lines in
   let length = String.length word in
@@ -64,12 +64,12 @@ let count lines word =
   if n > String.length lines.text then fail lines "there are fewer lines than this";
   n
 
-(* `List.init` in order. *)
+(* Does the same as `List.init`, but always in ascending order. *)
 let times n f =
   let rec from i found = if i = n then List.rev found else from (i + 1) (f () :: found) in
   from 0 []
 
-(* The numbers of events in both systems: equal names have equal numbers. *)
+(* The numbers of events, which are used for both systems: equal names have equal numbers. *)
 type names = { numbers : (string, int) Hashtbl.t; mutable texts : string list; mutable next : int }
 
 let no_names () = { numbers = Hashtbl.create 100; texts = []; next = 2 }
@@ -118,7 +118,7 @@ let read_component event lines =
       (Array.init size edges, start, String.concat " " name)
   | _ -> fail lines "a component has a size and an initial state"
 
-(* A rule: its event, its level or `-`, the number of requirements, the requirements, the assignments. *)
+(* Reads a rule: its event, its level or `-`, the number of requirements, the requirements, and the assignments. *)
 let read_rule event lines =
   match words (keyword lines "rule") with
   | does :: level :: asked :: rest ->
@@ -167,7 +167,7 @@ let read_process names file text =
     component_names = Array.of_list (List.map (fun (_, _, name) -> name) components);
     component_edges; rule_count = !rule_count }
 
-(* What is claimed. *)
+(* The kind of the claim. *)
 type question = Refinement of model | Property of property
 
 let questions =
@@ -189,7 +189,7 @@ type claim = {
   event_count : int;
 }
 
-(* Reads a file that the claim names, and compares its digest. *)
+(* Reads a file that the claim names, and compares its digest with the claim. *)
 let read_part folder file digest =
   let text = read_file (Filename.concat folder file) in
   if Sha256.hex text <> digest then unreadable "%s: its digest is not that in claim.txt" file;

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Coq's primitive arrays: a value never changes. The newest version of an array is a native array, an older one a
-   difference from a newer one. Part of what has to be believed. *)
+(* Implements Coq's primitive arrays, whose values never change. The newest version of an array is a native array. An
+   older version is stored as a difference from a newer one. This file must be trusted. *)
 type 'a t = 'a version ref
 and 'a version = Newest of 'a array * 'a | Older of int * 'a * 'a t
 

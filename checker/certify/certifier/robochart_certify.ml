@@ -14,12 +14,13 @@ let wrong_use why =
   prerr_string ("robochart-certify: " ^ why ^ "\n" ^ usage);
   exit 2
 
-(* No control characters reach a terminal. *)
+(* Replaces control characters, so that none of them reaches a terminal. *)
 let printable text = String.map (fun c -> if c < ' ' || c = '\127' then '?' else c) text
 
 let is_certificate folder = Sys.file_exists (Filename.concat folder "claim.txt")
 
-(* Folders whose names begin with a dot are unfinished and no certificates. *)
+(* Lists the certificates in a folder. Folders whose names begin with a dot are unfinished certificates and are
+   skipped. *)
 let certificates_in path =
   if is_certificate path then [ path ]
   else
@@ -59,7 +60,7 @@ let show ~most ~quiet folder =
   | Refused why -> refuse why
   | Undecided why -> refuse ("not decided: " ^ why)
 
-(* One line for programs: a word, and figures or the reason. *)
+(* Prints one line for programs: a word, and figures or the reason. *)
 let print_answer folder ~most =
   let line, code =
     match snd (decide ~most folder) with

@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Finds what the verified checks need: the normal form of the specification, the pairs and their ranks. Nothing here
-   has to be believed: if it is wrong, the checks refuse. *)
+(* Finds what the verified checks need: the normal form of the specification, the pairs and their ranks. This file need
+   not be trusted: if its results are wrong, the checks refuse them. *)
 open Verified
 
 type 'a array = 'a Array.t
 
 exception Limit of string
 
-(* A violation in words. *)
+(* Raised if there is a violation. The argument describes it. *)
 exception Refuted of string
 
 type words = int list
@@ -27,7 +27,7 @@ type small_numbers = (int32, Bigarray.int32_elt, Bigarray.c_layout) Bigarray.Arr
 let new_numbers size : numbers = Bigarray.Array1.create Bigarray.int Bigarray.c_layout size
 let new_small_numbers size : small_numbers = Bigarray.Array1.create Bigarray.int32 Bigarray.c_layout size
 
-(* Large arrays that are not used any more are returned at once. *)
+(* Frees large arrays that are no longer used at once. *)
 let drop_old bytes = if bytes > 1 lsl 24 then Gc.full_major ()
 
 let longer (old : numbers) used : numbers =
@@ -40,7 +40,7 @@ let longer_small (old : small_numbers) used : small_numbers =
   Bigarray.Array1.blit (Bigarray.Array1.sub old 0 used) (Bigarray.Array1.sub result 0 used);
   result
 
-(* Pairs in arrays, found by a hash table. A row contains a pair's words and its node. *)
+(* Stores pairs in arrays and finds them by a hash table. A row contains the words of a pair and its node. *)
 type store = {
   width : int;
   mutable data : numbers;
@@ -104,7 +104,8 @@ let add_at store slot words node =
   if 2 * store.filled > store.mask then grow_slots store;
   j
 
-(* The number of the pair. It is new if it is the number of pairs before. *)
+(* Returns the number of the pair, and adds the pair if it is new. A new pair gets the number of pairs before the
+   call. *)
 let insert store words node =
   let slot = slot_of store words node in
   let j = Int32.to_int store.slots.{slot} in
@@ -123,8 +124,8 @@ module Signatures = Hashtbl.Make (struct
   let hash numbers = List.fold_left mix 0 numbers land max_int
 end)
 
-(* By state of a component: the first state that no transition distinguishes from it. Classes are refined until their
-   states have the same transitions to classes. If that takes too long, every state is alone. *)
+(* Returns, by state of a component, the first state that no transition distinguishes from it. Classes are refined until
+   their states have the same transitions to classes. If that takes too long, every state has its own class. *)
 let equal_states (edges : (int * int) list array) =
   let count = Array.length edges in
   let transitions = Array.fold_left (fun sum row -> sum + 1 + List.length row) 0 edges in
@@ -203,7 +204,8 @@ let edges_of graph id =
 
 let taus_of graph id = List.filter_map (fun (a, u) -> if a = 0 then Some u else None) (edges_of graph id)
 
-(* Whether taus can go on for ever. All states on a stack of a depth-first search reach its top. *)
+(* Decides whether the state can perform taus forever. All states on the stack of the depth-first search reach the top
+   of the stack. *)
 let diverges graph id =
   let stack = ref [ (id, ref (taus_of graph id)) ] in
   let colour s = Bytes.get graph.colour s in
@@ -231,7 +233,7 @@ let diverges graph id =
   end;
   colour id = 'y'
 
-(* The states that taus reach from the seeds, sorted. *)
+(* Returns the seeds and the states that taus reach from them, sorted. *)
 let close graph seeds =
   graph.mark <- graph.mark + 1;
   let found = ref [] in
@@ -268,7 +270,7 @@ end)
 
 let includes large small = Array.for_all (fun x -> Array.exists (fun y -> y = x) large) small
 
-(* The minimal acceptances of the members, each with a witness. *)
+(* Returns the minimal acceptances of the members, each with a witness. *)
 let acceptances_of graph members =
   let distinct = Hashtbl.create 16 in
   Array.iteri
@@ -318,7 +320,7 @@ let normalise graph start model ~most =
   done;
   Array.of_list (List.rev !nodes)
 
-(* The place of a number in a sorted array; its length if it is not there. *)
+(* Returns the index of a number in a sorted array, or the length of the array if it does not contain the number. *)
 let place_of key_of (sorted : 'a array) (key : int) =
   let rec between low high =
     if low >= high then Array.length sorted
@@ -340,7 +342,7 @@ let normal_form_of nodes =
     acceptance = (fun n i -> Array.to_list (at n).acceptances.(i));
     divergent = (fun n -> (at n).node_diverges) }
 
-(* Why the members of a node are reached, from seeds each with a place from which an event led to it. *)
+(* Returns why the members of a node are reached. Each seed comes with a place from which an event has led to it. *)
 let origins graph seeds members =
   let found = Array.make (Array.length members) { by_event = true; from = 0; depth = 0 } in
   let known = Array.make (Array.length members) false in
@@ -400,7 +402,7 @@ let evidence_of graph start nodes =
     diverging_member = first_diverging;
     loop_entry = (fun n -> in_loop (members n).(first_diverging n)) }
 
-(* Which acceptance of a node the moves offer. *)
+(* Returns a function that finds the first acceptance of a node that the moves offer. *)
 let chooser nodes event_count =
   let stamps = Array.make (event_count + 2) 0 and stamp = ref 0 in
   fun n moves ->
@@ -412,10 +414,10 @@ let chooser nodes event_count =
     let rec first i = if i >= Array.length acceptances || Array.for_all offered acceptances.(i) then i else first (i + 1) in
     first 0
 
-(* What is asked of the pairs, and how violations are told. *)
+(* What the search checks in each pair, and how it describes violations. *)
 type task = {
   next : int -> int -> int option;  (** node, event: the node after it *)
-  stopped : int -> bool;  (** what follows a divergence of the specification does not matter *)
+  stopped : int -> bool;  (** after the specification diverges, anything is allowed *)
   state_fault : int -> (int * words) list -> string option;
   forbid_cycles : bool;
   event_fault : int -> int -> string;
@@ -484,7 +486,7 @@ let explore (impl : words lts) task found ~most ~lenient =
   done;
   push found.tau_first found.tau_targets.used
 
-(* The rank of a pair is the length of the longest row of taus from it. *)
+(* Computes the rank of each pair, which is the length of the longest sequence of taus from it. *)
 let set_ranks found ~lenient =
   let store = found.store in
   let colour = Bytes.make store.filled '0' in
@@ -520,7 +522,7 @@ let set_ranks found ~lenient =
     done
   done
 
-(* Finds the pairs. If there is a violation, searches again to tell the run to it. *)
+(* Finds the pairs. If there is a violation, searches again to find the run to it. *)
 let pairs_for ?(lenient = false) impl width task ~most ~name ~state_name =
   let attempt with_parents =
     let found = new_found width with_parents in
@@ -541,7 +543,7 @@ let pairs_for ?(lenient = false) impl width task ~most ~name ~state_name =
 
 let rank_of found j = if j < Array.length found.ranks then found.ranks.(j) else 0
 
-(* The pairs that were found, in the order of their ranks. *)
+(* Returns the pairs that were found, in the order of their ranks. *)
 let pairs_record found choose =
   let store = found.store in
   let count = store.filled in
@@ -557,7 +559,7 @@ let pairs_record found choose =
     choose;
     deed = (fun time _ -> if time >= 2 * count then Stop else if time land 1 = 0 then Open order.(time / 2) else Visit) }
 
-(* The pairs, found while the verified check visits them. If taus must end, a pair is visited after all pairs to which its
+(* Finds pairs while the verified check visits them. If taus must end, a pair is visited after all pairs to which its
    taus lead. *)
 type walk = {
   pairs : store;
@@ -598,7 +600,7 @@ let open_pair walk j =
   walk.frames <- { pair = j; pending = []; reached = [] } :: walk.frames;
   Open j
 
-(* Opens the next pair to which a tau leads and that is new, or has the pair visited. *)
+(* Opens the next new pair to which a tau leads. If there is none, the pair of the frame is visited. *)
 let rec follow_taus walk frame = function
   | [] -> (
       walk.places.{frame.pair} <- Int32.of_int walk.visits;

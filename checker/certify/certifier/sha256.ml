@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* SHA-256 (FIPS 180-4). It binds the files of a certificate to its claim. *)
+(* Computes SHA-256 (FIPS 180-4), which binds the files of a certificate to its claim. *)
 let primes count =
   let rec from n found =
     if List.length found = count then List.rev found
@@ -9,8 +9,8 @@ let primes count =
 
 let mask = 0xffffffff
 
-(* The first 32 bits of the fraction of the root: the largest r with r^k <= p 2^(32 k), without its integer part. Numbers
-   are lists of digits of 24 bits, least first. *)
+(* Returns the first 32 bits of the fraction of the root: the largest r with r^k <= p 2^(32 k), without its integer
+   part. Numbers are lists of digits of 24 bits, the least digit first. *)
 let root_fraction k p =
   let rec add a b carry =
     match (a, b) with

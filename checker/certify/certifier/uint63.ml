@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Coq's primitive 63-bit integers without sign, as OCaml's native integers. Part of what has to be believed. *)
+(* Implements Coq's primitive unsigned 63-bit integers by OCaml's native integers. This file must be trusted. *)
 type t = int
 
 let[@inline] of_int (x : int) = x
@@ -17,7 +17,7 @@ let[@inline] l_xor (x : int) (y : int) = x lxor y
 let[@inline] l_sl (x : int) (y : int) = if lt y 63 then x lsl y else 0
 let[@inline] l_sr (x : int) (y : int) = if lt y 63 then x lsr y else 0
 
-(* The quotient of half the dividend is at most one too small. *)
+(* Divides half the dividend first. The resulting quotient is at most one too small. *)
 let large_div (x : int) (y : int) =
   if y = 0 then 0
   else if lt x y then 0

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* The checks and their soundness. Everything that a certificate contains is a variable here: the theorems hold for
-   all functions. So files, packing, hash tables and the search that finds them need not be trusted. *)
+(* Defines the checks and proves their soundness. All data of a certificate are variables here: the theorems hold for
+   all functions. So the files, the packing, the hash tables and the search need not be trusted. *)
 From Coq Require Import List Bool ZArith Lia Uint63.
 From Certify Require Import Claims Loops.
 Import ListNotations.
@@ -20,8 +20,8 @@ Proof.
   - intros (u & H). exists (a, u). split; [ exact H | apply eqb_refl ].
 Qed.
 
-(* The specification's normal form: after a trace, the specification is in a node. `where_is n a` is a place at which
-   the arc of a may be found. *)
+(* The normal form of the specification: after each trace, the specification is in a node. `where_is n a` is an index at
+   which the arc of a may be found. *)
 Record normal_form := {
   nodes : int;
   root : int;
@@ -47,11 +47,11 @@ Inductive nrun (N : normal_form) : int -> list ev -> int -> Prop :=
 | nrun_nil : forall n, nrun N n [] n
 | nrun_step : forall n a m t k, a <> tau -> after N n a = Some m -> nrun N m t k -> nrun N n (a :: t) k.
 
-(* Why a member of a node is reached: by an event from a member of the node before (or as the initial state), or by a
-   tau from another member of the node, whose depth is smaller. *)
+(* Why a member of a node is reached. Either an event from a member of the previous node leads to it (or it is the
+   initial state), or a tau leads to it from another member of the node with a smaller depth. *)
 Record origin := { by_event : bool; from : int; depth : int }.
 
-(* Evidence that the normal form has no more behaviour than the specification. *)
+(* The evidence that the normal form has no more behaviour than the specification. *)
 Record evidence (S : Type) := {
   size : int -> int;                        (* by node: the number of members *)
   member : int -> int -> S;                 (* states of the specification *)
@@ -108,7 +108,7 @@ Section Specification.
     apply (G (Datatypes.S (Z.to_nat (to_Z (depth (source j)))))); [ lia | exact Hj ].
   Qed.
 
-  (* The state accepts no event that is not in A. *)
+  (* The state accepts only events that are in A. *)
   Definition accepts (A : list ev) (s : S) : bool :=
     let moves := succ spec s in
     if offers moves tick then memb tick A
@@ -241,9 +241,10 @@ Section Specification.
   Qed.
 End Specification.
 
-(* The pairs of a state of the implementation and a node. The check visits them one after the other: `place_of` says
-   when a pair is visited, and `pair_at` which pair is visited then. `locate` says where a pair may be found, and
-   `choose` which acceptance of a node may be offered. `deed` is the next thing to do, by time and open pairs. *)
+(* The pairs of a state of the implementation and a node. The check visits them one after the other: `place_of` is the
+   time at which a pair is visited, and `pair_at` is the pair that is visited at a time. `locate` is the number at which
+   a pair may be found, and `choose` is an acceptance of a node that may be offered. `deed` is the next action, given
+   the time and the open pairs. *)
 Inductive action := Open (j : int) | Visit | Stop.
 Record pairs (S : Type) := {
   state_of : int -> S;
@@ -256,8 +257,8 @@ Record pairs (S : Type) := {
 Arguments state_of {S}. Arguments node_of {S}. Arguments place_of {S}. Arguments pair_at {S}.
 Arguments locate {S}. Arguments choose {S}. Arguments deed {S}.
 
-(* What an event of the implementation needs: it must not occur, it does not matter where it leads, or it leads to a
-   pair with this node, which is visited earlier if that is required. *)
+(* What an event of the implementation requires. It must not occur; or its target does not matter; or it must lead to a
+   pair with this node, and this pair must have been visited earlier if `earlier` is true. *)
 Inductive need := Forbidden | Irrelevant | Leads (node : int) (earlier : bool).
 
 (** 2. A walk through the pairs. It computes the moves of each pair once: while the pair is open. *)
@@ -271,7 +272,7 @@ Section Walk.
   Variable fine : int -> list (ev * S) -> bool.
   Variable first_node : int.
 
-  (* `high` is larger than all pairs that are located. *)
+  (* Returns a bound that is larger than all pairs located so far; `high` is the previous bound. *)
   Definition cover (u : S) (k : int) (bound : option int) (high : int) : option int :=
     let j := locate P u k in
     if node_of P j =? k then
@@ -322,7 +323,7 @@ Section Walk.
         end
     | Stop => Over (Some x)
     end.
-  (* 2 ^ (length fuel) actions. *)
+  (* Performs 2 ^ (length fuel) actions. *)
   Fixpoint proceed_often (fuel : list int) (x : progress) : outcome :=
     match fuel with
     | [] => proceed x
@@ -480,7 +481,7 @@ Section Implementation.
   Definition stop (n : int) : bool := match m with FD => divergent N n | _ => false end.
   Definition ranked : bool := match m with FD => true | _ => false end.
 
-  (* Some acceptance of the node is offered. *)
+  (* The moves offer some acceptance of the node. *)
   Definition refusals_ok (n : int) (moves : list (ev * S)) : bool :=
     let fits (offered : ev -> bool) :=
       let i := choose P n moves in

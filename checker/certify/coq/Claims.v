@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* What a certificate claims: transition systems, and refinement in the models T, F and FD of CSP. A reader has to
-   believe this file, Processes.v and the statements of the theorems in Program.v. Everything else is proved.
-   Roscoe, "Understanding Concurrent Systems", chapters 10 to 12. *)
+(* Defines what a certificate claims: transition systems, and refinement in the models T, F and FD of CSP (Roscoe,
+   "Understanding Concurrent Systems", chapters 10 to 12). A reader must trust this file, Processes.v and the statements
+   of the theorems in Program.v. Everything else is proved. *)
 From Coq Require Import List Uint63.
 Import ListNotations.
 Open Scope uint63_scope.
@@ -17,13 +17,13 @@ Arguments succ {S}.
 
 Definition step {S} (P : lts S) (s : S) (a : ev) (u : S) : Prop := In (a, u) (succ P s).
 
-(* A run from s to u; t contains its visible events. *)
+(* There is a run from s to u whose visible events are t. *)
 Inductive reach {S} (P : lts S) : S -> list ev -> S -> Prop :=
 | reach_nil : forall s, reach P s [] s
 | reach_tau : forall s u t v, step P s tau u -> reach P u t v -> reach P s t v
 | reach_vis : forall s a u t v, a <> tau -> step P s a u -> reach P u t v -> reach P s (a :: t) v.
 
-(* An infinite run of taus. *)
+(* There is an infinite run of taus from s. *)
 CoInductive diverges {S} (P : lts S) : S -> Prop :=
 | diverges_step : forall s u, step P s tau u -> diverges P u -> diverges P s.
 
@@ -56,7 +56,7 @@ Definition refines {A B} (m : model) (spec : lts A) (impl : lts B) : Prop :=
 Definition deadlock_free {S} (P : lts S) : Prop := forall t s, reach P (init P) t s -> exists a, can P s a.
 Definition divergence_free {S} (P : lts S) : Prop := forall t s, reach P (init P) t s -> ~ diverges P s.
 
-(* The claims about one process. Deadlock freedom in FD excludes divergence too. *)
+(* The claims about one process. In FD, deadlock freedom also excludes divergence. *)
 Inductive property := Deadlock_free | Deadlock_and_divergence_free | Divergence_free.
 Definition satisfies {S} (p : property) (P : lts S) : Prop :=
   match p with

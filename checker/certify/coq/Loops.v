@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Checks of all numbers below a bound, and tables of functions. *)
+(* Defines checks of all numbers below a bound, and tables of functions. *)
 From Coq Require Import List Bool ZArith Lia Uint63 PArray.
 Import ListNotations.
 Open Scope uint63_scope.
@@ -12,7 +12,8 @@ Proof. intros a b. apply eqb_correct. Qed.
 Lemma eqb_false_neq : forall a b : int, (a =? b) = false -> a <> b.
 Proof. intros a b H E. subst. rewrite eqb_refl in H. discriminate. Qed.
 
-(* All numbers from lo that are below len, by halving: no unary numbers. *)
+(* Checks all numbers from lo that are below len. It divides the range into halves, so that it needs no unary
+   numbers. *)
 Fixpoint all_from (widths : list int) (chk : int -> bool) (len lo : int) : bool :=
   if len <=? lo then true
   else match widths with
@@ -71,7 +72,8 @@ Proof.
       rewrite ?many_widths_value; change (to_Z 0) with 0%Z; [ reflexivity | lia ].
 Qed.
 
-(* The values of f below n, in an array; a larger n than an array can have gives no table, which is slow but right. *)
+(* Stores the values of f for numbers below n in an array. If n is larger than the largest array, there is no table; the
+   result is then correct but slow. *)
 Fixpoint fill {A} (f : int -> A) (n : nat) (i : int) (t : array A) : array A :=
   match n with O => t | S n' => fill f n' (i + 1) t.[i <- f i] end.
 Definition tabulate {A} (n : int) (f : int -> A) : array A :=

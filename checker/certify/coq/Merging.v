@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Equal states of components are merged: any function may say which states are equal, and the check compares their
-   transitions. The merged process does what the process does (a functional bisimulation). *)
+(* Proves that equal states of components may be merged. Any function may state which states are equal, because the
+   check compares their transitions. The merged process does the same as the process (a functional bisimulation). *)
 From Coq Require Import List Bool ZArith Lia Uint63.
 From Certify Require Import Claims Processes Loops Moves Packing.
 Import ListNotations.
 Open Scope uint63_scope.
 
-(* By component: the number of states that may be merged, and a state that is equal to a state. *)
+(* For each component, the number of states that may be merged, and for each of these states an equal state. *)
 Record merging := { merged_states : nat -> int; representative : nat -> int -> int }.
 Definition merge (M : merging) (k : nat) (v : int) : int :=
   if v <? merged_states M k then representative M k v else v.
@@ -107,7 +107,7 @@ Section Merged.
         split; [ exact E |]. split; [ apply IH; eauto |]. subst. apply merge_changes_app.
   Qed.
 
-  (* Two lists of moves whose sets agree up to merging fire the same moves up to merging. *)
+  (* If two lists of moves have the same sets up to merging, they fire the same moves up to merging. *)
   Lemma merged_fire : forall ms ns rules, (forall i, same (nth i ns []) (nth i (map (map merge_move) ms) [])) ->
     forall m, In m (fire ns (map (merge_rule M) rules)) <-> exists c, In c (fire ms rules) /\ m = merge_move c.
   Proof.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* A faster way to the moves of a compiled process, from packed states. Rules are listed under the event with which their
-   first participant begins them; tables have the ways in which a component performs an event; the least level is found
-   once. The moves are the same. *)
+(* Computes the moves of a compiled process faster, from packed states, and proves that they are the same. Rules are
+   listed under the event of their first participant. Tables contain the ways in which a component performs an event.
+   The least level is computed only once. *)
 From Coq Require Import List Bool ZArith Lia Uint63 PArray.
 From Certify Require Import Claims Processes Loops.
 Import ListNotations.
@@ -56,20 +56,20 @@ Qed.
 
 Section Fast.
   Variable Y : system.
-  (* The lengths of tables: other lengths make the same functions slower. *)
+  (* The lengths of tables. Other lengths only make the functions slower. *)
   Variable events : int.
   Variable local_states : nat -> int.
-  (* Packed states: the state of a component in them, and how a change of it is represented. *)
+  (* Packed states: how to read the state of a component, and how to represent a change of it. *)
   Variable packed_state packed_change : Type.
   Variable local : nat -> packed_state -> int.
   Variable set_local : nat -> int -> packed_change.
   Definition set_all (ch : list change) : list packed_change := map (fun c => set_local (fst c) (snd c)) ch.
   Definition fmove := (ev * list packed_change)%type.
 
-  (* A requirement to a component or to an inner region. *)
+  (* What a rule requires of a component or of an inner region. *)
   Inductive ask :=
     AskSlot (get : packed_state -> int) (ways : int -> list (list packed_change)) | AskInner (i : nat) (e : ev).
-  (* A rule without its first requirement, and the changes of the first participant. *)
+  (* A rule without its first requirement. A lead also contains the changes of the first participant. *)
   Record frule := { f_does : ev; f_level : option int; f_asks : list ask; f_puts : list packed_change }.
   Definition lead := (frule * list packed_change)%type.
   Inductive fregion := FRegion (prioritised : bool) (inside : list fparticipant)
@@ -81,7 +81,7 @@ Section Fast.
   Definition begins (e : ev) (r : rule) : bool := match asks r with (_, d) :: _ => e =? d | [] => false end.
   Definition slot_ways (k : nat) (e : ev) (v : int) : list (list packed_change) :=
     flat_map (fun x : ev * int => if fst x =? e then [[set_local k (snd x)]] else []) (edges Y k v).
-  (* The events that rules ask of participant i, after their first requirement: these have tables. *)
+  (* The events that rules require of participant i, except as first requirements. Only these events have tables. *)
   Definition asked (i : nat) (rules : list rule) : array bool :=
     fold_left (fun t r => fold_left (fun t (a : nat * ev) => if Nat.eqb (fst a) i then t.[snd a <- true] else t)
                                     (tl (asks r)) t) rules (make events false).
@@ -142,7 +142,7 @@ Section Fast.
     | FSlot get leads => leads (get c)
     | FInner i _ find => flat_map (fun m : fmove => map (fun r => (r, snd m)) (find (fst m))) (inner_moves i l)
     end.
-  (* Without a list of them. *)
+  (* Goes through the leads of a participant without a list of them. *)
   Definition fold_leads {A} (f : A -> lead -> A) (c : packed_state) (l : inner_list) (p : fparticipant) (acc : A) : A :=
     match p with
     | FSlot get leads => fold_left f (leads (get c)) acc
@@ -150,7 +150,7 @@ Section Fast.
         fold_left (fun acc m => let (e, first) := m : fmove in fold_left (fun acc r => f acc (r, first)) (find e) acc)
                   (inner_moves i l) acc
     end.
-  (* Most rules have one participant; their lists are not copied. *)
+  (* Most rules have one participant, whose lists are not copied. *)
   Definition extend (first way : list packed_change) : list packed_change :=
     match way with [] => first | _ => first ++ way end.
   Definition add_moves (q : lead) (ways : list (list packed_change)) (acc : list fmove) : list fmove :=
@@ -184,7 +184,7 @@ Section Fast.
         if prioritised then fire_ready (candidates c l inside) else fire_all c l inside
     end.
 
-  (** They are the same. *)
+  (** The moves are the same. *)
   Lemma number_error : forall (A B : Type) (g : nat -> A -> B) l n i,
     nth_error (number g n l) i = option_map (g (n + i)%nat) (nth_error l i).
   Proof.
@@ -218,7 +218,7 @@ Section Fast.
     - intros way acc' y. rewrite extend_app. destruct (f_puts r); rewrite ?app_nil_r; cbn [In]; intuition auto.
   Qed.
 
-  (* What a region's participants do is `ms`; `rules` are its rules, and `f` prepares them. *)
+  (* `ms` are the moves of the participants of a region, `rules` are its rules, and `f` prepares the rules. *)
   Section Fire.
     Variable c : packed_state.
     Variable l : inner_list.

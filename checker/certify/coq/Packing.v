@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* States as words: a component has some bits of a word for its state, and a process has as many words as it needs, so
-   states of any width fit. A functional bisimulation keeps all that is claimed. *)
+(* Represents states by words: the state of a component takes some bits of a word, and a process has as many words as it
+   needs. So states of any width fit. Proves that this is a functional bisimulation, which preserves all claims. *)
 From Coq Require Import List Bool ZArith Lia Uint63.
 From Certify Require Import Claims Processes Loops Moves.
 Import ListNotations.
@@ -76,7 +76,7 @@ Section Morphism.
     intros []; cbn; tauto.
   Qed.
 
-  (* The other way, for the specification. *)
+  (* The opposite direction, for the specification. *)
   Lemma back_reach : forall x t w, reach B x t w -> forall s, x = f s -> good s ->
     exists u, w = f u /\ good u /\ reach A s t u.
   Proof.
@@ -157,7 +157,7 @@ Proof.
     rewrite E. split; [ nia | reflexivity ].
 Qed.
 
-(* Component k begins at this bit. *)
+(* Returns the first bit of component k. *)
 Fixpoint offset (bs : list int) (k : nat) : Z :=
   match bs, k with b :: bs', S k' => (to_Z b + offset bs' k')%Z | _, _ => 0%Z end.
 Lemma offset_bound : forall bs k b, nth_error bs k = Some b -> (0 <= offset bs k)%Z /\ (offset bs k + to_Z b <= total bs)%Z.
@@ -221,7 +221,7 @@ Qed.
 Fixpoint pack (gs : list (list int)) (s : list int) : list int :=
   match gs with [] => [] | g :: gs' => encode g s :: match gs' with [] => [] | _ => pack gs' (skipn (length g) s) end end.
 
-(* Where the state of a component is. *)
+(* The bits that contain the state of a component. *)
 Record field := { word : nat; shift : int; mask : int }.
 Fixpoint fields_of (w : nat) (from : int) (bs : list int) : list field :=
   match bs with
@@ -374,8 +374,8 @@ Proof.
   destruct (v =? w) eqn:E; [| discriminate]. apply eqb_true in E. f_equal; auto.
 Qed.
 
-(* How the states of a system are packed: numbers of bits of components, by word; and the number of events, for
-   tables. *)
+(* How the states of a system are packed: for each word, the numbers of bits of its components. The number of events
+   determines the size of tables. *)
 Record layout := { groups : list (list int); event_count : int }.
 
 Section Packed.

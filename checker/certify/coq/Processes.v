@@ -1,17 +1,17 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* What a compiled process is and does: components and the rules by which their events become events of the whole
-   (checker/machine/supercombinator.hpp). A reader has to believe this file. *)
+(* Defines what a compiled process is and does: components, and the rules by which their events become events of the
+   whole process (checker/machine/supercombinator.hpp). A reader must trust this file. *)
 From Coq Require Import List Bool Uint63.
 From Certify Require Import Claims.
 Import ListNotations.
 Open Scope uint63_scope.
 
-(* "If these participants perform these events, the region performs this one." `puts` then sets states of components.
-   A rule with a level is prevented if a rule of the same region with a smaller level can fire. *)
+(* A rule says: if these participants perform these events, the region performs this event. Then `puts` sets states of
+   components. A rule with a level is prevented if a rule of the same region with a smaller level can fire. *)
 Record rule := { does : ev; level : option int; asks : list (nat * ev); puts : list (nat * int) }.
 Inductive region := Region (inside : list participant) (rules : list rule)
 with participant := Slot (k : nat) | Inner (r : region).
-(* `edges k v` are the transitions of component k in its state v. A state of the process has one state for each
+(* `edges k v` are the transitions of component k in its state v. A state of the process contains one state for each
    component. *)
 Record system := { edges : nat -> int -> list (ev * int); start : list int; whole : region }.
 

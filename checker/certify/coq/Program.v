@@ -1,15 +1,15 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* The theorems about the program that is extracted. *)
+(* States and proves the theorems about the program that is extracted. *)
 From Coq Require Import List Bool Uint63.
 From Certify Require Import Claims Processes Certificate Packing Merging.
 
-(* How a process is represented: which states of its components are merged, and how states are packed. *)
+(* How a process is represented: which states of its components are merged, and how its states are packed. *)
 Record shape := { merges : merging; packs : layout }.
 Definition compact (h : shape) (Y : system) : lts (list int) := packed (packs h) (merged (merges h) Y).
 Definition shape_ok (h : shape) (Y : system) : bool :=
   merging_ok (merges h) Y && system_ok (packs h) (merged (merges h) Y).
 
-(* The checks of a refinement and of a property. Shapes, normal form, evidence and pairs may be anything. *)
+(* Check a refinement and a property. The shapes, the normal form, the evidence and the pairs may be any data. *)
 Definition certify_refinement (m : model) (hs : shape) (spec : system) (hi : shape) (impl : system)
     (N : normal_form) (E : evidence (list int)) (P : pairs (list int)) : bool :=
   shape_ok hs spec && shape_ok hi impl && check (compact hs spec) (compact hi impl) eq_words eq_words m N E P.
@@ -30,7 +30,7 @@ Proof.
   apply (merged_property _ _ M), (packed_property _ _ _ S). exact (check_property_sound _ eq_words eq_words_ok p P H).
 Qed.
 
-(* Both, in one statement. *)
+(* Both theorems in one statement. *)
 Theorem program_sound :
   (forall m hs spec hi impl N E P,
     certify_refinement m hs spec hi impl N E P = true -> refines m (system_lts spec) (system_lts impl)) /\

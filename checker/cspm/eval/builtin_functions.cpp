@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The predefined functions (FDR manual, chapter CSPM, Built-In Definitions).
+// Implements the predefined functions (FDR manual, chapter CSPM, Built-In Definitions).
 #include "checker/cspm/eval/builtin_functions.hpp"
 
 #include <map>
@@ -43,7 +43,7 @@ Value BuiltinFunctions::value(Builtin which, const TimedSection* timed) {
         default:
             break;
     }
-    // In a timed section, WAIT and timed_priority use the tock event of this section.
+    // In a timed section, WAIT and timed_priority use the tock event of this section, so it is stored with them.
     Values items;
     if (timed != nullptr && (which == Builtin::wait || which == Builtin::timed_priority)) {
         items.push_back(domains_.head_value(timed->tock));
@@ -67,7 +67,7 @@ const Values& BuiltinFunctions::items(Value sequence, Span span) const {
 
 Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
     const auto which = static_cast<Builtin>(builtin->number);
-    // relational_image(R)(x): the relation is stored in the built-in's items.
+    // In relational_image(R)(x), the built-in's items contain the relation R.
     if ((which == Builtin::relational_image || which == Builtin::relational_inverse_image) && !builtin->items.empty()) {
         arguments.insert(arguments.begin(), builtin->items[0]);
         return relation_builtin(which, arguments, span);
@@ -102,8 +102,8 @@ Value BuiltinFunctions::call(Value builtin, Values arguments, Span span) {
     }
 }
 
-// Equal values must have equal texts. So sets are written as lists of elements if possible, and infinite values and
-// values without a unique text are rejected.
+// Returns a value that has a unique text, because equal values must have equal texts. Sets are converted to lists of
+// elements if possible. Infinite values and values without a unique text are rejected.
 Value BuiltinFunctions::with_text(Value value, Span span) {
     switch (value->kind) {
         case Kind::process:
@@ -180,7 +180,7 @@ Value BuiltinFunctions::set_builtin(Builtin which, const Values& arguments, Span
     }
 }
 
-// transpose(R), relational_image(R)(x), relational_inverse_image(R)(x).
+// Computes transpose(R), relational_image(R)(x) and relational_inverse_image(R)(x).
 Value BuiltinFunctions::relation_builtin(Builtin which, const Values& arguments, Span span) {
     Values result;
     const std::size_t from = which == Builtin::relational_inverse_image ? 1 : 0;
@@ -195,8 +195,9 @@ Value BuiltinFunctions::relation_builtin(Builtin which, const Values& arguments,
     return store_.set(std::move(result));
 }
 
-// mtransclose(R, S): the classes of R's symmetric and transitive closure, as pairs (representative, x) of members of S,
-// without (x, x). The manual does not define the representative of a class: here it is the least one in S.
+// Computes mtransclose(R, S): the classes of R's symmetric and transitive closure, as pairs (representative, x) of
+// members of S, without (x, x). The manual does not define the representative of a class; here it is the least member
+// of the class in S.
 Value BuiltinFunctions::representatives(Value relation, Value set, Span span) {
     std::map<Value, Values> related;
     for (const Value pair : domains_.elements(relation, span)) {
@@ -257,7 +258,7 @@ std::uint32_t compression(Builtin which) {
 
 }  // namespace
 
-/// An empty BUFFER(capacity, {(input, output)}).
+/// Returns an empty BUFFER(capacity, {(input, output)}).
 process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
     const Value bound = arguments[0];
     if (bound->kind != Kind::integer || bound->number < 1)
@@ -271,7 +272,7 @@ process::TermId BuiltinFunctions::buffer(const Values& arguments, Span span) {
                                   {bound, domains_.explicit_set(arguments[1], span), store_.sequence({})});
 }
 
-/// The order of prioritisepo(P, prioritised, pairs, maximal).
+/// Returns the order of prioritisepo(P, prioritised, pairs, maximal).
 process::RenamingId BuiltinFunctions::partial_order(const Values& arguments, Span span) {
     // The arguments are evaluated one after the other, because events are numbered in the order of first use.
     const process::EventSet prioritised = domains_.event_set(arguments[1], span);

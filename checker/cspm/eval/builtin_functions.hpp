@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The predefined functions (FDR manual, chapter CSPM, Built-In Definitions), except those that evaluate their arguments
-// only as far as they need them (takes_by_need, ByNeed::call).
+// Implements the predefined functions (FDR manual, chapter CSPM, Built-In Definitions). It excludes the functions that
+// evaluate their arguments only as far as they need them (takes_by_need, ByNeed::call).
 #pragma once
 
 #include "checker/cspm/eval/process_terms.hpp"
@@ -21,7 +21,7 @@ public:
           processes_(processes),
           text_(program) {}
 
-    /// The value of a predefined name; `timed`: the timed section in which it occurs, or null.
+    /// Returns the value of a predefined name. `timed`: the timed section in which it occurs, or null.
     Value value(Builtin which, const TimedSection* timed);
     Value call(Value builtin, Values arguments, Span span);
     void check_arity(Builtin which, std::size_t arguments, Span span) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built-ins that evaluate their arguments only as far as they need them: functions on sequences and maps (FDR
-// manual, chapter CSPM, Built-In Definitions).
+// Implements the built-ins that evaluate their arguments only as far as they need them, which are functions on
+// sequences and maps (FDR manual, chapter CSPM, Built-In Definitions).
 #include <algorithm>
 
 #include "checker/cspm/eval/by_need.hpp"
@@ -23,7 +23,7 @@ Value ByNeed::call(Value builtin, Values arguments, Span span) {
     if (!takes_by_need(which)) {
         if ((which == Builtin::inter || which == Builtin::diff) && arguments.size() == 2) {
             const Value first = values_.share_value(values_.evaluated_value(arguments[0]));
-            if (first->kind == Kind::set && first->items.empty()) return first;  // the second set does not matter
+            if (first->kind == Kind::set && first->items.empty()) return first;  // the second set has no effect
             arguments[0] = first;
         }
         for (Value& argument : arguments) argument = values_.share_value(values_.evaluate_in_place(argument));
@@ -61,7 +61,7 @@ Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span
                 if (part->kind == Kind::thunk && static_cast<const Thunk&>(*part).result != nullptr)
                     part = values_.evaluate_in_place(part);
                 if (part->kind != Kind::sequence) {
-                    // The rest of the sequence is unevaluated or infinite.
+                    // The rest of the sequence may be unevaluated or infinite.
                     Value rest = store_.sequence({});
                     for (std::size_t k = parts->items.size(); k-- > i + 1;) rest = part_before(parts->items[k], rest);
                     return append(store_.compound(Kind::sequence, 0, std::move(items)), part_before(part, rest));
@@ -75,7 +75,7 @@ Value ByNeed::sequence_builtin(Builtin which, const Values& arguments, Span span
     }
 }
 
-// part ^ rest, where the part may be unevaluated.
+// Returns part ^ rest, where `part` may be unevaluated.
 Value ByNeed::part_before(Value part, Value rest) {
     if (part->kind == Kind::sequence && rest->kind == Kind::sequence) return append(part, rest);
     if (rest->kind == Kind::sequence && rest->items.empty()) return part;
@@ -84,7 +84,7 @@ Value ByNeed::part_before(Value part, Value rest) {
 
 namespace {
 
-// The position of a key in k1, v1, k2, v2..., or its insertion position.
+// Returns the position of a key in k1, v1, k2, v2..., or the position at which it would be inserted.
 std::size_t key_place(const Values& items, Value key) {
     std::size_t at = 0;
     while (at < items.size() && compare(items[at], key) < 0) at += 2;
@@ -101,7 +101,7 @@ void put_entry(Values& items, Value key, Value value) {
 
 }  // namespace
 
-// Keys are evaluated; their values may be unevaluated.
+// Calls a built-in for maps. The keys are evaluated; the values may be unevaluated.
 Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     const auto put_all = [&](Values items, const Values& pairs) {
         for (const Value entry : pairs) {
@@ -116,8 +116,8 @@ Value ByNeed::map_builtin(Builtin which, const Values& arguments, Span span) {
     if (which == Builtin::map_from_list) return put_all({}, written_out(arguments[0], span)->items);
     Values items = map_items(values_.evaluated_value(arguments[0]), span);
     if (which == Builtin::map_update_multiple) {
-        // If several pairs have the same key, this function uses the first pair, but mapFromList uses the last one
-        // (libcspm, Evaluator).
+        // If several pairs have the same key, the first pair is used. (In contrast, mapFromList uses the last one;
+        // libcspm, Evaluator.)
         Values pairs = written_out(arguments[1], span)->items;
         std::ranges::reverse(pairs);
         return put_all(std::move(items), pairs);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates sequences and maps on demand: streams, the order and equality of values, and the built-ins that evaluate
-// their arguments by need.
+// Evaluates sequences and maps on demand: streams, comparisons of values, and the built-ins that evaluate their
+// arguments by need.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace robochart::cspm {
 
 class Evaluator;
 
-/// Owns the comprehensions that compute the remaining elements of streams. Functions throw errors by `Work::fail` with
-/// the place that they receive as an argument.
+/// Owns the comprehensions that compute the remaining elements of streams. Functions report errors through
+/// `Work::fail`, at the place that they receive as an argument.
 class ByNeed {
 public:
     /// The first element of a sequence, and the sequence of the remaining elements.
@@ -31,7 +31,7 @@ public:
         std::size_t clause;
     };
 
-    /// Data shared with the evaluator of values.
+    /// The data that this class shares with the evaluator of values.
     struct Tables {
         const Program& program;
         ValueStore& store;
@@ -47,33 +47,34 @@ public:
           builtins_(tables.builtins),
           text_(tables.program) {}
 
-    // streams.cpp
-    /// `first ^ rest`, where the rest may be unevaluated.
+    // The following functions are in streams.cpp.
+    /// Returns `first ^ rest`, where `rest` may be unevaluated.
     Value append(Value first, Value rest);
-    /// The sequence of `first` and the elements that the comprehension makes from the elements of `source`. `frame`
-    /// contains the variables of the enclosing scope.
+    /// Returns the sequence that begins with `first` and continues with the elements that the comprehension makes from
+    /// the elements of `source`. `frame` contains the variables of the enclosing scope.
     Value make_stream(Value first, Value source, Comprehension of, const Values& frame);
-    /// No value if the sequence is empty.
+    /// Splits a sequence after its first element. Returns no value if the sequence is empty.
     std::optional<Cut> split_first(Value sequence, Span span);
-    /// The sequence with all its elements in `items`.
+    /// Returns the sequence with all its elements in `items`.
     Value written_out(Value sequence, Span span);
-    /// Returns a finite sequence with all its elements. For an infinite sequence, returns the stream; only its elements
-    /// may be unevaluated.
+    /// Returns a finite sequence with all its elements. For an infinite sequence, returns the stream, in which only
+    /// elements may be unevaluated.
     Value share_stream(Value value);
-    /// Equality of tuples, sequences and maps part by part, up to the first difference.
+    /// Compares tuples, sequences and maps part by part, up to the first difference.
     bool are_equal(Value a, Value b, Span span);
-    /// The orders of FDR: numbers and characters; prefix of sequences; subset; maps and tuples by parts.
+    /// Compares values by the orders of FDR: numbers and characters by value, sequences by prefix, sets by inclusion,
+    /// maps and tuples by their parts.
     bool is_less_or_equal(Value a, Value b, Span span);
     bool is_less(Value a, Value b, Span span);
 
-    // builtins_by_need.cpp
-    /// Calls any built-in, and evaluates its arguments only as far as the built-in needs them.
+    // The following functions are in builtins_by_need.cpp.
+    /// Calls any built-in. Evaluates its arguments only as far as the built-in needs them.
     Value call(Value builtin, Values arguments, Span span);
-    /// Calls a built-in for maps. The keys of maps are always evaluated; the values may be unevaluated.
+    /// Calls a built-in for maps. The keys of maps are always evaluated; their values may be unevaluated.
     Value map_builtin(Builtin which, const Values& arguments, Span span);
-    /// All elements of a sequence, evaluated.
+    /// Returns all elements of a sequence, evaluated.
     Values sequence(Value value, Span span);
-    /// k1, v1, k2, v2... of a map.
+    /// Returns the items k1, v1, k2, v2... of a map.
     const Values& map_items(Value value, Span span);
 
 private:
@@ -88,7 +89,7 @@ private:
     Domains& domains_;
     BuiltinFunctions& builtins_;
     ValueText text_;
-    std::vector<Comprehension> streams_;  // the comprehensions that streams refer to by index
+    std::vector<Comprehension> streams_;  // streams refer to these by index
 };
 
 }  // namespace robochart::cspm

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions as code for evaluation: names are resolved to frame slots, members of a let, global definitions,
-// constructors or built-ins, so that evaluation never looks up a name.
+// Defines the code that expressions are compiled to. In code, names are resolved to frame slots, members of a let,
+// global definitions, constructors or built-ins, so that evaluation never looks up a name.
 #pragma once
 
 #include <cstdint>
@@ -16,40 +16,41 @@
 
 namespace robochart::cspm {
 
-/// Code that shares one frame of variables: a function's clause, a constant, a prefix, a let's environment.
+/// A piece of code with one frame of variables: a function's clause, a constant, a prefix, or the environment of a let.
 struct Unit {
     Unit* parent = nullptr;
     const Group* group = nullptr;               ///< the let whose environment this unit represents
-    const Group* member_of = nullptr;           ///< the let to which this unit's member belongs
-    std::vector<std::pair<int, int>> captures;  ///< (slot in the parent's frame, slot here)
-    int self_slot = -1;                         ///< the slot for the member's own group object
+    const Group* member_of = nullptr;           ///< the let that contains this unit's member
+    std::vector<std::pair<int, int>> captures;  ///< captured variables: (slot in the parent's frame, slot here)
+    int self_slot = -1;                         ///< the slot for the group that contains the member
     int size = 0;
 };
 
 struct MatchCode {
     PatternKind kind = PatternKind::wildcard;
-    bool head = false;  ///< name: a constructor or channel, `number` is its index; otherwise a variable, `number` is
-                        ///< its slot
+    /// For a name: true if it is a constructor or channel with index `number`; false if it is a variable with slot
+    /// `number`.
+    bool head = false;
     std::int64_t number = 0;
     std::vector<MatchCode> args;
 };
 
-/// The kinds of meanings of a name.
+/// What a name refers to.
 enum class Reference : std::uint8_t { none, local, member, global, head, builtin };
 
-/// The duration function and tock of a timed section.
+/// The duration function and the tock event of a timed section.
 struct TimedSection {
-    const Code* duration = nullptr;  ///< null: every event takes one unit
+    const Code* duration = nullptr;  ///< null if every event takes one unit
     Unit* unit = nullptr;
-    int tock = -1;                   ///< head index
-    Value duration_value = nullptr;  ///< set after its evaluation
+    int tock = -1;                   ///< index of the head
+    Value duration_value = nullptr;  ///< the function's value after its evaluation
 };
 
 struct FieldCode {
     FieldKind kind = FieldKind::output;
     Span span;
     const Code* value = nullptr;
-    std::vector<MatchCode> patterns;  ///< input: the pattern's parts, left to right
+    std::vector<MatchCode> patterns;  ///< input: the parts of the pattern, left to right
 };
 
 struct ClauseCode {
@@ -67,15 +68,15 @@ struct Code {
     Value constant = nullptr;
     std::vector<const Code*> args;
     std::vector<FieldCode> fields;
-    std::vector<ClauseCode> clauses;  ///< prefix that represents `[] e : S @ e -> P`: the clauses `e : S`
+    std::vector<ClauseCode> clauses;  ///< prefix for `[] e : S @ e -> P`: the clauses `e : S`
     std::vector<std::pair<const Code*, const Code*>> links;
     std::vector<ClauseCode> link_clauses;  ///< replicated linked parallel: clauses of the links
-    Unit* unit = nullptr;                  ///< prefix
-    const Function* function = nullptr;    ///< lambda
-    const Group* group = nullptr;          ///< let
-    TimedSection* timed = nullptr;         ///< inside a timed section
-    std::uint32_t number = 0;              ///< prefix: identity
-    mutable std::uint8_t too_long = 0;     ///< number of times that its early evaluation was abandoned (see Evaluator)
+    Unit* unit = nullptr;                  ///< of a prefix
+    const Function* function = nullptr;    ///< of a lambda
+    const Group* group = nullptr;          ///< of a let
+    TimedSection* timed = nullptr;         ///< the timed section that contains the code
+    std::uint32_t number = 0;              ///< of a prefix: its identity
+    mutable std::uint8_t too_long = 0;     ///< how often its early evaluation was abandoned (see Evaluator)
 };
 
 struct FunctionClause {
@@ -91,16 +92,16 @@ struct Function {
     Span span;
     std::vector<std::size_t> groups;  ///< number of arguments in each group
     std::vector<FunctionClause> clauses;
-    std::vector<bool> unread;          ///< only for a single group: true for arguments that are never read
-    std::size_t environment = 0;       ///< number of captured items before the arguments
-    mutable std::int8_t watched = -1;  ///< 1 if calls are observed, otherwise 0; -1: unknown
-    mutable std::int8_t process = -1;  ///< 1 if the result is obviously a process, otherwise 0; -1: unknown
+    std::vector<bool> unread;          ///< only for a single group: whether an argument is never read
+    std::size_t environment = 0;       ///< number of captured items, which come before the arguments
+    mutable std::int8_t watched = -1;  ///< 1 if calls are observed, 0 if not, -1 if unknown
+    mutable std::int8_t process = -1;  ///< 1 if the result is obviously a process, otherwise 0; -1 if unknown
 };
 
-/// A let's declarations; a member is a function, a constant, or a part of a constant that is a pattern.
+/// A member of a let: a function, a constant, or one of the variables of a constant whose left side is a pattern.
 struct Member {
     Function function;
-    int component_of = -1;  ///< a part: the index of the constant member that contains it
+    int component_of = -1;  ///< for a variable of a pattern: the index of the constant member
     int component_slot = -1;
 };
 struct Group {
@@ -109,12 +110,12 @@ struct Group {
     std::vector<Member> members;
 };
 
-/// Channels and constructors.
+/// A channel or a constructor.
 struct Head {
-    std::string name;  ///< as printed, qualified
+    std::string name;  ///< qualified, as printed
     Span span;
     bool channel = false;
-    int type = -1;  ///< constructors: the global of their datatype
+    int type = -1;  ///< for constructors: the global of their datatype
     const Code* fields_code = nullptr;
     Unit* unit = nullptr;
     bool evaluated = false;
@@ -125,18 +126,18 @@ struct Head {
 enum class GlobalKind : std::uint8_t { function, component, datatype, subtype, nametype };
 struct Global {
     GlobalKind kind = GlobalKind::function;
-    Function function;  ///< subtype, nametype: unused; nametype: a constant
+    Function function;  ///< not used by subtypes; for a nametype: a constant
     int component_of = -1;
     int component_slot = -1;
     std::vector<int> heads;                            ///< datatype
-    std::vector<std::pair<int, const Code*>> subtype;  ///< head, fields
+    std::vector<std::pair<int, const Code*>> subtype;  ///< heads with their fields
     Value known = nullptr;
-    Value lazily = nullptr;          ///< the value if one of its parts cannot be evaluated...
-    std::uint64_t lazily_entry = 0;  ///< ...valid only during the query with this number
+    Value lazily = nullptr;          ///< the value, if one of its parts cannot be evaluated
+    std::uint64_t lazily_entry = 0;  ///< number of the query in which `lazily` is valid
     bool running = false;
 };
 
-/// The code of a script.
+/// The code of a whole script.
 struct Program {
     std::deque<Unit> units;
     std::deque<Code> codes;

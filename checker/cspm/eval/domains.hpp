@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes with sets of values and with dotted values: channels and constructors with their fields, their extensions,
-// and events.
+// Computes with sets of values and with dotted values. Dotted values are channels and constructors with their fields,
+// their extensions, and events.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace robochart::cspm {
 
-/// Computes with values that are already evaluated. The only expressions that it evaluates are the types in
-/// declarations, on first use. Caches elements of sets, extensions, productions and events.
+/// Computes with values that are already evaluated. It only evaluates the types in declarations, when they are first
+/// used. It caches elements of sets, extensions, productions and events.
 class Domains {
 public:
-    /// Evaluates a type expression of a declaration.
+    /// A function that evaluates a type expression of a declaration.
     using Evaluate = std::function<Value(const Code&, const Unit&)>;
     static constexpr std::uint64_t largest_size = std::uint64_t{1} << 63U;
 
@@ -32,25 +32,25 @@ public:
           text_(program),
           evaluate_(std::move(evaluate)) {}
 
-    // sets.cpp
+    // The following functions are in sets.cpp.
     const Values& elements(Value set, Span span);
     bool member_of(Value value, Value set, Span span);
     Value set_union(Value a, Value b, Span span);
     Value set_inter(Value a, Value b, Span span);
     Value set_diff(Value a, Value b, Span span);
     bool is_subset(Value a, Value b, Span span);
-    /// Equality of sets with different representations.
+    /// Compares sets with different representations.
     bool are_equal_sets(Value a, Value b, Span span);
     Value explicit_set(Value set, Span span);
-    /// The number of elements, at most largest_size. No value if the set is infinite.
+    /// Returns the number of elements, at most largest_size. Returns no value if the set is infinite.
     std::optional<std::uint64_t> size_of(Value set, Span span);
     bool has_size(Value set, std::size_t size);
     bool can_be_listed(Value set, Span span);
     Value union_of_all(const Values& sets, Span span);
 
-    // dots.cpp
+    // The following functions are in dots.cpp.
     Value head_value(int head);
-    /// The set that a type expression denotes.
+    /// Returns the set that a type expression denotes.
     Value type_set(Value type, Span span);
     /// Returns base.more: appends the fields of `more` to `base`, which lacks them.
     Value append_fields(Value base, Value more, Span span);
@@ -62,7 +62,7 @@ public:
     Value productions(Value value);
     Value product_of(const Values& sets, Kind kind, Span span);
     Value subtype_set(const Global& global);
-    /// The number of events of all channels; largest_size if there are more or infinitely many.
+    /// Returns the number of events of all channels, or largest_size if there are more or infinitely many.
     std::uint64_t number_of_events();
     Value all_events();
     process::Event event_of(Value value, Span span);
@@ -90,7 +90,7 @@ private:
     Evaluate evaluate_;
     std::vector<Value> head_values_;  ///< by head
     std::unordered_map<Value, process::Event> event_index_;
-    std::unordered_map<process::Event, Value> event_values_;  ///< the value of an event, found by its name
+    std::unordered_map<process::Event, Value> event_values_;  ///< values of events, found by name
     std::unordered_map<Value, process::EventSet> event_sets_;
     std::unordered_map<Value, Value> explicit_;
     std::unordered_map<Value, Value> extensions_;

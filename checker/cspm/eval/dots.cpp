@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dotted values: channels and constructors with their fields, their extensions, and events. A dot whose first item is a
-// head contains the head's fields, each a complete value, except possibly the last; any other dot is a plain list of
-// values (FDR manual: dots, extensions, productions).
+// Computes with dotted values: channels and constructors with their fields, their extensions, and events. If the first
+// item of a dot is a head, the other items are the head's fields. Each field is a complete value, except possibly the
+// last. Any other dot is a plain list of values. (FDR manual: dots, extensions, productions.)
 #include <algorithm>
 
 #include "checker/cspm/eval/domains.hpp"
@@ -28,7 +28,7 @@ Value Domains::head_value(int head) {
     return known;
 }
 
-// The sets of a head's fields, evaluated on first use.
+// Returns the sets of a head's fields, which are evaluated on first use.
 const Values& Domains::fields_of(int index) {
     Head& head = program_.heads[static_cast<std::size_t>(index)];
     if (head.evaluated) return head.fields;
@@ -41,7 +41,7 @@ const Values& Domains::fields_of(int index) {
     return head.fields;
 }
 
-// Converts a type expression to one set for each field: A.B gives two sets, (A,B) gives one set of pairs.
+// Converts a type expression to one set for each field. A.B gives two sets; (A,B) gives one set of pairs.
 Values Domains::type_fields(Value type, Span span) {
     if (type->kind == Kind::dot && !is_named(type)) {
         Values result;
@@ -195,7 +195,7 @@ Value Domains::extensions(Value value) {
     return result;
 }
 
-// The values of ?x in the middle of a prefix: one field of the innermost incomplete value.
+// Returns the values of ?x in the middle of a prefix: the values of one field of the innermost incomplete value.
 Value Domains::one_field_extensions(Value value) {
     const Value nothing = store_.set({store_.dot({})});
     if (!is_named(value) || is_complete(value)) return nothing;
@@ -239,7 +239,7 @@ Value Domains::productions(Value value) {
     return result;
 }
 
-// All tuples, or dots, with one element from each set.
+// Returns all tuples, or all dots, with one element from each set.
 Value Domains::product_of(const Values& sets, Kind kind, Span span) {
     std::vector<Values> partial{{}};
     for (const Value set : sets) {

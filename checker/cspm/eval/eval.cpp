@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates expressions to values by need: arguments and let-bound constants wait until they are needed.
+// Evaluates expressions to values by need: arguments and let-bound constants are evaluated when they are needed.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -126,8 +126,8 @@ Value Evaluator::delay_argument(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// The part of a value may never be needed, so this evaluates it at once only if that takes little work. If the work
-// limit is reached, the current evaluations are completed with unevaluated parts. If that also takes too long, the
+// Evaluates a part of a value early, but only if this takes little work: the part may never be needed. If the work
+// limit is reached, the evaluations in progress are completed with unevaluated parts. If that also takes too long, the
 // whole part stays unevaluated.
 Value Evaluator::promise_part(const Code& code, Frame& frame) {
     constexpr std::uint8_t often = 3;
@@ -147,7 +147,7 @@ Value Evaluator::promise_part(const Code& code, Frame& frame) {
     return store_.thunk(code, frame);
 }
 
-// Returns the shared object that is equal to a value. Evaluates what the value captures.
+// Returns the shared object that is equal to a value. Evaluates the values that it captures.
 Value Evaluator::share_value(Value value) {
     if (value->shared) return value;
     if (value->kind == Kind::thunk) return share_value(evaluate_in_place(value));
@@ -243,7 +243,7 @@ Value Evaluator::eval_operator(const Code& code, Frame& frame) {
     }
 }
 
-// The right operand may stay unevaluated, even if it is finite.
+// Evaluates a concatenation. The right operand may stay unevaluated, even if it is finite.
 Value Evaluator::eval_concat(const Code& code, Frame& frame) {
     const Value left = eval(*code.args[0], frame);
     if (left->kind != Kind::sequence && !is_stream(left))
@@ -255,7 +255,7 @@ Value Evaluator::eval_concat(const Code& code, Frame& frame) {
 
 namespace {
 
-// Division rounds towards minus infinity, and the remainder has the divisor's sign, as in FDR.
+// Divides as FDR does: the quotient is rounded towards minus infinity, and the remainder has the divisor's sign.
 std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
     const std::int64_t quotient = a / b;
     return quotient - static_cast<std::int64_t>(a % b != 0 && (a < 0) != (b < 0));
@@ -399,8 +399,8 @@ Value Evaluator::eval_collection(const Code& code, Frame& frame) {
     return set ? store_.set(std::move(items)) : store_.sequence(std::move(items));
 }
 
-// Evaluates elements early until an evaluation fails. The rest stays unevaluated. If the sequence is infinite, all of
-// it stays unevaluated.
+// Evaluates a comprehension. Elements are evaluated early until an evaluation fails; the rest stays unevaluated. If the
+// sequence is infinite, all of it stays unevaluated.
 Value Evaluator::eval_sequence_comprehension(const Code& code, Frame& frame) {
     std::size_t first = 0;
     for (; first < code.clauses.size() && !code.clauses[first].generator; ++first)

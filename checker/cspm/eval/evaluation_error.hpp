@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The single exception type of the evaluator: an error in the script, found during evaluation.
+// Defines the only type of exceptions that the evaluator throws for errors in a script.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +11,7 @@
 namespace robochart::cspm {
 
 /// An error found during evaluation: `error(…)`, no matching clause, division by zero, infinite set, endless recursion…
-/// Contains the place and the CSPM call stack, innermost first.
+/// It contains the place of the error and the CSPM call stack, innermost call first.
 class EvaluationError : public std::runtime_error {
 public:
     EvaluationError(const std::string& message, diagnostics::Span place, std::vector<std::string> calls)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluates code to values. The results are those of FDR's lazy evaluator: parts of tuples, sequences and maps that are
-// never needed may have no value. This evaluator nevertheless tries to evaluate them at once, within a limit on work.
-// They stay unevaluated only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
+// never needed may have no value. This evaluator nevertheless tries to evaluate such parts at once, within a limit on
+// work. They stay unevaluated only if that fails (optimistic evaluation: Ennals and Peyton Jones, ICFP 2003).
 //
-// Every class uses only the classes that this list names before it. ValueStore owns the values. Work owns the call
-// stack and the step counter. ProcessShape decides which expressions are obviously processes. Domains owns the elements
-// of sets, the fields of dotted values and the events. ProcessTerms owns the terms of calls and prefixes.
-// BuiltinFunctions computes with evaluated arguments. Evaluator evaluates expressions and calls, and matches patterns.
-// ByNeed takes sequences and maps apart on demand; ProcessEvaluator evaluates processes. These two classes and
-// Evaluator call each other, because parts of a sequence may be unevaluated, a value may be a process, and a process
+// Every class uses only the classes that this list names before it, except the last three. ValueStore owns the values.
+// Work owns the call stack and the step counter. ProcessShape decides which expressions are obviously processes.
+// Domains owns the elements of sets, the fields of dotted values and the events. ProcessTerms owns the terms of calls
+// and prefixes. BuiltinFunctions computes with evaluated arguments. Evaluator evaluates expressions and calls, and
+// matches patterns. ByNeed splits sequences and maps on demand. ProcessEvaluator evaluates processes. The last three
+// classes call each other, because parts of a sequence may be unevaluated, a value may be a process, and a process
 // contains values.
 #pragma once
 
@@ -46,14 +46,15 @@ public:
     Evaluator& operator=(const Evaluator&) = delete;
 
     // Entry points. Only code outside the evaluator may call them.
-    /// Evaluations poll the budget, which must outlive them.
+    /// Sets the budget that evaluations poll. The budget must outlive them.
     void set_budget(diagnostics::Pollable& budget) {
         store_.set_budget(budget);
         work_.set_budget(budget);
     }
-    /// Sets the observer of calls of some functions; must be called before anything is evaluated.
+    /// Sets the observer of calls of some functions. It must be called before anything is evaluated.
     void set_observer(CallObserver observer) { observer_ = std::move(observer); }
-    /// The definition for a call (process::Op::call); unknown for built-in functions.
+    /// Returns the place of the definition that a call (process::Op::call) calls. The place is unknown for built-in
+    /// functions.
     [[nodiscard]] Span place_of_call(std::uint32_t call) const { return processes_.place_of_call(call); }
     [[nodiscard]] std::string print(const Code& code, const Unit& unit);
     [[nodiscard]] process::TermId process(const Code& code, const Unit& unit);
@@ -61,7 +62,7 @@ public:
     /// Returns all events of the script's channels. Returns no value if there are more than `most`.
     [[nodiscard]] std::optional<process::EventSet> all_events(std::uint64_t most);
     [[nodiscard]] std::vector<process::Event> trace(const Code& code, const Unit& unit);
-    /// `term` with events prioritised as by `:[tau priority]`.
+    /// Returns `term` with tau prioritised over the events, as by `:[tau priority]`.
     [[nodiscard]] process::TermId tau_priority(process::TermId term, process::EventSet over);
 
     /// The parts of the evaluator, for code that evaluates processes in another way (checker/cspm/packed).
@@ -76,8 +77,8 @@ public:
     };
     [[nodiscard]] Parts parts() { return {program_, store_, terms_, work_, domains_, processes_, *process_evaluator_}; }
 
-    // The functions that ProcessEvaluator needs (process_evaluator.hpp). A frame contains the values of variables by
-    // slot.
+    // The following functions are for ProcessEvaluator (process_evaluator.hpp). A frame contains the values of
+    // variables by slot.
     using Frame = Values;
     using Use = std::function<void(Frame&)>;
     Value eval(const Code& code, Frame& frame);
@@ -102,7 +103,7 @@ public:
     bool match_pattern(const MatchCode& pattern, Value& value, Frame& frame);
 
 private:
-    // eval.cpp: expressions
+    // The following functions evaluate expressions (eval.cpp).
     Value eval_operator(const Code& code, Frame& frame);
     Value eval_arithmetic(const Code& code, Frame& frame);
     Value eval_comparison(const Code& code, Frame& frame);
@@ -122,7 +123,7 @@ private:
     void generate(const Code& code, const std::vector<ClauseCode>& clauses, std::size_t from, Value source,
                   Frame& frame, const Use& use);
 
-    // calls.cpp: functions, constants, groups
+    // The following functions evaluate functions, constants and groups (calls.cpp).
     Value run_function(const Function& function, const Values& environment, Values& arguments, Span span);
     void report_call(const Function& function, const Values& arguments, Value result, Span span);
     void fill_frame(const Unit& unit, const Function& function, const Values& environment, Frame& frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that the search calls: the body of a call, the branches of a prefix.
+// Implements the functions that the search calls: they return the body of a call and the branches of a prefix.
 #include "checker/cspm/eval/process_evaluator.hpp"
 
 #include <algorithm>
@@ -51,10 +51,10 @@ std::vector<process::Branch> ProcessEvaluator::branches(std::uint32_t prefix) {
                 result = {{tock, processes_.make_wait(tock, key->items[1]->number - 1, then)}};
                 break;
             }
-            case PrefixKind::stopped:  // STOP of a timed section: time passes
+            case PrefixKind::stopped:  // STOP in a timed section lets time pass
                 result = {{static_cast<process::Event>(key->items[0]->number), self}};
                 break;
-            case PrefixKind::skipping:  // SKIP of a timed section: SKIP [] tock -> itself
+            case PrefixKind::skipping:  // SKIP in a timed section is SKIP [] tock -> itself
                 result = {{static_cast<process::Event>(key->items[0]->number),
                            processes_.make_term(process::Op::external_choice,
                                                 {self, processes_.make_term(process::Op::skip)})}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Evaluates expressions that denote processes. Processes are built lazily: the term of a call or prefix contains only
-// its name and its values (process_terms.hpp). It is evaluated only when the search needs its transitions
+// its name and its values (process_terms.hpp). The term is evaluated only when the search needs its transitions
 // (process/term.hpp, Definitions).
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace robochart::cspm {
 
-/// Evaluates processes. Values belong to the evaluator, and terms to ProcessTerms.
+/// Evaluates processes. The evaluator owns the values, and ProcessTerms owns the terms.
 class ProcessEvaluator final : public process::Definitions {
 public:
-    /// Data shared with the evaluator of values.
+    /// The data that this class shares with the evaluator of values.
     struct Tables {
         Program& program;
         ValueStore& store;
@@ -48,7 +48,7 @@ public:
 private:
     using Frame = Values;
 
-    // processes.cpp
+    // The following functions are in processes.cpp.
     process::TermId process_name(const Code& code, Frame& frame);
     process::TermId process_apply(const Code& code, Frame& frame);
     process::TermId process_operator(const Code& code, Frame& frame);
@@ -61,7 +61,7 @@ private:
     void collect_operands(const Code& code, ExprKind kind, Frame& frame, std::vector<process::TermId>& out);
     std::int64_t event_duration(TimedSection& timed, Value event, Span span);
 
-    // prefixes.cpp
+    // The following functions are in prefixes.cpp.
     process::TermId process_prefix(const Code& code, Frame& frame);
     void choose_fields(const Code& code, std::size_t field, Value base, Frame& frame,
                        std::vector<process::TermId>& out);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The forms of expressions, and of the bodies of the functions that they call.
+// Examines the forms of expressions, and of the bodies of the functions that they call.
 #include "checker/cspm/eval/process_shape.hpp"
 
 #include <algorithm>
@@ -10,11 +10,11 @@ namespace robochart::cspm {
 
 bool ProcessShape::makes_process(const Function& function) {
     if (function.process >= 0) return function.process == 1;
-    function.process = 0;  // so a recursion without another branch counts as no process
+    function.process = 0;  // so the answer for a recursion without another branch is no
     ++open_;
     const bool result = std::ranges::any_of(
         function.clauses, [this](const FunctionClause& clause) { return makes_process(*clause.body); });
-    // A negative answer during an outer query may depend on that query, so it is not stored.
+    // A negative answer may depend on an outer query that is not yet answered. In this case it is not stored.
     const bool open = --open_ > 0;
     if (result)
         function.process = 1;
@@ -23,7 +23,7 @@ bool ProcessShape::makes_process(const Function& function) {
     return result;
 }
 
-// Whether a name followed by this many groups of arguments denotes a process.
+// Returns true if a name, followed by this many groups of arguments, denotes a process.
 bool ProcessShape::makes_process(const Code& name, std::size_t groups) {
     if (name.kind != ExprKind::name) return false;
     if (name.reference == Reference::builtin) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides by the form of an expression whether it denotes a process. A call or constant that denotes a process is not
-// evaluated: it becomes a term that contains only its name and arguments, even if it is passed as an argument.
+// evaluated, even if it is passed as an argument: it becomes a term that contains only its name and arguments.
 #pragma once
 
 #include "checker/cspm/eval/code.hpp"
 
 namespace robochart::cspm {
 
-/// Answers are cached in the functions (Function::process). The object itself stores only the depth of the current
-/// query.
+/// Decides which expressions denote processes. The functions store the answers (Function::process). The object itself
+/// stores only the depth of the current query.
 class ProcessShape {
 public:
     explicit ProcessShape(const Program& program) : program_(program) {}

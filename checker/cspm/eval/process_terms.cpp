@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Terms of calls and prefixes, numbered by their keys.
+// Creates the terms of calls and prefixes. They are numbered by their keys.
 #include "checker/cspm/eval/process_terms.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ TermId ProcessTerms::term_of(Value value, Span span) {
     return static_cast<TermId>(value->number);
 }
 
-// The operator over the children; a single child is returned unchanged.
+// Returns the term of the operator with these children. A single child is returned unchanged.
 TermId ProcessTerms::make_operator(Op op, std::vector<TermId> children, std::uint32_t payload) {
     return children.size() == 1 ? children[0] : make_term(op, std::move(children), payload);
 }
@@ -47,7 +47,8 @@ TermId ProcessTerms::make_wait(process::Event tock, std::int64_t ticks, TermId t
     return make_prefix(PrefixKind::waiting, {store_.integer(tock), store_.integer(ticks), target});
 }
 
-// Arguments that the definition does not read are ignored: calls that differ only in them are one process.
+// Returns the term of a call. Arguments that the definition does not read are ignored, so calls that differ only in
+// them are one process.
 TermId ProcessTerms::make_call(Value function, const Values& arguments) {
     Values key{function};
     key.insert(key.end(), arguments.begin(), arguments.end());

@@ -65,8 +65,8 @@ TermId ProcessEvaluator::process(const Code& code, Frame& frame) {
     return processes_.term_of(values_.eval(code, frame), code.span);
 }
 
-// A constant that denotes a process becomes a term that contains only its name. It is not evaluated, so that recursion
-// ends.
+// Evaluates a name. A constant that denotes a process is not evaluated, so that recursion ends: it becomes a term that
+// contains only its name.
 TermId ProcessEvaluator::process_name(const Code& code, Frame& frame) {
     if (code.reference == Reference::member) {
         const auto& group = static_cast<const GroupObject&>(*frame[static_cast<std::size_t>(code.slot)]);
@@ -110,7 +110,7 @@ TermId ProcessEvaluator::process_apply(const Code& code, Frame& frame) {
 
 // ---------------------------------------------------------------- operators
 
-// Operands of a chain P op Q op R, left to right.
+// Collects the operands of a chain P op Q op R, left to right.
 void ProcessEvaluator::collect_operands(const Code& code, ExprKind kind, Frame& frame, std::vector<TermId>& out) {
     std::vector<const Code*> right;
     const Code* left = &code;
@@ -150,7 +150,7 @@ TermId ProcessEvaluator::process_operator(const Code& code, Frame& frame) {
         return processes_.make_term(Op::hide, std::move(operands), payload(terms_.intern_set(std::move(hidden))));
     }
     operands.push_back(process(*code.args[1], frame));
-    // The event sets of synchronising operators in a timed section contain tock.
+    // In a timed section, the event sets of synchronising operators also contain tock.
     const auto with_tock = [&](const Code& set) {
         process::EventSet events = terms_[set_id(set, frame)];
         if (timed != nullptr) events.push_back(processes_.tock_event(*timed));
@@ -217,7 +217,7 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
                 result = processes_.make_term(Op::sequential, {operands[i], result});
             return result;
         }
-        // An empty parallel terminates: SKIP. In a timed section FDR uses STOP (libcspm, Evaluator).
+        // A parallel without operands is SKIP. In a timed section FDR uses STOP (libcspm, Evaluator).
         case ExprKind::replicated_interleave:
             if (none) return timed != nullptr ? processes_.make_stop(timed) : processes_.make_term(Op::skip);
             return processes_.make_operator(
@@ -236,7 +236,7 @@ TermId ProcessEvaluator::process_replicated(const Code& code, Frame& frame) {
 
 // ---------------------------------------------------------------- renaming and links
 
-// Returns pairs of linked events. A channel represents all its events; the events of a pair have equal fields.
+// Returns pairs of linked events. A channel represents all its events. The two events of a pair have equal fields.
 std::vector<process::EventPair> ProcessEvaluator::linked_events(const Code& code,
                                                                 const std::vector<ClauseCode>& clauses, Frame& frame) {
     std::vector<process::EventPair> result;
@@ -264,7 +264,8 @@ TermId ProcessEvaluator::process_rename(const Code& code, Frame& frame) {
     return processes_.make_term(Op::rename, {child}, payload(terms_.intern_renaming(std::move(pairs))));
 }
 
-// P [a <-> b] Q: both ends are renamed to one new event, which is shared and hidden.
+// Evaluates P [a <-> b] Q: both ends are renamed to one new event, on which P and Q synchronise and which is then
+// hidden.
 TermId ProcessEvaluator::process_linked(const Code& code, Frame& frame) {
     if (code.timed != nullptr) work_.fail("linked parallel is not allowed in a timed section", code.span);
     const TermId left = process(*code.args[0], frame);

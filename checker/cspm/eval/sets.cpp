@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets: explicit ones are sorted; Int, Proc, {n..}, Seq(S), Set(S) and Map(K,V) keep their form until their elements
-// are needed. A union with a set that cannot be listed is stored as its parts. For sets of numbers this form is unique:
-// the union of {0..} and {1} has only the part {0..}.
+// Computes with sets. Explicit sets are sorted. Int, Proc, {n..}, Seq(S), Set(S) and Map(K,V) keep their form until
+// their elements are needed. If a set in a union cannot be listed, the union is stored as its parts. For sets of
+// numbers this form is unique: the union of {0..} and {1} has only the part {0..}.
 #include <algorithm>
 
 #include "checker/cspm/eval/domains.hpp"
@@ -103,11 +103,11 @@ std::optional<std::uint64_t> Domains::size_of(Value set, Span span) {
             return size_of(set->items[0], span) == 0 ? std::optional<std::uint64_t>(0) : std::nullopt;
         case Kind::datatype: {
             Global& global = program_.globals[static_cast<std::size_t>(set->number)];
-            if (global.running) return std::nullopt;  // the definition contains itself
+            if (global.running) return std::nullopt;  // the definition of the set uses the set itself
             const Running running(global.running);
             std::uint64_t sum = 0;
             for (const int head : global.heads) {
-                // the constructor is still being declared
+                // The constructor is not yet completely declared.
                 if (program_.heads[static_cast<std::size_t>(head)].running) return std::nullopt;
                 std::uint64_t product = 1;
                 bool endless = false;
@@ -146,7 +146,7 @@ bool Domains::can_be_listed(Value set, Span span) {
     return size && *size <= max_elements;
 }
 
-// Returns a union of sets if at least one of them cannot be listed.
+// Returns a union of sets of which at least one cannot be listed.
 Value Domains::make_union(const Values& sets, Span span) {
     Values endless;
     Values listed;
@@ -173,8 +173,8 @@ Value Domains::make_union(const Values& sets, Span span) {
     }
     Value rest = store_.set(std::move(listed));
     Values others;
-    for (std::size_t at = rest->items.size(); at-- > 0;) {  // the largest numbers first, because they may continue
-                                                            // downwards
+    // The largest numbers come first, because each of them may extend a set {n..} downwards.
+    for (std::size_t at = rest->items.size(); at-- > 0;) {
         const Value item = rest->items[at];
         work_.count_step(span);
         bool inside = false;
@@ -206,7 +206,7 @@ Value Domains::union_of_all(const Values& sets, Span span) {
     return result == nullptr ? rest : set_union(result, rest, span);
 }
 
-// Returns {from..} without the listed numbers: the numbers between them and after them.
+// Returns {from..} as a union without the listed numbers: the numbers between them and after them.
 Value Domains::without_listed(std::int64_t from, const Values& taken, Span span) {
     std::int64_t next = from;
     Values between;
@@ -238,7 +238,7 @@ Value Domains::list_subsets(Value set, Span span) {
     return store_.set(std::move(result));
 }
 
-// All maps from subsets of the keys to the values.
+// Returns all maps from subsets of the keys to the values.
 Value Domains::list_maps(Value keys, Value values, Span span) {
     std::vector<Values> partial{{}};
     for (const Value key : elements(keys, span)) {
@@ -412,8 +412,8 @@ bool Domains::is_subset(Value a, Value b, Span span) {
     });
 }
 
-// Equality of sets with different representations. For two sets of the same form that cannot be listed, their
-// components are compared; a set of all sequences never equals a finite one.
+// Compares sets with different representations. If two sets of the same form cannot be listed, their components are
+// compared. A set of all sequences never equals a finite set.
 bool Domains::are_equal_sets(Value a, Value b, Span span) {
     if (a == b) return true;
     if (!is_set(a) || !is_set(b)) return false;

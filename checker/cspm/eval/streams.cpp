@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sequences whose elements are not all stored: <n..>, comprehensions with unevaluated or infinitely many elements, and
-// concatenations. Their elements are computed one by one on demand (FDR evaluates sequences lazily).
+// Evaluates sequences whose elements are not all stored: <n..>, comprehensions with unevaluated or infinitely many
+// elements, and concatenations. Their elements are computed one by one on demand (FDR evaluates sequences lazily).
 //
-// A stream has two items: a sequence of known elements and the sequence from which it continues. Without a
-// comprehension the stream continues with the second sequence itself. With a comprehension the second sequence is the
-// source of a generator, and the values of the surrounding variables follow it. `number` shows which of the two cases
-// applies.
+// A stream has two items: a sequence of known elements, and a sequence for the elements after them. Without a
+// comprehension, the stream continues with the second sequence itself. With a comprehension, the second sequence is the
+// source of a generator, and the values of the surrounding variables are further items. `number` shows which of the two
+// cases applies.
 #include <algorithm>
 
 #include "checker/cspm/eval/by_need.hpp"
@@ -14,7 +14,7 @@
 namespace robochart::cspm {
 namespace {
 
-/// The search for a suitable element stops after this many elements.
+/// The maximal number of elements that the search for a suitable element examines.
 constexpr std::size_t most_skipped = 200'000;
 constexpr std::int64_t joined = -1;
 
@@ -113,7 +113,7 @@ Value ByNeed::written_out(Value sequence, Span span) {
     return store_.compound(Kind::sequence, 0, std::move(items));
 }
 
-/// Returns the sequence itself if it is finite; otherwise the stream in which only elements may be unevaluated.
+/// Returns the sequence itself if it is finite. Otherwise returns a stream in which only elements may be unevaluated.
 Value ByNeed::share_stream(Value value) {
     if (!is_infinite(value)) {
         Values items = value->items;
@@ -126,7 +126,8 @@ Value ByNeed::share_stream(Value value) {
     return store_.make(Kind::stream, value->number, std::move(items));
 }
 
-/// The element is evaluated only when it is compared. So it is not evaluated if the sequence is empty.
+/// Returns true if the sequence contains the element. The element is evaluated when it is first compared, so it is not
+/// evaluated if the sequence is empty.
 bool ByNeed::contains_element(Value element, Value sequence, Span span) {
     for (std::size_t tried = 0; tried < most_skipped || !is_infinite(sequence); ++tried) {
         const std::optional<Cut> cut = split_first(sequence, span);
@@ -137,7 +138,7 @@ bool ByNeed::contains_element(Value element, Value sequence, Span span) {
     work_.fail("not among the first 200000 elements of an infinite sequence", span);
 }
 
-/// Equality of tuples, sequences and maps part by part, up to the first difference.
+/// Compares tuples, sequences and maps part by part, up to the first difference.
 bool ByNeed::are_equal(Value a, Value b, Span span) {
     if (a == b) return true;
     work_.count_step(span);
@@ -171,7 +172,7 @@ bool ByNeed::are_equal(Value a, Value b, Span span) {
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
-/// Whether the first is a prefix of the second; reads both up to the first difference.
+/// Returns true if `a` is a prefix of `b`. Reads both only up to the first difference.
 bool ByNeed::is_prefix(Value a, Value b, Span span) {
     if (a->kind == Kind::sequence && b->kind == Kind::sequence) {
         for (std::size_t i = 0; i < a->items.size(); ++i)
@@ -192,8 +193,8 @@ bool ByNeed::is_prefix(Value a, Value b, Span span) {
     work_.fail("two infinite sequences agree in their first 200000 elements", span);
 }
 
-// Compares by the orders of FDR: numbers and characters; prefixes of sequences; subsets; maps and tuples by parts.
-// Parts after the first difference are not evaluated.
+// Compares by the orders of FDR: numbers and characters by value, sequences by prefix, sets by inclusion, maps and
+// tuples by their parts. Parts after the first difference are not evaluated.
 bool ByNeed::is_less_or_equal(Value a, Value b, Span span) {
     if (is_set(a) && is_set(b)) return domains_.is_subset(values_.share_value(a), values_.share_value(b), span);
     const auto is_sequence = [](Value value) { return value->kind == Kind::sequence || is_stream(value); };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of CSPM's evaluator. Data are hash-consed: equal values are one object, so equality is a pointer comparison;
-// their order is structural and never depends on addresses. Functions are a definition with its captured values.
-// Unevaluated values (thunks), and values that capture or contain them, are temporary.
+// Defines the values of CSPM's evaluator. Data are hash-consed: equal values are one object, so comparing two values
+// for equality compares pointers. Their order is structural and never depends on addresses. A function consists of a
+// definition and captured values. Unevaluated values (thunks), and values that capture or contain them, are temporary.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ enum class Kind : std::uint8_t {
     sequence,
     set,             ///< explicit: items sorted by `compare`
     map,             ///< items: k1, v1, k2, v2... sorted by key
-    head,            ///< a channel or constructor, `number` is its index; only as the first item of a dot
+    head,            ///< a channel or constructor; `number`: its index; only as the first item of a dot
     dot,             ///< a.b.c; fields of channels and constructors are complete values, possibly dots themselves
     process,         ///< `number`: the term
     function,        ///< `function` with its environment and the arguments given so far
@@ -36,21 +36,22 @@ enum class Kind : std::uint8_t {
     integers,        ///< Int
     integers_from,   ///< {n..}
     processes,       ///< Proc
-    datatype,        ///< all values of a datatype, `number` is its global
+    datatype,        ///< all values of a datatype; `number`: its global
     sequences_over,  ///< Seq(items[0])
     subsets_of,      ///< Set(items[0])
     maps_over,       ///< Map(items[0], items[1])
-    united,          ///< sets that cannot all be listed, sorted, followed by an explicit set if there is one
-    sequence_from,   ///< <n..>
-    stream,          ///< a sequence that is not written out, possibly infinite (streams.cpp)
-    group,           ///< the environment of a let's declarations
+    /// A union of sets that cannot all be listed. Items: these sets, sorted, and then at most one explicit set.
+    united,
+    sequence_from,  ///< <n..>
+    stream,         ///< a sequence whose elements are not all stored, possibly infinite (streams.cpp)
+    group,          ///< the environment of a let's declarations
     thunk,
 };
 
 struct Object {
     Kind kind = Kind::integer;
-    bool shared = false;  ///< hash-consed: contains only shared objects, lives as long as the store
-    /// Shared objects: true if the order of this value and others depends on the order in which processes were created.
+    bool shared = false;  ///< hash-consed: contains only shared objects and lives as long as the store
+    /// For shared objects: true if their order depends on the order in which processes were created.
     bool made = false;
     std::uint32_t id = 0;
     std::int64_t number = 0;
@@ -62,13 +63,13 @@ struct Object {
 using Value = const Object*;
 using Values = std::vector<Value>;
 
-/// The values of the declarations of a `let` in one environment. `known` is filled on demand.
+/// The values of the declarations of a `let` in one environment. They are stored in `known` when they are first needed.
 struct GroupObject : Object {
     mutable Values known;
     mutable std::vector<bool> running;
 };
 
-/// An unevaluated expression, with a copy of the variables that it may use.
+/// An unevaluated expression, with copies of the variables that it may use.
 struct Thunk : Object {
     const Code* code = nullptr;
     mutable Values frame;
@@ -76,13 +77,13 @@ struct Thunk : Object {
     mutable bool running = false;
 };
 
-/// Whether the value is a set, explicit or not.
+/// Returns true if the value is a set, explicit or not.
 [[nodiscard]] bool is_set(Value value);
-/// Whether the value is a sequence whose elements are not all stored.
+/// Returns true if the value is a sequence whose elements are not all stored.
 [[nodiscard]] bool is_stream(Value value);
-/// Whether a sequence is obviously infinite. The function evaluates no thunks.
+/// Returns true if a sequence is obviously infinite. Evaluates no thunks.
 [[nodiscard]] bool is_infinite(Value sequence);
-/// Total structural order of shared values.
+/// Compares shared values in a total, structural order.
 [[nodiscard]] int compare(Value a, Value b);
 
 /// Creates and owns values.
@@ -90,12 +91,14 @@ class ValueStore {
 public:
     ValueStore();
 
-    /// Long work polls the budget, which must outlive it.
+    /// Sets the budget that long work polls. The budget must outlive the store.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
-    /// Sets the function that converts a set to its list of elements, if possible. The store applies it to sets that
-    /// are parts of values, because equal values must be one object: `(Set({1}), 1)` and `({{}, {1}}, 1)` are equal.
+    /// Sets the function that converts a set to the list of its elements, if this is possible. The store applies it to
+    /// sets that are parts of values, because equal values must be one object: `(Set({1}), 1)` and `({{}, {1}}, 1)` are
+    /// equal.
     void list_sets_by(std::function<Value(Value)> listed) { listed_ = std::move(listed); }
-    /// Returns the value in the form in which other values contain it: a set as a list of its elements, if possible.
+    /// Returns the value in the form that it has inside other values: a set becomes the list of its elements, if
+    /// possible.
     [[nodiscard]] Value form_as_part(Value value) const;
 
     [[nodiscard]] Value integer(std::int64_t number);
@@ -104,7 +107,7 @@ public:
     [[nodiscard]] Value tuple(Values items) { return make(Kind::tuple, 0, std::move(items)); }
     [[nodiscard]] Value sequence(Values items) { return make(Kind::sequence, 0, std::move(items)); }
     [[nodiscard]] Value make_string(const std::string& characters);
-    /// Sorts the items and removes duplicates.
+    /// Creates a set: sorts the items and removes duplicates.
     [[nodiscard]] Value set(Values items);
     /// Creates a set from sorted items that are elements of other sets.
     [[nodiscard]] Value sorted_set(Values items) { return make(Kind::set, 0, std::move(items)); }
@@ -112,19 +115,19 @@ public:
     [[nodiscard]] Value make(Kind kind, std::int64_t number, Values items, const Function* function = nullptr,
                              const Group* group = nullptr);
 
-    // Temporary objects, which are all deleted together.
-    /// A tuple, sequence or map, shared if its items are; or a stream, which is never shared.
+    // The following functions create and delete temporary objects, which are all deleted together.
+    /// Creates a tuple, sequence or map, which is shared if its items are shared, or a stream, which is never shared.
     [[nodiscard]] Value compound(Kind kind, std::int64_t number, Values items);
     [[nodiscard]] Value closure(const Function& function, Values items);
     [[nodiscard]] const GroupObject* group(const Group& group, Values items, std::size_t members);
     [[nodiscard]] Value thunk(const Code& code, Values frame);
-    /// The shared object of a group whose items are shared.
+    /// Returns the shared object of a group whose items are shared.
     [[nodiscard]] const GroupObject* shared_group(const Group& group, Values items, std::size_t members);
-    /// Deletes all temporary objects; none may be in use.
+    /// Deletes all temporary objects. None of them may be in use.
     void delete_temporaries();
-    /// Whether the order of the elements of some set depends on the order in which processes were created.
+    /// Returns true if, in some set, the order of the elements depends on the order in which processes were created.
     [[nodiscard]] bool orders_processes() const { return orders_processes_; }
-    /// The number of values that live as long as the store.
+    /// Returns the number of values that live as long as the store.
     [[nodiscard]] std::size_t size() const { return index_.size(); }
 
 private:

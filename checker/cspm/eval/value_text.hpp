@@ -13,7 +13,7 @@ class ValueText {
 public:
     explicit ValueText(const Program& program) : program_(program) {}
 
-    /// Returns the text for messages: very long text is truncated, and unevaluated parts are left out.
+    /// Returns the text for messages. Very long text is truncated, and unevaluated parts are left out.
     [[nodiscard]] std::string operator()(Value value) const;
     /// Appends a list of values in the form used in messages.
     void items(const Values& values, const char* open, const char* separator, const char* close,
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::string full_text(Value value) const;
 
 private:
-    /// A list that begins after `longest` characters is truncated.
+    /// Appends the text of a value. Lists that begin after `longest` characters are truncated.
     void print(Value value, std::size_t longest, std::string& out) const;
     void list(const Values& values, const char* open, const char* separator, const char* close, std::size_t longest,
               std::string& out) const;

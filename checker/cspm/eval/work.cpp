@@ -7,7 +7,8 @@ namespace robochart::cspm {
 void Work::fail(const std::string& message, Span span) const {
     constexpr std::size_t shown = 30;
     std::vector<std::string> stack;
-    if (given_up_at_ != no_end) throw EvaluationError(message, span, {});  // the error may never be reported
+    // During speculation the error may never be reported, so no call stack is added.
+    if (given_up_at_ != no_end) throw EvaluationError(message, span, {});
     for (auto call = activations_.rbegin(); call != activations_.rend() && stack.size() < shown; ++call) {
         std::string line = call->function->name;
         if (call->arguments != nullptr && !call->arguments->empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tracks the work of an evaluation: the call stack, the number of steps, and the limits of speculation.
+// Limits the work of an evaluation: its call stack, its number of steps, and the steps of speculation.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace robochart::cspm {
 
-/// Maximal number of elements of a set that is listed.
+/// The maximal number of elements of a set that is listed.
 inline constexpr std::size_t max_elements = 5'000'000;
 
 /// Thrown if the work limit of speculation is reached.
@@ -23,27 +23,27 @@ struct GivenUp {};
 /// Owns the call stack and the counters.
 class Work {
 public:
-    /// Maximal number of steps for one query of the search.
+    /// The maximal number of steps for one query of the search.
     static constexpr std::uint64_t max_steps = 2'000'000'000;
-    /// The number of bytes of an ordinary thread's stack that an evaluation may use.
+    /// How many bytes of an ordinary thread's stack an evaluation may use.
     static constexpr std::size_t small_stack_bytes = std::size_t{1} << 17U;
 
     Work(const Program& program, ValueStore& store) : text_(program), store_(store) {}
 
-    /// Evaluations poll the budget, which must outlive them.
+    /// Sets the budget that evaluations poll. The budget must outlive them.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     /// Counts one more step.
     void count_step(Span span);
-    /// Sets the place for errors without a place: the prefix whose events are being computed.
+    /// Sets the place for errors that have no place of their own: the prefix whose events are being computed.
     void at_prefix(Span span) { prefix_place_ = span; }
     [[noreturn]] void fail(const std::string& message, Span span) const;
     [[noreturn]] void not_supported(const std::string& what, Span span) const;
 
-    /// Whether no steps are left.
+    /// Returns true if no steps are left.
     [[nodiscard]] bool used_up() const { return steps_ > max_steps; }
-    /// Whether values may be evaluated before they are needed.
+    /// Returns true if values may be evaluated before they are needed.
     [[nodiscard]] bool may_speculate() const { return steps_ < promised_until_; }
-    /// The number of the current query from outside.
+    /// Returns the number of the current query from outside.
     [[nodiscard]] std::uint64_t question() const { return question_; }
 
     class Question;
@@ -54,7 +54,7 @@ private:
     struct Activation {
         const Function* function = nullptr;
         const Values* arguments = nullptr;
-        Span called;  ///< place of the call, if known; in generated scripts a place of the model
+        Span called;  ///< place of the call, if known; in generated scripts, a place in the model
     };
     static constexpr std::uint64_t no_end = ~std::uint64_t{0};
 
@@ -62,20 +62,20 @@ private:
     ValueStore& store_;
     std::vector<Activation> activations_;
     const char* stack_base_ = nullptr;
-    std::size_t stack_bytes_ = 0;  // the limit, counted from `stack_base_`
+    std::size_t stack_bytes_ = 0;  // limit on the stack, counted from `stack_base_`
     std::uint64_t steps_ = 0;
-    std::uint64_t promised_until_ = no_end;  // number of steps after which no more values are evaluated early...
-    std::uint64_t given_up_at_ = no_end;     // number of steps after which evaluations in progress are abandoned
+    std::uint64_t promised_until_ = no_end;  // number of steps after which no value is evaluated early
+    std::uint64_t given_up_at_ = no_end;     // number of steps after which early evaluations are abandoned
     std::uint64_t question_ = 0;
     diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     Span prefix_place_;
-    unsigned open_ = 0;  // number of open queries
+    unsigned open_ = 0;  // number of unanswered queries
 };
 
-/// A query from outside the evaluator. Temporary values are deleted when the outermost query has been answered.
+/// A query from outside the evaluator. When the outermost query has been answered, temporary values are deleted.
 class Work::Question {
 public:
-    /// `stack_bytes`: the number of bytes of the stack that the outermost query may use.
+    /// `stack_bytes`: how many bytes of the stack the outermost query may use.
     explicit Question(Work& work, std::size_t stack_bytes = deep_stack_bytes / 4 * 3)
         : work_(work), base_(work.stack_base_), calls_(work.activations_.size()) {
         if (work_.open_++ == 0) {
@@ -115,7 +115,7 @@ private:
     Work& work_;
 };
 
-/// Limits the work on a value that may not be needed. Nested objects share the limit of the outermost one.
+/// Limits the work on a value that may not be needed. Nested objects share the limit of the outermost object.
 class Work::Speculation {
 public:
     explicit Speculation(Work& work) : work_(work), outermost_(work.given_up_at_ == no_end) {
@@ -137,7 +137,7 @@ private:
 };
 
 /// Marks a thunk as being evaluated during its lifetime. The mark is removed even if an error ends the evaluation. So
-/// if an evaluation has failed, another attempt reports the same error, and not that the value is defined by itself.
+/// another attempt reports the same error again, and not that the value is defined by itself.
 class Running {
 public:
     explicit Running(bool& flag) : flag_(flag) { flag_ = true; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes numbers as bytes: seven bits in each byte, the lowest bits first. The highest bit of a byte is set if another
-// byte follows.
+// Encodes numbers as bytes: each byte contains seven bits, the lowest bits first. The highest bit of a byte is set if
+// another byte follows.
 #pragma once
 
 #include <cassert>
@@ -21,13 +21,13 @@ inline void put_number(std::uint64_t number, Bytes& out) {
     out.push_back(static_cast<std::uint8_t>(number));
 }
 
-/// Encodes small negative numbers as briefly as small positive ones.
+/// Writes a signed number. Small negative numbers need as few bytes as small positive numbers.
 inline void put_signed(std::int64_t number, Bytes& out) {
     const auto bits = static_cast<std::uint64_t>(number);
     put_number((bits << 1U) ^ (number < 0 ? ~std::uint64_t{0} : 0), out);
 }
 
-/// Reads numbers and bytes from a buffer that may contain further bytes after them.
+/// Reads numbers and bytes from a buffer, which may contain other data after them.
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the bytes of process expressions. They are the bytes that TermCodec writes for the terms of
+// Writes the bytes of process expressions. The bytes are the same as those that TermCodec writes for the terms of
 // eval/processes.cpp.
 #include <algorithm>
 

@@ -31,7 +31,7 @@ std::size_t place_of(Value value) {
 
 }  // namespace
 
-// Sorts like the function of the same name in firing_rules.cpp.
+// Sorts steps in the same way as the function of the same name in firing_rules.cpp.
 void PackedSteps::put_in_order(std::size_t first) {
     const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(first);
     const auto earlier = [](const Step& a, const Step& b) { return a.event < b.event; };
@@ -48,7 +48,7 @@ void PackedSteps::put_in_order(std::size_t first) {
     steps.resize(distinct);
 }
 
-/// Lends a frame or another list of values from a pool during the lifetime of this object.
+/// Lends a frame or another list of values from a pool. The destructor returns it.
 class DirectSteps::Borrowed {
 public:
     explicit Borrowed(DirectSteps& owner) : owner_(owner) {
@@ -65,8 +65,8 @@ private:
     DirectSteps& owner_;
 };
 
-/// Limits the depth of calls that are unfolded without an event. Deeper calls are evaluated with terms, where unbounded
-/// recursion is detected.
+/// Limits the depth of calls that are unfolded without an event. Deeper calls are evaluated with terms; that evaluation
+/// detects unbounded recursion.
 class DirectSteps::Nested {
 public:
     explicit Nested(DirectSteps& owner) : owner_(owner) {
@@ -102,7 +102,7 @@ bool DirectSteps::find(std::span<const std::uint8_t> bytes, PackedSteps& out) {
         unanswered_ = 0;
         return true;
     } catch (const NotDirect&) {
-    } catch (const EvaluationError&) {  // the evaluation with terms finds the error again and reports its place
+    } catch (const EvaluationError&) {  // the evaluation with terms repeats the error and reports its place
     }
     return false;
 }
@@ -230,13 +230,13 @@ void DirectSteps::row_rename(ByteReader& in) {
 
 // ---------------------------------------------------------------- operators (firing_rules.cpp)
 
-/// A tau of an operand does not resolve a choice. Such steps are computed with terms.
+/// Rejects steps with tau: a tau of an operand does not resolve a choice, so such steps are computed with terms.
 void DirectSteps::refuse_taus(std::size_t first) const {
     for (std::size_t i = first; i < out_->steps.size(); ++i)
         if (out_->steps[i].event == process::tau) throw NotDirect{};
 }
 
-/// Writes the operator before the target of the step. Returns the position of the first byte.
+/// Writes the operator before the target of the step. Returns the position of the first byte of the result.
 std::size_t DirectSteps::wrap_target(Op op, std::uint32_t part, const PackedSteps::Step& step) {
     Bytes& bytes = out_->bytes;
     const std::size_t begin = bytes.size();
@@ -343,7 +343,7 @@ void DirectSteps::steps_of_name(const Code& code, Frame& frame) {
     steps_of_value(values_.eval_name(code, frame));
 }
 
-/// Returns the global function with this name if it has a single group of this many arguments, otherwise null.
+/// Returns the global function with this name if it has a single group with this number of arguments, otherwise null.
 const Function* DirectSteps::global_with(const Code& callee, std::size_t arguments) const {
     if (callee.kind != ExprKind::name || callee.reference != Reference::global) return nullptr;
     const Global& global = tables_.program.globals[static_cast<std::size_t>(callee.slot)];
@@ -409,7 +409,7 @@ void DirectSteps::steps_of_external_choice(const Code& code, Frame& frame) {
             steps_of_process(*code.args[0], inside);
             ++operands;
         });
-        if (operands == 1) return;  // a choice with one operand is that operand
+        if (operands == 1) return;  // a choice with one operand is equal to that operand
     }
     refuse_taus(first);
 }
@@ -498,7 +498,7 @@ void DirectSteps::input_parts(const Code& code, std::size_t field, std::size_t p
     }
 }
 
-// The results of both functions are cached. They depend only on the values, which outlive this object.
+// The results of both functions are cached. They depend only on values that outlive this object.
 
 Value DirectSteps::combine_dot(Value base, Value more, Span span) {
     Dotted& known = dotted_[(place_of(base) * 31 + place_of(more)) & 1023U];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Computes the steps of sequential processes directly from their bytes, without building terms.
 //
-// Supported are calls, conditions, prefixes, choices, sequential composition, hiding and renaming. The rules are those
-// of eval/processes.cpp, eval/prefixes.cpp and process/firing_rules.cpp, which define the meaning of processes. For all
+// It supports calls, conditions, prefixes, choices, sequential composition, hiding and renaming. Its rules are those of
+// eval/processes.cpp, eval/prefixes.cpp and process/firing_rules.cpp, which define the meaning of processes. For all
 // other operators, and after any error, the caller must compute the steps with terms.
 #pragma once
 
@@ -31,18 +31,18 @@ public:
     [[nodiscard]] std::span<const std::uint8_t> target(const Step& step) const {
         return std::span(bytes).subspan(step.begin, step.end - step.begin);
     }
-    /// Adds a step whose target consists of all bytes from `begin` on.
+    /// Adds a step. The bytes from `begin` to the end are its target.
     void add(process::Event event, process::Event revealed, std::size_t begin) {
         steps.push_back({event, revealed, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(bytes.size())});
     }
-    /// Sorts the steps from index `first` on by event and removes duplicates. The sort is stable.
+    /// Sorts the steps from index `first` on by event, and removes duplicates. The sort is stable.
     void put_in_order(std::size_t first);
 
     std::vector<Step> steps;
     Bytes bytes;
 };
 
-/// Finds steps. Reuses its buffers, so that calls rarely allocate memory.
+/// Computes steps. It reuses its buffers, so calls rarely allocate memory.
 class DirectSteps {
 public:
     DirectSteps(Evaluator& values, TermCodec& codec, PackedParts& parts);
@@ -56,7 +56,7 @@ private:
     class Borrowed;
     class Nested;
 
-    // steps of encoded terms
+    // The following functions compute steps of encoded terms.
     void steps_of_row(ByteReader& in);
     void row_call(ByteReader& in);
     void row_prefix(ByteReader& in);
@@ -66,7 +66,7 @@ private:
     void row_hide(ByteReader& in);
     void row_rename(ByteReader& in);
 
-    // steps of process expressions
+    // The following functions compute steps of process expressions.
     void steps_of_process(const Code& code, Frame& frame);
     void steps_of_name(const Code& code, Frame& frame);
     void steps_of_apply(const Code& code, Frame& frame);
@@ -82,14 +82,14 @@ private:
     void input_field(const Code& code, std::size_t field, Value base, Frame& frame);
     void input_parts(const Code& code, std::size_t field, std::size_t part, Value base, Frame& frame);
 
-    // transformations of the steps from index `first` on by an operator
+    // The following functions apply an operator to the steps from index `first` on.
     void refuse_taus(std::size_t first) const;
     void append_next_process(std::size_t first, std::span<const std::uint8_t> next);
     void hide_events(std::size_t first, process::SetId set);
     void rename_events(std::size_t first, process::RenamingId renaming);
     std::size_t wrap_target(process::Op op, std::uint32_t part, const PackedSteps::Step& step);
 
-    // bytes of process expressions (direct_bytes.cpp)
+    // The following functions write the bytes of process expressions (direct_bytes.cpp).
     void write_process(const Code& code, Frame& frame);
     void write_name(const Code& code, Frame& frame);
     void write_apply(const Code& code, Frame& frame);
@@ -113,7 +113,7 @@ private:
     std::deque<Frame> frames_;
     std::size_t borrowed_ = 0;
     unsigned nested_ = 0;
-    unsigned unanswered_ = 0;  // consecutive failed calls; after 32 of them, most calls fail at once
+    unsigned unanswered_ = 0;  // number of consecutive failed calls; after 32 of them, most calls fail immediately
     unsigned passed_ = 0;
     Value unread_;
     struct Dotted {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A script that is ready for evaluation: its code, values, events and terms.
+// Loads a script for evaluation: its code, values, events and terms.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace robochart::cspm {
 
-/// Owns the code of a script, its values and its terms. Definitions get the same numbers whenever the same script is
+/// Owns the code of a script, its values and its terms. Definitions always get the same numbers if the same script is
 /// loaded and the same expressions are compiled in the same order.
 class LoadedScript {
 public:
-    /// Polls the budget while it compiles the script. `whole_states`: see Session.
+    /// Compiles the script and polls the budget meanwhile. `whole_states`: see Session.
     LoadedScript(const Script& script, process::Compressor* compressor, diagnostics::Budget* budget, bool whole_states);
     LoadedScript(const LoadedScript&) = delete;
     LoadedScript& operator=(const LoadedScript&) = delete;
 
-    /// An expression, compiled in the global scope of the script or in the scope of an assertion.
+    /// A compiled expression. Its scope is that of the script or of an assertion.
     struct Ready {
         const Code* code = nullptr;
         const Unit* unit = nullptr;
@@ -30,12 +30,12 @@ public:
     /// One side of an assertion.
     struct Side {
         Ready process;
-        std::optional<Ready> tau_priority;  ///< the events over which taus have priority
+        std::optional<Ready> tau_priority;  ///< events over which taus have priority
     };
     [[nodiscard]] Side compile_side(const ExprPtr& expr, const Decl& assertion);
     [[nodiscard]] process::TermId term_of(const Side& side);
-    /// Converts errors of the firing rules to evaluation errors, so that callers handle one type of exception. The
-    /// error is placed at the erroneous definition if it is known, otherwise at `span`.
+    /// Does the work and converts errors of the firing rules to evaluation errors, so that callers handle one type of
+    /// exception. The error is reported at the definition that causes it if it is known, otherwise at `span`.
     template <class Work>
     auto evaluated_at(Span span, const Work& work) {
         try {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exception for processes that cannot be searched as packed states.
+// Defines the exception for processes that cannot be searched as packed states.
 #pragma once
 
 namespace robochart::cspm {
 
-/// Thrown if a term or a value has no packed form. The caller then searches the process as terms. This is not a
-/// std::exception, so that no handler mistakes it for an error of the process.
+/// Thrown if a term or a value has no packed form. The caller then searches the process as terms. It is not a
+/// std::exception, so that no handler takes it for an error of the process.
 struct NotPacked {
     const char* why;
 };

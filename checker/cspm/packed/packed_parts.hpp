@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sets of events, renamings and priority orders that packed terms name by number. These numbers stay valid for the
-// whole search, although a term store that is created later numbers the same sets anew (packed_processes.hpp).
+// Numbers the sets of events, renamings and priority orders of packed terms. Packed terms contain these numbers, which
+// stay valid for the whole search. A term store that is created later numbers the same sets differently
+// (packed_processes.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,12 +13,13 @@
 
 namespace robochart::cspm {
 
-/// Owns the contents of these parts.
+/// Owns the sets, renamings and orders that have numbers.
 class PackedParts {
 public:
-    /// Sets the term store of the following calls. Events must have the same numbers in all stores.
+    /// Sets the term store that the following calls use. Events must have the same numbers in all stores.
     void set_terms(process::TermStore& terms);
-    /// After this call a part without a number causes NotPacked. This makes the rows of a search the same in every run.
+    /// After this call, a set, renaming or order without a number causes NotPacked. This makes the rows of a search the
+    /// same in every run.
     void fix_numbers() { fixed_ = true; }
 
     [[nodiscard]] std::uint32_t number_of(process::SetId set);
@@ -28,7 +30,7 @@ public:
     [[nodiscard]] process::OrderId order(std::uint32_t number);
 
 private:
-    using Content = std::vector<process::EventSet>;  // one set; a renaming is one list of its pairs
+    using Content = std::vector<process::EventSet>;  // one set; for a renaming, the list of its pairs
     using Numbers = std::vector<std::optional<std::uint32_t>>;
 
     std::uint32_t number_content(Content content);

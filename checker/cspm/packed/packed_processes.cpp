@@ -11,8 +11,8 @@ namespace robochart::cspm {
 
 namespace {
 
-/// Returns the assertion object of the script itself, because the script finds the scopes of its assertions by their
-/// addresses.
+/// Returns the script's own object for the assertion. The script identifies the scopes of its assertions by the
+/// addresses of these objects.
 DeclPtr kept_assertion(const Script& script, const Decl& assertion) {
     for (const DeclPtr& decl : assertions_in(script.decls))
         if (decl.get() == &assertion) return decl;
@@ -34,8 +34,8 @@ public:
     }
 };
 
-/// Copies new events between the table of the search and the table of the script. Both tables are equal before and
-/// after the lifetime of this object.
+/// Keeps the table of the search equal to the table of the script: copies new events from one to the other at the
+/// beginning and at the end of its lifetime.
 class PackedProcesses::SameEvents {
 public:
     SameEvents(process::EventTable& search, process::EventTable& script) : search_(search), script_(script) {
@@ -73,8 +73,7 @@ std::size_t PackedProcesses::add(const ExprPtr& expr, const Decl& assertion) {
     return asked_.size() - 1;
 }
 
-// Loads the script and compiles the sides, in the same order each time, so that definitions always have the same
-// numbers.
+// Loads the script and compiles the sides, always in the same order, so that definitions always have the same numbers.
 void PackedProcesses::load_script() {
     direct_.reset();
     codec_.reset();
@@ -88,7 +87,8 @@ void PackedProcesses::load_script() {
     ++loads_;
 }
 
-/// Called after each compilation, because the codec contains the definitions that exist when it is created.
+/// Creates the codec. It must be called after each compilation, because the codec contains only the definitions that
+/// exist when it is created.
 void PackedProcesses::make_codec() {
     const Evaluator::Parts parts = loaded_->evaluator.parts();
     codec_ = std::make_unique<TermCodec>(parts.program, parts.store, parts.terms, parts.processes, parts_);
@@ -99,8 +99,8 @@ std::size_t PackedProcesses::kept_object_count() const {
     return loaded_->store.size() + loaded_->terms.size();
 }
 
-/// Drops all evaluated data if there is much more than after the first state. The data of the first state are mainly
-/// the constants of the script, which are needed again after every reload.
+/// Drops all evaluated data if they are much more than the data of the first state. The data of the first state are
+/// mainly the constants of the script, which are needed again after every reload.
 void PackedProcesses::forget_if_large() {
     const std::size_t now = kept_object_count();
     if (kept_at_start_ == 0) kept_at_start_ = now;
@@ -110,7 +110,7 @@ void PackedProcesses::forget_if_large() {
     loaded_.reset();
 }
 
-/// Loads the script if it is not loaded, which happens if a limit has stopped the previous attempt.
+/// Loads the script if it is not loaded. This happens if a limit has stopped the previous attempt.
 void PackedProcesses::load_if_needed() {
     if (direct_ == nullptr) load_script();
 }
@@ -124,7 +124,8 @@ Bytes PackedProcesses::initial(std::size_t side) {
     return bytes;
 }
 
-// Examines the first states in breadth-first order, as the search does.
+// Examines the first states in breadth-first order, as a search does. Returns whether their steps can be computed
+// without terms.
 bool PackedProcesses::is_direct(std::size_t side) {
     constexpr std::size_t enough = 64;
     std::vector<Bytes> rows{initial(side)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processes of a script whose states are stored as bytes (term_codec.hpp). Only the bytes of a state are stored.
-// The data that are evaluated for its steps are freed from time to time, by loading the script again.
+// Represents the processes of a script by states that are stored as bytes (term_codec.hpp). Only these bytes are stored
+// permanently. The data that are evaluated for the steps of states are freed from time to time by loading the script
+// again.
 #pragma once
 
 #include <memory>
@@ -20,12 +21,12 @@ class PackedProcesses {
 public:
     struct Settings {
         bool whole_states = false;  ///< see Session
-        /// The maximal number of stored values and terms in addition to those of the first state.
+        /// The maximal number of stored values and terms besides those of the first state.
         std::size_t most_kept = 400'000;
-        bool terms_alone = false;        ///< for tests: all steps are computed with terms
-        bool forget_each_state = false;  ///< for tests: loads the script again for each state
+        bool terms_alone = false;        ///< for tests: whether all steps are computed with terms
+        bool forget_each_state = false;  ///< for tests: whether the script is loaded again for each state
     };
-    /// `events`: the events of the searches.
+    /// `events`: the event table of the searches.
     PackedProcesses(Script script, process::EventTable& events, const Settings& settings);
     ~PackedProcesses();
     PackedProcesses(const PackedProcesses&) = delete;
@@ -34,27 +35,28 @@ public:
     /// Adds a process, which is one side of an assertion, and returns its number.
     [[nodiscard]] std::size_t add(const ExprPtr& expr, const Decl& assertion);
 
-    /// After this call, no part gets a new number, because such a number would depend on the order in which the search
-    /// uses the parts. A part without a number causes NotPacked. So rows are the same in every run.
+    /// After this call, no set, renaming or order gets a new number, because the number would depend on the order of
+    /// the search. A set, renaming or order without a number then causes NotPacked. So rows are the same in every run.
     void fix_parts() { parts_.fix_numbers(); }
 
     // The following functions throw EvaluationError, and NotPacked if a state has no packed form.
     [[nodiscard]] Bytes initial(std::size_t side);
-    /// Writes the steps of the state to `out`, ordered by event. Events have the numbers of the search. `span`: the
-    /// place of errors whose definition is unknown.
+    /// Writes the steps of the state to `out`, ordered by event. Events have the numbers of the search. Errors whose
+    /// definition is unknown are reported at `span`.
     void steps(std::span<const std::uint8_t> state, Span span, PackedSteps& out);
-    /// The operands of a state that is an external choice; empty for other states. `span` as in `steps`.
+    /// Returns the operands of a state that is an external choice, and an empty list for other states. `span` as in
+    /// `steps`.
     [[nodiscard]] std::vector<Bytes> choice_operands(std::span<const std::uint8_t> state, Span span);
     [[nodiscard]] std::string describe(std::span<const std::uint8_t> state);
 
     [[nodiscard]] process::EventTable& events() const { return events_; }
-    /// Evaluations poll the budget, which must outlive them.
+    /// Sets the budget that evaluations poll. The budget must outlive them.
     void set_budget(diagnostics::Pollable& budget);
-    /// Examines the first states of the process. Returns whether their steps can be computed without terms.
+    /// Examines the first states of the process. Returns true if their steps can be computed without terms.
     [[nodiscard]] bool is_direct(std::size_t side);
-    /// The number of times that the script has been loaded.
+    /// Returns how many times the script has been loaded.
     [[nodiscard]] std::size_t load_count() const { return loads_; }
-    /// The number of states whose steps were computed without terms.
+    /// Returns the number of states whose steps were computed without terms.
     [[nodiscard]] std::uint64_t direct_answers() const { return direct_answers_; }
 
 private:

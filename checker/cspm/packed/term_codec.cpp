@@ -15,7 +15,7 @@ using process::TermId;
 
 namespace {
 
-// The first byte of a value is a small number, a kind, or one of these constants.
+// The first byte of a value is a small number, one of the kinds (from `first_kind` on), or one of the other constants.
 constexpr std::uint8_t first_kind = 0x80;
 constexpr std::uint8_t false_value = 0xC0;
 constexpr std::uint8_t true_value = 0xC1;
@@ -24,7 +24,7 @@ constexpr std::int64_t most_small = 0x7F;
 
 constexpr unsigned deepest = 1000;
 
-/// Limits the depth of a term or value, because rows are read and written recursively.
+/// Limits the nesting of terms and values, because rows are written and read recursively.
 class Deeper {
 public:
     explicit Deeper(unsigned& depth) : depth_(depth) {
@@ -39,7 +39,7 @@ private:
     unsigned& depth_;
 };
 
-/// Whether the encoding of values of this kind contains a number.
+/// Returns true if the encoding of values of this kind contains a number.
 bool has_number(Kind kind) {
     switch (kind) {
         case Kind::tuple:
@@ -84,7 +84,7 @@ TermCodec::TermCodec(const Program& program, ValueStore& store, process::TermSto
                      PackedParts& parts)
     : program_(program), store_(store), terms_(terms), processes_(processes), parts_(parts) {
     const auto add = [this](const Function& function) {
-        // Only functions with clauses have numbers.
+        // Only functions with clauses have numbers, which the index uses.
         if (!function.clauses.empty()) put_at<const Function*>(functions_, function.number, &function);
     };
     for (const Global& global : program.globals)
@@ -130,8 +130,8 @@ void TermCodec::write(Value value, Bytes& out) {
     if (value->kind == Kind::function) put_number(value->function->number, out);
     if (value->kind == Kind::group) put_number(value->group->number, out);
     put_number(value->items.size(), out);
-    // The elements of a set and the keys of a map are sorted. The order of processes is the order of their creation, so
-    // a process inside such a value is rejected.
+    // The elements of a set and the keys of a map are sorted. Processes are sorted in the order of their creation, so a
+    // process inside such a value is rejected.
     const bool ordered = value->kind == Kind::set || value->kind == Kind::map || value->kind == Kind::united;
     if (ordered) ++inside_sets_;
     try {
@@ -237,14 +237,14 @@ TermId TermCodec::read_call(ByteReader& in) {
 
 // ---------------------------------------------------------------- prefixes
 
-/// Returns the number of values in the key of a prefix after its place in the script.
+/// Returns how many values the key of a prefix contains after its place in the script.
 std::size_t TermCodec::values_of_prefix(PrefixKind kind, std::uint64_t place) const {
     switch (kind) {
         case PrefixKind::script:
             return program_.prefixes.at(place)->unit->captures.size();
-        case PrefixKind::chosen:  // the index of the field, the event so far, the variables
+        case PrefixKind::chosen:  // index of the field, event so far, variables
             return 2 + static_cast<std::size_t>(program_.prefixes.at(place)->unit->size);
-        case PrefixKind::waiting:  // the number of tocks and the process after them
+        case PrefixKind::waiting:  // number of tocks, process after them
             return 2;
         case PrefixKind::stopped:
         case PrefixKind::skipping:
@@ -255,7 +255,8 @@ std::size_t TermCodec::values_of_prefix(PrefixKind kind, std::uint64_t place) co
     throw NotPacked{"a prefix of no kind"};
 }
 
-// The first value of a key is the place in the script, or the tock event. Buffers have neither.
+// Writes a prefix. The first value of its key is its place in the script or the tock event; the key of a buffer
+// contains neither.
 void TermCodec::write_prefix(const process::Term& term, Bytes& out) {
     const auto [kind, key] = processes_.prefix_key(term.payload);
     begin_operator(Op::prefix, out);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes process terms as bytes, by content. Equal terms have equal bytes and different terms have different bytes,
-// independently of the order in which terms and values were created. The encoding of a term determines where it ends,
-// so zeros may follow it in a row.
+// Encodes process terms as bytes that depend only on their contents. Equal terms have equal bytes and different terms
+// have different bytes, independently of the order in which terms and values were created. The encoding of a term
+// determines where it ends, so zeros may follow it in a row.
 //
-// A call is encoded as its definition and arguments, a prefix as its place in the script and the values that it uses.
-// Other operators are written before their operands. The numbers of definitions and places come from the resolver, so
-// they are the same whenever the same script is loaded. Sets of events and renamings are written as numbers
+// A call is encoded as its definition and arguments, and a prefix as its place in the script and the values that it
+// uses. Other operators are written before their operands. The resolver assigns the numbers of definitions and places,
+// so they are the same whenever the same script is loaded. Sets of events and renamings are written as numbers
 // (packed_parts.hpp).
 #pragma once
 
@@ -24,28 +24,30 @@ namespace robochart::cspm {
 /// the processes were created.
 class TermCodec {
 public:
-    /// All expressions must be compiled before the codec is created.
+    /// Creates a codec. All expressions must have been compiled before.
     TermCodec(const Program& program, ValueStore& store, process::TermStore& terms, ProcessTerms& processes,
               PackedParts& parts);
 
     void write(process::TermId term, Bytes& out);
     [[nodiscard]] process::TermId read(ByteReader& in);
-    /// `value` must be shared (Value in eval/value.hpp).
+    /// Writes a value, which must be shared (Value in eval/value.hpp).
     void write(Value value, Bytes& out);
     [[nodiscard]] Value read_value(ByteReader& in);
-    /// Skips a term.
+    /// Skips a term without creating it.
     void skip(ByteReader& in);
 
-    // The following functions read and write the parts of calls and prefixes without terms.
-    /// The number of values that the function has already received, and the number of arguments in its last group.
+    // The following functions read and write the parts of calls and prefixes without creating terms.
+    /// How many values the function has already received, and how many arguments its last group has.
     struct CallShape {
         std::size_t given;
         std::size_t arguments;
     };
     [[nodiscard]] static CallShape shape(const Function& function);
-    /// Writes the beginning of a call. The caller then writes the values: first those given before, then the arguments.
+    /// Writes the beginning of a call. The caller must then write the values: first those that the function has already
+    /// received, then the arguments.
     static void begin_call(const Function& function, Bytes& out);
-    /// Reads the function of a call, after the operator. Null if the call has another form, which only `read` supports.
+    /// Reads the function of a call. The operator must have been read before. Returns null if the call has another
+    /// form, which only `read` supports.
     [[nodiscard]] const Function* call_head(ByteReader& in) const;
     static void begin_operator(process::Op op, Bytes& out) { out.push_back(static_cast<std::uint8_t>(op)); }
 

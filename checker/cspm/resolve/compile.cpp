@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The second half of the resolver. It converts expressions and patterns to code.
+// Contains the second half of the resolver, which converts expressions and patterns to code.
 #include <algorithm>
 #include <utility>
 
@@ -52,8 +52,9 @@ const Code* Resolver::compile(const ExprPtr& expr) {
     }
 }
 
-// `[] e : S @ e -> P` offers the events of a set: one prefix with many events, not a choice of many prefixes. In a
-// timed section the choice synchronises all its operands on tock, so it is compiled as a choice.
+// Returns true if the choice is `[] e : S @ e -> P`, which is compiled as one prefix with many events and not as a
+// choice of many prefixes. In a timed section, the choice synchronises all its operands on tock, so it is compiled as a
+// choice.
 bool Resolver::offers_events(const Expr& choice) const {
     const Expr& body = *choice.args[0];
     if (timed_ != nullptr || choice.clauses.size() != 1 || body.kind != ExprKind::prefix) return false;
@@ -82,7 +83,7 @@ const Code* Resolver::compile_literal(const Expr& expr) {
     return &code;
 }
 
-// The clauses bind their variables in the frame of the expression that contains them.
+// Compiles clauses. They bind their variables in the frame of the expression that contains them.
 std::vector<ClauseCode> Resolver::compile_clauses(const std::vector<Clause>& clauses) {
     std::vector<ClauseCode> result;
     for (const Clause& clause : clauses) {
@@ -100,8 +101,8 @@ std::vector<ClauseCode> Resolver::compile_clauses(const std::vector<Clause>& cla
 
 namespace {
 
-// Whether an argument is outside the scope of the clauses. This is true for the first process of a renaming, both
-// processes of a linked parallel, and the interface of a replicated parallel.
+// Returns true if an argument is outside the scope of the clauses. Such arguments are the first process of a renaming,
+// both processes of a linked parallel, and the interface of a replicated parallel.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;
     return (kind == ExprKind::replicated_parallel || kind == ExprKind::replicated_synchronising) && arg == 1;
@@ -236,7 +237,7 @@ void Resolver::let_value(const Decl& decl, LetScope& let) {
     }
 }
 
-// The names that a pattern binds. Constructors and channels are not bound.
+// Returns the names that a pattern binds. Constructors and channels are not bound.
 std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
     std::vector<std::string> result;
     if (pattern.kind == PatternKind::name) {
@@ -250,7 +251,7 @@ std::vector<std::string> Resolver::pattern_variables(const Pattern& pattern) {
     return result;
 }
 
-// Compiles a timed section in a `let`. The names of the `let` are not in scope in the duration function.
+// Compiles a timed section in a `let`. The duration function cannot use the names of the `let`.
 void Resolver::let_timed(const Decl& decl, LetScope& let) {
     TimedSection& section = program_.timed.emplace_back();
     const Binding* tock = find("tock", scope_);
@@ -282,7 +283,7 @@ const Code* Resolver::compile_prefix(const Expr& expr, const std::vector<Clause>
     code.args.push_back(compile(expr.args[1]));
     scope_ = outer_scope;
     unit_ = outer_unit;
-    // The variables that the prefix captures from the enclosing frame are known only after its body has been compiled.
+    // Only after the body has been compiled is it known which variables of the enclosing frame the prefix captures.
     return &code;
 }
 

@@ -117,7 +117,7 @@ void Resolver::declare(const std::vector<DeclPtr>& decls, const Target& target) 
     }
 }
 
-// Consecutive clauses of one name make one function. Returns the index of the last.
+// Combines consecutive clauses of one name to one function. Returns the index of the last of these clauses.
 std::size_t Resolver::declare_function(const std::vector<DeclPtr>& decls, std::size_t first, const Target& target) {
     const Decl& decl = *decls[first];
     std::size_t last = first;
@@ -346,8 +346,8 @@ void Resolver::declare_module(const Decl& decl, const Target& target) {
     if (decl.parameters.empty()) declare_contents(module, module.name + "::", target.timed, &new_scope(target.scope));
 }
 
-// Adds the declarations of the module: all of them to `inner`, and the exported ones also to the exports, with the name
-// of the module as prefix.
+// Declares the contents of a module. `inner` gets all names. The exports get the exported names, with the name of the
+// module as prefix.
 void Resolver::declare_contents(Module& module, const std::string& prefix, TimedSection* timed, Scope* inner) {
     declare(module.decl->decls, {inner, nullptr, prefix, timed});
     declare(module.decl->exports, {inner, &module.exported, prefix, timed});
@@ -363,7 +363,7 @@ void Resolver::declare_instance(const Decl& decl, const Target& target) {
     jobs_.push_back([this, &module] { create_instance(module); });
 }
 
-// Creates an instance: a copy of its module in which the parameters are defined as the arguments.
+// Creates an instance, which is a copy of its module. In the copy, the parameters are defined as the arguments.
 void Resolver::create_instance(Module& module) {
     if (module.instance == nullptr) return;
     const Decl& decl = *module.instance;
@@ -412,7 +412,7 @@ const Resolver::Binding* Resolver::find_simple(std::string_view name, Scope* sco
     return nullptr;
 }
 
-// M::x is one name: another declaration of M does not hide it (see types/names.cpp).
+// M::x is one name, so another declaration of M does not hide it (see types/names.cpp).
 const Resolver::Binding* Resolver::find(std::string_view text, Scope* scope) {
     const std::size_t colons = text.find("::");
     if (colons == std::string_view::npos) return find_simple(text, scope);

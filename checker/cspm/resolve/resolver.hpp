@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts syntax trees to code: resolves scopes, modules and instances, and assigns slots to names (code.hpp). A
-// module without parameters is a part of the script whose names have a prefix. An instance is a copy of the
-// declarations of its module in which the parameters are defined as the arguments.
+// module without parameters is a part of the script whose names get a prefix. An instance is a copy of the declarations
+// of its module; in the copy, the parameters are defined as the arguments.
 #pragma once
 
 #include <deque>
@@ -20,12 +20,12 @@ class Resolver {
 public:
     Resolver(Program& program, ValueStore& store);
 
-    /// Compilations poll the budget, which must outlive them.
+    /// Sets the budget that compilations poll. The budget must outlive them.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
     /// Declares and compiles a script's declarations.
     void compile_script(const Script& script);
-    /// Compiles an expression in the script's global scope; if `place` is given (an assertion of the script), in the
-    /// scope of its module or timed section.
+    /// Compiles an expression in the script's global scope. If `place` is given, it must be an assertion of the script,
+    /// and the expression is compiled in the scope of its module or timed section.
     const Code* compile_expression(const ExprPtr& expr, const Decl* place, Unit*& unit);
 
 private:
@@ -45,13 +45,13 @@ private:
         std::map<std::string, Binding, std::less<>> names;
     };
     struct Module {
-        const Decl* decl = nullptr;  // the module's own declaration
+        const Decl* decl = nullptr;  // the declaration of the module
         Scope* outer = nullptr;      // the scope of that declaration
         Scope exported;
-        const Decl* instance = nullptr;  // not null: the instance is created on first use
+        const Decl* instance = nullptr;  // null if there is none; otherwise the instance is created on first use
         Scope* instance_scope = nullptr;
         TimedSection* timed = nullptr;
-        std::string name;  // qualified
+        std::string name;  // qualified name
         bool running = false;
     };
     struct Place {
@@ -60,12 +60,12 @@ private:
     };
     struct Target {
         Scope* scope = nullptr;
-        Scope* exported = nullptr;  // null: not exported
+        Scope* exported = nullptr;  // null if the names are not exported
         std::string prefix;
         TimedSection* timed = nullptr;
     };
 
-    // A let that is being compiled: its members, the slot of their environment, and tasks that wait until all members
+    // A let that is being compiled: its members, the slot of its environment, and the tasks that wait until all members
     // are declared.
     struct LetScope {
         Group& group;
@@ -141,7 +141,7 @@ private:
     Scope* scope_ = nullptr;
     Unit* unit_ = nullptr;
     TimedSection* timed_ = nullptr;
-    std::deque<DeclPtr> made_;  // declarations that result from splitting others
+    std::deque<DeclPtr> made_;  // declarations that were created by splitting others
     std::uint32_t functions_ = 0;
     unsigned instances_ = 0;
 };

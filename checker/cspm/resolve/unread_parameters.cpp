@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variable is read wherever its name occurs, except as a whole argument for a parameter that is not read. Such an
-// argument is a link: the variable is read if the parameter is read. The algorithm follows these links backwards from
-// the variables that are read and marks more variables as read. All remaining variables are unread.
+// Marks the variables that are read; all others are unread. A variable is read wherever its name occurs, with one
+// exception: the name is a whole argument for a parameter that is not read. Such an argument is a link: the variable is
+// read if the parameter is read. The algorithm follows these links backwards from the variables that are read.
 #include "checker/cspm/resolve/unread_parameters.hpp"
 
 #include <set>
@@ -41,7 +41,7 @@ private:
 
     const Program& program_;
     std::set<Variable> read_;
-    std::map<Variable, std::vector<Variable>> links_;  // if the key is read, the variables of the set are read too
+    std::map<Variable, std::vector<Variable>> links_;  // if the key is read, these variables are read too
 };
 
 void Reading::read(const Variable& variable) {
@@ -55,7 +55,8 @@ void Reading::read(const Variable& variable) {
     }
 }
 
-/// Returns the definition that an application calls if the application passes all its arguments; otherwise null.
+/// Returns the definition that an application calls. Returns null if the definition is unknown, or if the application
+/// does not pass all its arguments.
 const Function* Reading::callee(const Code& code) const {
     if (code.kind != ExprKind::apply || code.args[0]->kind != ExprKind::name) return nullptr;
     const Code& name = *code.args[0];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds parameters that are never read. A definition may pass such a parameter only to other parameters that are never
-// read. Calls that differ only in such parameters are the same process (live-variable analysis; Aho, Lam, Sethi,
-// Ullman, 9.2.5).
+// read. Calls that differ only in such parameters are the same process. This is an analysis of live variables (Aho,
+// Lam, Sethi, Ullman, 9.2.5).
 #pragma once
 
 #include "checker/cspm/eval/code.hpp"

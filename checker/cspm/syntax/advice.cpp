@@ -84,7 +84,7 @@ constexpr std::array foreign_signs{
     ForeignSign{"‘", "'"},   ForeignSign{"’", "'"},   ForeignSign{"∅", "{}"}, ForeignSign{"\xC2\xA0", " "},
 };
 
-/// The code point at the beginning of a well-formed text.
+/// Returns the code point at the beginning of a well-formed text.
 char32_t first_code(std::string_view text, std::size_t length) {
     constexpr std::array<unsigned, 5> masks{0, 0x7fU, 0x1fU, 0x0fU, 0x07U};
     char32_t code = static_cast<unsigned char>(text[0]) & masks.at(length);
@@ -92,14 +92,14 @@ char32_t first_code(std::string_view text, std::size_t length) {
     return code;
 }
 
-/// The letters U+00C0 to U+017F without their accents; ligatures are replaced by their first letter.
+/// For the letters U+00C0 to U+017F: the letter without its accent. Ligatures are replaced by their first letter.
 constexpr char32_t first_accented = 0xc0;
 constexpr std::string_view without_accents =
     "AAAAAAACEEEEIIIIDNOOOOO*OUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
     "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlL"
     "lLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 
-/// Accents as separate characters after their letter.
+/// Returns true for accents that follow their letter as separate characters.
 bool is_accent(char32_t code) {
     return code >= 0x300 && code < 0x370;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Suggestions for errors in a script, selected by what was expected and what was found (parser.hpp).
+// Gives suggestions for errors in a script. A suggestion is selected by what the parser expected and what it found
+// (parser.hpp).
 #pragma once
 
 #include <cstddef>
@@ -11,14 +12,15 @@
 
 namespace robochart::cspm {
 
-/// Returns all rows of the table. Expected texts are quoted as in messages: "'else'".
+/// Returns all rows of the table of suggestions. Expected texts are quoted as in messages: "'else'".
 [[nodiscard]] std::span<const diagnostics::Advice> all_advice();
 
-/// The number of bytes of the non-ASCII letter at the beginning of the text; 0 if there is none.
+/// Returns the number of bytes of the non-ASCII letter at the beginning of the text, or 0 if it begins with another
+/// character.
 [[nodiscard]] std::size_t foreign_letter(std::string_view text);
-/// The name without the accents of its letters; "" if some letter has no ASCII form.
+/// Returns the name without the accents of its letters, or "" if some letter has no ASCII form.
 [[nodiscard]] std::string in_plain_letters(std::string_view name);
-/// The CSPM notation for a symbol from books, such as `->` for an arrow; "" if the symbol is unknown.
+/// Returns the CSPM notation for a symbol from books, such as `->` for an arrow, or "" if the symbol is unknown.
 [[nodiscard]] std::string_view written_for(std::string_view symbol);
 
 }  // namespace robochart::cspm

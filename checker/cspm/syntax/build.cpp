@@ -134,7 +134,7 @@ Patterns variables(const std::vector<std::string>& names) {
 // ---------------------------------------------------------------- values
 
 ExprPtr number(std::int64_t value) {
-    constexpr auto least = std::numeric_limits<std::int64_t>::min();  // its magnitude is not representable
+    constexpr auto least = std::numeric_limits<std::int64_t>::min();  // its absolute value is not representable
     if (value == least) return binary(ExprKind::minus, number(least + 1), number(1));
     if (value < 0) return negate(leaf(ExprKind::integer, "", -value));
     return leaf(ExprKind::integer, "", value);

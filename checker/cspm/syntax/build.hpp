@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions that build CSPM syntax trees, for producers such as csp_emit. The trees contain no spans and no
-// parentheses. The printer adds parentheses where the language needs them. n-ary operators fold to the left, like the
-// reader's tree for `P [] Q [] R`.
+// Builds CSPM syntax trees for producers such as csp_emit. The comment of a function shows the text that its tree
+// represents. The trees contain no spans and no parentheses; the printer adds parentheses where the language needs
+// them. n-ary operators fold to the left, like the reader's tree for `P [] Q [] R`.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ using Decls = std::vector<DeclPtr>;
 // ---------------------------------------------------------------- patterns
 
 [[nodiscard]] PatternPtr wildcard();
-/// A variable, or a constructor or channel with that name.
+/// Returns the pattern for a variable, or for a constructor or channel with that name.
 [[nodiscard]] PatternPtr variable(std::string name);
 [[nodiscard]] PatternPtr integer_pattern(std::int64_t value);
 [[nodiscard]] PatternPtr boolean_pattern(bool value);
@@ -31,7 +31,7 @@ using Decls = std::vector<DeclPtr>;
 
 // ---------------------------------------------------------------- values
 
-/// Negative numbers become `negate` of their magnitude, as in the reader's trees.
+/// Returns the tree of a number. A negative number becomes `negate` of its absolute value, as in the reader's trees.
 [[nodiscard]] ExprPtr number(std::int64_t value);
 [[nodiscard]] ExprPtr boolean(bool value);
 [[nodiscard]] ExprPtr string(std::string value);
@@ -50,29 +50,29 @@ using Decls = std::vector<DeclPtr>;
 [[nodiscard]] ExprPtr productions(Exprs items);
 /// `{| heads | clauses |}`.
 [[nodiscard]] ExprPtr productions_comprehension(Exprs heads, std::vector<Clause> clauses);
-/// `a.b.c`; parts that are dots themselves are flattened; a single part is returned unchanged.
+/// `a.b.c`. Parts that are dots themselves are flattened. A single part is returned unchanged.
 [[nodiscard]] ExprPtr dot(Exprs parts);
 [[nodiscard]] ExprPtr apply(ExprPtr function, Exprs arguments);
-/// `function(arguments)`; without arguments only the name.
+/// `function(arguments)`, or only the name if there are no arguments.
 [[nodiscard]] ExprPtr call(std::string function, Exprs arguments = {});
 [[nodiscard]] ExprPtr lambda(Patterns parameters, ExprPtr body);
-/// `let decls within body`; without declarations only the body.
+/// `let decls within body`, or only the body if there are no declarations.
 [[nodiscard]] ExprPtr let_(Decls decls, ExprPtr body);
 [[nodiscard]] ExprPtr if_(ExprPtr condition, ExprPtr then, ExprPtr otherwise);
-/// Builds an expression with any binary operator of ExprKind on values, or on processes without a set argument.
+/// Builds an expression with any binary operator on values, or with one on processes that has no set argument.
 [[nodiscard]] ExprPtr binary(ExprKind op, ExprPtr left, ExprPtr right);
 [[nodiscard]] ExprPtr negate(ExprPtr operand);
 [[nodiscard]] ExprPtr logical_not(ExprPtr operand);
-/// Folds with `and`; empty is true.
+/// Joins the operands by `and`. Without operands, the result is true.
 [[nodiscard]] ExprPtr all_of(Exprs operands);
-/// Folds with `or`; empty is false.
+/// Joins the operands by `or`. Without operands, the result is false.
 [[nodiscard]] ExprPtr any_of(Exprs operands);
-/// `union(a, union(...))` folded to the left; empty is `{}`.
+/// `union(a, union(...))`, folded to the left. Without sets, the result is `{}`.
 [[nodiscard]] ExprPtr union_of(Exprs sets);
 
 // ---------------------------------------------------------------- clauses
 
-/// `pattern : set` or `pattern <- set` (one tree for both).
+/// `pattern : set` or `pattern <- set`, which have the same tree.
 [[nodiscard]] Clause generator(PatternPtr pattern, ExprPtr from);
 [[nodiscard]] Clause generator(std::string variable, ExprPtr from);
 [[nodiscard]] Clause condition(ExprPtr value);
@@ -93,13 +93,13 @@ using Decls = std::vector<DeclPtr>;
 [[nodiscard]] ExprPtr prefix(ExprPtr event, std::vector<Field> fields, ExprPtr process);
 /// `condition & process`.
 [[nodiscard]] ExprPtr guard(ExprPtr condition, ExprPtr process);
-/// `P [] Q [] ...`; empty is STOP.
+/// `P [] Q [] ...`. Without processes, the result is STOP.
 [[nodiscard]] ExprPtr choice(Exprs processes);
-/// `P |~| Q |~| ...`; at least one.
+/// `P |~| Q |~| ...`. There must be at least one process.
 [[nodiscard]] ExprPtr internal_choice(Exprs processes);
-/// `P ; Q ; ...`; empty is SKIP.
+/// `P ; Q ; ...`. Without processes, the result is SKIP.
 [[nodiscard]] ExprPtr sequential(Exprs processes);
-/// `P ||| Q ||| ...`; empty is SKIP.
+/// `P ||| Q ||| ...`. Without processes, the result is SKIP.
 [[nodiscard]] ExprPtr interleave(Exprs processes);
 [[nodiscard]] ExprPtr interrupt(ExprPtr process, ExprPtr handler);
 [[nodiscard]] ExprPtr sliding_choice(ExprPtr process, ExprPtr other);
@@ -121,16 +121,17 @@ using Decls = std::vector<DeclPtr>;
 [[nodiscard]] ExprPtr rename(ExprPtr process, std::vector<Link> links, std::vector<Clause> clauses = {});
 /// `P [ from <-> to, ... ] Q`.
 [[nodiscard]] ExprPtr linked(ExprPtr left, std::vector<Link> links, ExprPtr right);
-/// A replicated form `op clauses @ body`; `set` is the interface or alphabet for the kinds that have one.
+/// Builds a replicated form `op clauses @ body`. `set` is the interface or alphabet; it is only used by the kinds that
+/// have one.
 [[nodiscard]] ExprPtr replicated(ExprKind op, std::vector<Clause> clauses, ExprPtr body, ExprPtr set = nullptr);
 
 // ---------------------------------------------------------------- declarations
 
 /// `name = body`.
 [[nodiscard]] DeclPtr value(std::string name, ExprPtr body, std::string comment = "");
-/// `name(parameters) = body`, one clause; no parameters: `name = body`.
+/// `name(parameters) = body` as one clause, or `name = body` if there are no parameters.
 [[nodiscard]] DeclPtr function_decl(std::string name, Patterns parameters, ExprPtr body, std::string comment = "");
-/// `channel names : fields`; fields null: no data.
+/// `channel names : fields`. If `fields` is null, the channels carry no data.
 [[nodiscard]] DeclPtr channel(std::vector<std::string> names, ExprPtr fields = nullptr, std::string comment = "");
 /// `datatype name = constructors`.
 [[nodiscard]] DeclPtr datatype(std::string name, std::vector<Constructor> constructors, std::string comment = "");
@@ -142,7 +143,7 @@ using Decls = std::vector<DeclPtr>;
                               std::string comment = "");
 /// `instance name = module(arguments)`.
 [[nodiscard]] DeclPtr instance(std::string name, std::string module, Exprs arguments = {});
-/// `Timed(duration) { decls }`; duration null: every event takes one unit.
+/// `Timed(duration) { decls }`. If `duration` is null, every event takes one time unit.
 [[nodiscard]] DeclPtr timed(ExprPtr duration, Decls decls);
 [[nodiscard]] DeclPtr transparent(std::vector<std::string> names);
 [[nodiscard]] DeclPtr external(std::vector<std::string> names);
@@ -150,9 +151,9 @@ using Decls = std::vector<DeclPtr>;
 
 /// `assert specification [M= implementation`.
 [[nodiscard]] DeclPtr assert_refines(ExprPtr specification, Model, ExprPtr implementation, bool negated = false);
-/// `assert process :[property [M]]`; Model::none selects the property's default model.
+/// `assert process :[property [M]]`. Model::none selects the property's default model.
 [[nodiscard]] DeclPtr assert_property(ExprPtr process, AssertionKind, Model = Model::none, bool negated = false);
-/// `assert process :[has trace [M]]: trace`; `trace` is a sequence.
+/// `assert process :[has trace [M]]: trace`. `trace` must be a sequence.
 [[nodiscard]] DeclPtr assert_has_trace(ExprPtr process, ExprPtr trace, Model = Model::none, bool negated = false);
 
 }  // namespace robochart::cspm::build

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts are hashed in the order in which syntax.cpp compares them, without comments, spans and parentheses.
+// Hashes the parts of trees in the order in which syntax.cpp compares them, without comments, spans and parentheses.
 #include "checker/cspm/syntax/fingerprint.hpp"
 
 #include <string_view>
@@ -30,7 +30,7 @@ private:
     void add_word(std::uint64_t value) { result_.hash = mix_word(result_.hash, value); }
     void add_text(std::string_view value) {
         add_word(value.size());
-        // FNV-1a, which does not depend on the library's std::hash.
+        // The hash is FNV-1a, because std::hash depends on the library.
         std::uint64_t hash = 0xcbf29ce484222325U;
         for (const char character : value) hash = (hash ^ static_cast<unsigned char>(character)) * 0x100000001b3U;
         add_word(hash);
@@ -80,7 +80,8 @@ private:
         result_.size += 2;
     }
     void add_field(const Field& field) {
-        const FieldKind kind = field.kind == FieldKind::dot ? FieldKind::output : field.kind;  // as in syntax.cpp
+        // The same conversion as in syntax.cpp.
+        const FieldKind kind = field.kind == FieldKind::dot ? FieldKind::output : field.kind;
         add_word(static_cast<std::uint64_t>(kind));
         add_expr(field.value);
         add_pattern(field.pattern);

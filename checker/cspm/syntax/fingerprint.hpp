@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fingerprint is a hash of the content of a syntax tree: trees that compare equal (syntax.hpp) have equal
-// fingerprints. It finds equal trees among many without comparing every pair.
+// Computes fingerprints of syntax trees, which are hashes of their contents: trees that compare equal (syntax.hpp) have
+// equal fingerprints. With fingerprints, equal trees are found among many without a comparison of every pair.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@ namespace robochart::cspm {
 
 struct Fingerprint {
     std::uint64_t hash = 0;
-    std::size_t size = 0;  ///< approximately the number of characters of its text without white space
+    std::size_t size = 0;  ///< approximate number of characters of the text without white space
 };
 
-/// Computes fingerprints; those of modules are cached, so that nested modules are visited once.
+/// Computes fingerprints. Those of modules are cached, so that nested modules are visited only once.
 class Fingerprints {
 public:
-    /// The fingerprint of a module's exports, independent of its name.
+    /// Returns the fingerprint of a module's exports, which does not depend on the module's name.
     [[nodiscard]] Fingerprint of_exports(const DeclPtr& module);
 
 private:
     class Digest;
-    std::map<DeclPtr, Fingerprint> exports_;  ///< never iterated
+    std::map<DeclPtr, Fingerprint> exports_;  ///< looked up, but never iterated
 };
 
 }  // namespace robochart::cspm

@@ -30,7 +30,7 @@ void Layout::add_piece(Kind kind, std::string text) {
     pieces_.push_back({kind, std::move(text)});
 }
 
-// For each `open`, the width of its group on one line; never_fits if it contains a hard line end.
+// Returns, for each `open`, the width of its group on one line, or never_fits if the group contains a hard line end.
 std::vector<std::size_t> Layout::group_widths() const {
     std::vector<std::size_t> result(pieces_.size(), 0);
     std::vector<std::size_t> starts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text with places at which a line may end, and an algorithm that selects the places at which lines end. A group that
-// does not fit breaks at all its places (Oppen 1980, with consistent breaking).
+// Lays out a text: the text marks places at which a line may end, and the algorithm selects some of them. If a group
+// does not fit into its line, lines end at all places of the group (Oppen 1980, with consistent breaking).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ class Layout {
 public:
     explicit Layout(std::size_t width) : width_(width) {}
 
-    /// Text without line ends. Spaces are inserted where two texts would join to another token: `{-`, `<-`, `{|`.
+    /// Adds text without line ends. Inserts a space if two texts would join to another token, such as `{-`, `<-` or
+    /// `{|`.
     void add_text(std::string_view piece);
     void space_or_line() { add_piece(Kind::line, " "); }
     void break_line() { add_piece(Kind::hard_line, ""); }

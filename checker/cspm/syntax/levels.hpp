@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The precedences of CSPM's operators, lowest first, from the table of FDR's own grammar (libcspm, Parser.ppy). The
-// reader and the printer share this table.
+// Defines the precedences of CSPM's operators, lowest first, as in the table of FDR's own grammar (libcspm,
+// Parser.ppy). The reader and the printer share these precedences.
 #pragma once
 
 namespace robochart::cspm {

@@ -19,8 +19,8 @@ namespace {
 using diagnostics::is_digit;
 using diagnostics::Span;
 
-// The treatment of line ends around a token (FDR's lexer, libcspm Lexer.x). `before`: line ends before the token are
-// ignored, since it cannot begin an expression or declaration. `after`: line ends after it are ignored.
+// How line ends around a token are treated (FDR's lexer, libcspm Lexer.x). `before`: line ends before the token are
+// ignored, because it cannot begin an expression or declaration. `after`: line ends after the token are ignored.
 enum LineBreaks : std::uint8_t { plain = 0, before = 1, after = 2, both_sides = 3 };
 
 struct Symbol {
@@ -159,7 +159,7 @@ private:
         }
     }
 
-    /// `a --> P`: a comment that begins after other text on its line, which is probably meant as an arrow.
+    /// Reports `a --> P`: a comment that begins after other text on its line was probably meant as an arrow.
     void arrow_comment() {
         if (!looking_at("-->") || line_end_ || tokens_.empty() || tokens_.back().kind == Tok::newline) return;
         const Span place{source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + 3)};
@@ -180,7 +180,8 @@ private:
         } while (depth > 0);
     }
 
-    // A set that begins with a negative number is parsed as one, so that the rest of the script is not lost.
+    // Reports a block comment that is not closed. If its `{-` probably begins a set with a negative number, emits `{`,
+    // so that the rest of the script is not lost.
     void open_comment(std::size_t from) {
         const Span place{source_, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(from + 2)};
         diagnostics::Diagnostic& finding = diagnostics_.report(rules::open_comment, place);
@@ -239,7 +240,7 @@ private:
         emit_token(Tok::identifier, from, plain);
     }
 
-    // Reports the name once and then accepts it as a name.
+    // Reports a name with foreign letters once, and then accepts it as a name.
     void foreign_name(std::size_t from) {
         const std::string name(text_from(from));
         if (!foreign_names_.insert(name).second) return;
@@ -248,15 +249,15 @@ private:
             finding.notes.push_back({span_from(from), "write '" + plain + "'"});
     }
 
-    // Whether the token about to be emitted is the first of a declaration.
+    // Returns true if the next token is the first token of a declaration.
     [[nodiscard]] bool starts_declaration() const {
         if (tokens_.empty() || tokens_.back().kind == Tok::newline) return true;
         if (line_end_ && !soaking_) return true;
         return tokens_.back().kind == Tok::l_brace && line_end_;
     }
 
-    // Reads the rest of the line after `print`. The statement ends with its line, even if the next line could continue
-    // it.
+    // Reads the rest of the line after `print`. The statement ends at the end of its line, even if the next line could
+    // continue it.
     void read_print_line(std::size_t from) {
         emit_token(Tok::print, from, after);
         const std::string_view whole = text_;
@@ -329,7 +330,7 @@ private:
             diagnostics_.report(rules::open_literal, span_from(from), {"character"});
     }
 
-    // `:[words [M]]` or `:[words]:` is one token; the parser parses its contents.
+    // Reads `:[words [M]]` or `:[words]:` as one token. The parser parses its contents.
     void read_property() {
         const std::size_t from = at_;
         const std::size_t line = line_end();
@@ -350,7 +351,7 @@ private:
         emit_token(Tok::property, from, takes_more ? both_sides : before);
     }
 
-    // Tokens that depend on their neighbours.
+    // Reads tokens that depend on the characters around them.
     bool read_special() {
         const std::size_t from = at_;
         if (looking_at("(|") && (is_blank(peek(2)) || peek(2) == '\n')) {
@@ -386,7 +387,8 @@ private:
         return true;
     }
 
-    // Emits the intended token, if there is one, so that the rest of the declaration can be parsed.
+    // Reports an error and emits the token that was probably meant, if there is one, so that the rest of the
+    // declaration can be parsed.
     void read_as(std::string_view written, std::size_t from) {
         if (const auto* word = std::ranges::find(words, written, &Symbol::text); word != words.end())
             return emit_token(word->kind, from, word->layout);
@@ -416,10 +418,10 @@ private:
     }
 
     diagnostics::Diagnostics& diagnostics_;
-    bool line_end_ = false;        // a line end was skipped after the last token
+    bool line_end_ = false;        // whether a line end was skipped after the last token
     std::size_t line_end_at_ = 0;  // position of the first skipped line end
-    bool soaking_ = true;          // line ends after the last token are ignored
-    bool blank_before_ = false;    // white space precedes the token
+    bool soaking_ = true;          // whether line ends after the last token are ignored
+    bool blank_before_ = false;    // whether white space precedes the token
     std::vector<Token> tokens_;
     std::set<std::string> foreign_names_;  // names that have been reported
 };

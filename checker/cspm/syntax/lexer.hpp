@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts CSPM text to tokens, with FDR's layout rule: a line end is a token unless the token before it cannot end an
+// Converts CSPM text to tokens by FDR's layout rule: a line end is a token unless the token before it cannot end an
 // expression, or the token after it cannot begin an expression or a declaration.
 #pragma once
 
@@ -36,17 +36,17 @@ enum class Tok : std::uint8_t {
 struct Token {
     Tok kind = Tok::end;
     diagnostics::Span span;
-    std::string_view text;    ///< the covered text
-    std::int64_t number = 0;  ///< integer value, character code
+    std::string_view text;    ///< the text of the token in the script
+    std::int64_t number = 0;  ///< value of an integer, code of a character
 };
 
-/// All tokens of a text; the last is `end`. Malformed tokens are reported and skipped.
+/// Returns all tokens of a text; the last token is `end`. Malformed tokens are reported and skipped.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&);
 
-/// True for the characters of names after the first.
+/// Returns true for characters that names may contain after the first one.
 [[nodiscard]] bool continues_name(char c);
 
-/// The name of a token in messages: its spelling in quotes, or a description.
+/// Returns the text for a token in messages: its spelling in quotes, or a description.
 [[nodiscard]] std::string_view spelling(Tok kind);
 
 }  // namespace robochart::cspm

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks up qualified names in the syntax tree of a script: modules by name, instances by their module.
+// Looks up qualified names in the syntax tree of a script. Modules are found by their names, and instances by their
+// modules.
 #include "checker/cspm/syntax/lookup.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::string_view separator = "::";
 
-/// The scopes of a name: nested lists of declarations, the outermost first. The last list uses the name.
+/// The scopes of a name are nested lists of declarations, the outermost first. The name is used in the last list.
 using Scopes = std::vector<const std::vector<DeclPtr>*>;
 
 bool declares_name(const Decl& decl, std::string_view name) {
@@ -38,7 +39,7 @@ bool declares_name(const Decl& decl, std::string_view name) {
     return false;
 }
 
-/// Timed sections are not scopes.
+/// Finds a declaration in a list. Timed sections inside the list are not scopes, so they are searched too.
 DeclPtr find_declared(const std::vector<DeclPtr>& decls, std::string_view name) {
     for (const DeclPtr& decl : decls) {
         if (declares_name(*decl, name)) return decl;
@@ -57,8 +58,8 @@ DeclPtr find_path(std::string_view path, const Scopes& scopes) {
     return find_inside(first, path.substr(end + separator.size()), scopes);
 }
 
-/// Finds the rest of a path inside a declaration. The module of an instance must be in scope at the instance. The
-/// enclosing declarations are in scope in inner modules.
+/// Finds the rest of a path inside a declaration. The module of an instance must be in scope where the instance is
+/// declared. Inner modules can use the enclosing declarations.
 DeclPtr find_inside(const DeclPtr& decl, std::string_view path, const Scopes& scopes) {
     if (decl->kind == DeclKind::module) {
         for (const auto* part : {&decl->exports, &decl->decls}) {

@@ -10,16 +10,16 @@
 
 namespace robochart::cspm {
 
-/// The names that a declaration adds to its scope, including constructors and, for a value, the variables of its
-/// pattern.
+/// Returns the names that a declaration adds to its scope, which include constructors and, for a value, the variables
+/// of its pattern.
 [[nodiscard]] std::vector<std::string> declared_names(const Decl& decl);
 
-/// The declaration of `path`, a name or `A::B::name`, with or without a leading `::`. Searches modules with their
-/// private parts, timed sections, and the modules of instances. For a function, returns the first clause. Null if there
-/// is none.
+/// Returns the declaration of `path`, which is a name or `A::B::name`, with or without a leading `::`. Searches modules
+/// with their private parts, timed sections, and the modules of instances. For a function, returns the first clause.
+/// Returns null if there is no declaration.
 [[nodiscard]] DeclPtr declaration_of(const Script& script, std::string_view path);
 
-/// The assertions among declarations in order, including those inside modules and timed sections.
+/// Returns the assertions among the declarations in order, including those inside modules and timed sections.
 [[nodiscard]] std::vector<DeclPtr> assertions_in(const std::vector<DeclPtr>& decls);
 
 }  // namespace robochart::cspm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calls of observed functions: the arguments and results that were actually evaluated while processes were explored.
+// Reports calls of observed functions with the arguments and results that were evaluated while processes were explored.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ namespace robochart::cspm {
 struct ObservedCall {
     std::string function;
     diagnostics::Span span;                           ///< place of the call
-    std::vector<std::optional<std::int64_t>> values;  ///< by argument: the value if it is a number
-    std::optional<std::int64_t> result;               ///< the value if it is a number
+    std::vector<std::optional<std::int64_t>> values;  ///< by argument: its value if it is a number
+    std::optional<std::int64_t> result;               ///< the result if it is a number
 };
 
-/// The top-level functions to observe, and the callback.
+/// The top-level functions to observe, and the function that receives their calls.
 struct CallObserver {
     std::set<std::string> functions;
     std::function<void(const ObservedCall&)> tell;

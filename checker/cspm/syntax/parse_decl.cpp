@@ -25,8 +25,8 @@ void Parser::skip_newlines() {
     }
 }
 
-// Parses declarations until `done` returns true. Errors are caught here, except in a `let`: an error in a `let` drops
-// the whole enclosing declaration.
+// Parses declarations until `done` returns true. Errors are caught here, so that one malformed declaration is skipped.
+// An error in a `let` is passed on, because it drops the whole enclosing declaration.
 std::vector<DeclPtr> Parser::parse_declarations(Place place, bool (Parser::*done)() const) {
     std::vector<DeclPtr> result;
     skip_newlines();
@@ -50,7 +50,7 @@ std::vector<DeclPtr> Parser::parse_declarations(Place place, bool (Parser::*done
 namespace {
 constexpr std::size_t widest_margin = 200;
 
-// The number of characters before the token on its line, at most `most`.
+// Returns the number of characters before the token on its line, at most `most`.
 std::size_t width_before(const Token& token, std::size_t most) {
     std::size_t result = 0;
     while (result < most && result < token.span.begin && *(token.text.data() - result - 1) != '\n') ++result;
@@ -58,7 +58,7 @@ std::size_t width_before(const Token& token, std::size_t most) {
 }
 }  // namespace
 
-// Continues at the next line whose indentation is at most that of the malformed declaration.
+// Skips a malformed declaration: continues at the next line whose indentation is at most that of the declaration.
 void Parser::skip_malformed_declaration(Span from, bool (Parser::*done)() const) {
     open_sequences_ = 0;
     const auto first =
@@ -114,7 +114,7 @@ bool Parser::annotation_ahead() const {
     return peek(ahead).kind == Tok::identifier && peek(ahead + 1).kind == Tok::of_type;
 }
 
-// f(p, q)(r) = e, or pattern = e.
+// Parses a definition: f(p, q)(r) = e, or pattern = e.
 DeclPtr Parser::parse_definition() {
     const Span from = peek().span;
     DeclNode result;
@@ -306,7 +306,7 @@ struct PropertyText {
     std::string model;
 };
 
-// Splits `:[words [M]]:`.
+// Splits the text `:[words [M]]:` into its parts.
 PropertyText split_property(std::string_view text) {
     PropertyText result;
     text.remove_prefix(2);
@@ -453,7 +453,7 @@ Place timed_inside(Place outer) {
     return Place::timed;
 }
 
-// The rules are those of FDR's front end (libcspm, Parser.ppy).
+// Implements the rules of FDR's front end (libcspm, Parser.ppy).
 std::string forbidden_place(DeclKind kind, Place place) {
     const bool asks = kind == DeclKind::assertion || kind == DeclKind::print;
     switch (place) {
@@ -494,8 +494,7 @@ std::vector<std::string> names_declared_by(const Decl& decl) {
 
 }  // namespace
 
-// Checks that every annotation belongs to one declaration of the same list, and that no declaration has several
-// annotations.
+// Reports annotations without a declaration in the same list, and declarations with several annotations.
 void Parser::check_annotations(const std::vector<DeclPtr>& decls) {
     std::map<std::string, const Decl*> annotated;
     for (const DeclPtr& decl : decls) {

@@ -70,7 +70,7 @@ ExprPtr Parser::parse_expression(int minimum) {
     return parse_operators(parse_operand(), minimum);
 }
 
-// Parses the operators after an operand. Hiding has the lowest precedence on its left, but its right side is one
+// Parses the operators after an operand. Hiding has the lowest precedence on its left, but its right side is only one
 // operand: FDR parses `P \ A ||| Q` as `(P \ A) ||| Q`.
 ExprPtr Parser::parse_operators(ExprPtr left, int minimum) {
     for (;;) {
@@ -259,7 +259,7 @@ std::vector<Clause> Parser::parse_clauses() {
 
 Clause Parser::parse_clause() {
     if (!generator_ahead()) {
-        // A process is not a condition.
+        // Reports that a process is used as a condition.
         if (at_token(Tok::identifier) && peek(1).kind == Tok::arrow) {
             take_token();
             fail("'<-'");
@@ -293,10 +293,10 @@ bool ends_operand(Tok kind) {
 
 }  // namespace
 
-// A clause is a generator if `<-` or `:` occurs before its end. The tokens before it must be scanned, because a pattern
-// looks like an expression.
+// Returns true if the next clause is a generator, which means that `<-` or `:` occurs before its end. The tokens must
+// be scanned, because a pattern looks like an expression.
 bool Parser::generator_ahead() const {
-    std::vector<bool> open;  // true: a sequence, the only bracket that `>` closes
+    std::vector<bool> open;  // true for a sequence, which is the only bracket that `>` closes
     Tok previous = Tok::comma;
     for (std::size_t ahead = 0;; ++ahead) {
         const Tok kind = peek(ahead).kind;

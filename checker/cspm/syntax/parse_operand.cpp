@@ -249,7 +249,7 @@ ExprPtr Parser::parse_replicated_bracketed(ExprKind kind, Tok close) {
     return finish_node(std::move(result), from);
 }
 
-// `|| x:S @ [A] P`: the body ends where an operand of a parallel operator would end.
+// Parses `|| x:S @ [A] P`. The body ends where an operand of a parallel operator would end.
 ExprPtr Parser::parse_replicated_alphabetised() {
     const Span from = take_token().span;
     ExprNode result;
@@ -264,7 +264,8 @@ ExprPtr Parser::parse_replicated_alphabetised() {
     return finish_node(std::move(result), from);
 }
 
-// Parses [a <-> b | clauses] x:s @ P. The links' own clauses come first in the tree, as conditions of the links.
+// Parses [a <-> b | clauses] x:s @ P. In the tree, the clauses of the links come first and are stored as conditions of
+// the links.
 ExprPtr Parser::parse_replicated_square() {
     const Span from = take_token().span;
     ExprNode result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses patterns. FDR parses them as expressions and converts these, so patterns have the precedences of expressions:
-// @@ is lower than `.`, which is lower than ^.
+// Parses patterns. FDR parses a pattern as an expression and converts it, so patterns have the precedences of
+// expressions: @@ binds less tightly than `.`, which binds less tightly than ^.
 #include <algorithm>
 #include <string>
 
@@ -13,7 +13,8 @@ namespace {
 enum PatternLevel { both_level = 0, dot_level = 1, concat_level = 2 };
 }  // namespace
 
-// Chains of operators increase the height of the tree without recursion: `x^y^z…` is left-associative.
+// Completes a node and checks its height: chains of operators such as `x^y^z…` increase the height without recursion,
+// because they are left-associative.
 PatternPtr Parser::finish_node(PatternNode pattern, Span from) {
     pattern.span = span_since(from);
     for (const PatternPtr& arg : pattern.args)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses types in annotations (`f :: (Int) -> {Event}`). Their syntax is checked, and they are stored as text in a
+// Parses types in annotations (`f :: (Int) -> {Event}`). Their syntax is checked. Then they are stored as text in a
 // canonical form.
 #include "checker/cspm/syntax/parser.hpp"
 #include "checker/cspm/syntax/rules.hpp"
@@ -12,7 +12,7 @@ bool is_constraint(std::string_view name) {
 }
 }  // namespace
 
-// Parses T, C a => T, or (C a, D b) => T.
+// Parses a type with optional constraints: T, C a => T, or (C a, D b) => T.
 std::string Parser::parse_type_scheme() {
     const bool group = at_token(Tok::l_paren) && peek(1).kind == Tok::identifier && peek(2).kind == Tok::identifier;
     const bool single = at_token(Tok::identifier) && peek(1).kind == Tok::identifier;

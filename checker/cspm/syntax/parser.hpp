@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recursive-descent parser for CSPM; operators by precedence climbing. The precedence table is that of FDR's own
-// grammar (libcspm, Parser.ppy), lowest first; see parse_expr.cpp.
+// Parses CSPM by recursive descent, and operators by precedence climbing (parse_expr.cpp). The precedences are those of
+// FDR's own grammar (libcspm, Parser.ppy; levels.hpp).
 #pragma once
 
 #include <string>
@@ -14,17 +14,18 @@
 
 namespace robochart::cspm {
 
-/// The kind of list that contains a declaration.
+/// The kind of a list of declarations.
 enum class Place { top, module, let, timed, timed_in_module };
-/// The kind of list inside a timed section that is in a list of this kind.
+/// Returns the kind of the list inside a timed section that is in a list of this kind.
 [[nodiscard]] Place timed_inside(Place outer);
-/// The text "in a module" if a declaration of this kind is forbidden at the place; "" if it is allowed.
+/// Returns the text "in a module", or a similar text, if a declaration of this kind is forbidden in such a list, and ""
+/// if it is allowed.
 [[nodiscard]] std::string forbidden_place(DeclKind kind, Place place);
 void report_misplaced(const Decl& decl, Place place, diagnostics::Diagnostics& diagnostics);
 
 class Parser {
 public:
-    /// Maximal depth of recursion, and maximal height of a tree (chains of operators also increase the height).
+    /// The maximal depth of recursion, and the maximal height of a tree, which chains of operators also increase.
     static constexpr unsigned max_depth = 800;
     static constexpr unsigned max_height = 4000;
 
@@ -36,7 +37,7 @@ public:
 private:
     struct SyntaxError {};
 
-    // Nodes store their height during parsing, so that no tree becomes higher than max_height, and no pattern higher
+    // Stores the height of a node during parsing, so that no tree becomes higher than max_height, and no pattern higher
     // than max_depth.
     struct ExprNode : Expr {
         unsigned height = 0;
@@ -57,7 +58,7 @@ private:
     private:
         Parser& parser_;
     };
-    // Inside brackets a `>` is an operator, even if they are inside a sequence.
+    // Makes `>` an operator inside brackets, even if the brackets are inside a sequence.
     class Bracket {
     public:
         explicit Bracket(Parser& parser) : parser_(parser), open_(std::exchange(parser.open_sequences_, 0)) {}
@@ -77,10 +78,10 @@ private:
     bool accept(Tok kind);
     const Token& expect(Tok kind);
     [[noreturn]] void fail(std::string_view expected);
-    /// Returns the opening bracket that matches the expected closing bracket, or null if there is none.
+    /// Returns the opening bracket to which the expected closing bracket belongs, or null if there is none.
     [[nodiscard]] const Token* open_bracket(std::string_view expected) const;
-    /// Throws the error, with advice that depends on what the user probably meant. `about` is the part of the text to
-    /// which the advice refers.
+    /// Throws the error, with advice that depends on what the user probably meant. `about` is the text to which the
+    /// advice refers.
     [[noreturn]] void fail(std::string_view expected, std::string_view advice, Span about);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments = {});
     [[nodiscard]] Span span_since(Span from) const;
@@ -167,7 +168,7 @@ private:
     [[nodiscard]] bool at_brace() const { return at_token(Tok::r_brace) || at_token(Tok::end); }
     [[nodiscard]] bool annotation_ahead() const;
 
-    // types in annotations, stored as text in a canonical form
+    // The following functions parse types in annotations, which are stored as text in a canonical form.
     std::string parse_type();
     std::string parse_type_operand(bool& grouped);
     std::string parse_type_scheme();

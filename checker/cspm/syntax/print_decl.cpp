@@ -110,7 +110,7 @@ void Printer::print_declaration(const Decl& decl) {
             out_.add_text(" :: " + decl.text);
             break;
         case DeclKind::print:
-            out_.add_text("print " + on_one_line(decl.body));  // FDR reads the rest of the line
+            out_.add_text("print " + on_one_line(decl.body));  // FDR reads the rest of the line after `print`
             break;
         case DeclKind::assertion:
             print_assertion(decl.assertion);
@@ -222,7 +222,7 @@ std::string_view property_name(AssertionKind kind) {
 
 void Printer::print_assertion(const Assertion& assertion) {
     out_.add_text(assertion.negated ? "assert not " : "assert ");
-    // `assert not P` would be a negated assertion.
+    // Without parentheses, `assert not P` would be read as a negated assertion.
     const bool ambiguous = !assertion.negated && on_one_line(assertion.specification).starts_with("not ");
     print_expression(assertion.specification, ambiguous ? atom_level : lowest_level);
     const std::string model(model_name(assertion.model));

@@ -16,7 +16,7 @@ struct Writing {
     std::string_view op;
 };
 
-// Precedence and spelling of the operators; atoms and bracketed forms have the highest precedence.
+// Returns the precedence and the spelling of an operator. Atoms and bracketed forms have the highest precedence.
 Writing notation_of(ExprKind kind) {
     switch (kind) {
         case ExprKind::lambda:
@@ -233,7 +233,7 @@ void Printer::print_binary_value(const Expr& expr, int level, std::string_view o
     const bool chains = level != compare_level;
     out_.open_group();
     print_expression(expr.args[0], chains ? level : level + 1);
-    // A line may end after every operator except `>`, and before every one except `-` and `<`.
+    // A line may end after every operator except `>`, and before every operator except `-` and `<`.
     const bool before = expr.kind == ExprKind::greater;
     if (before)
         out_.space_or_line();
@@ -248,7 +248,7 @@ void Printer::print_binary_value(const Expr& expr, int level, std::string_view o
     out_.close_group();
 }
 
-// Names, calls, bracketed forms, prefixes and guards need no parentheses as operands of a process operator.
+// Prints an operand of a process operator. Names, calls, bracketed forms, prefixes and guards need no parentheses.
 void Printer::print_process_operand(const ExprPtr& given) {
     const Expr* expr = &strip_parentheses(given);
     const bool alone = expr->kind == ExprKind::prefix || expr->kind == ExprKind::guard;

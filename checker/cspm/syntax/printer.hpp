@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints trees as text that FDR accepts. Operands of value operators get the parentheses that their precedence requires
-// (levels.hpp); operands of process operators get them unless they are self-contained. Lines end only where FDR's lexer
-// ignores line ends (lexer.cpp).
+// (levels.hpp). Operands of process operators get parentheses unless they are self-contained. Lines end only where
+// FDR's lexer ignores line ends (lexer.cpp).
 #pragma once
 
 #include <string>
@@ -63,7 +63,7 @@ private:
     void print_assertion(const Assertion& assertion);
 
     Layout& out_;
-    bool inside_sequence_ = false;  // an unbracketed `>` would close it
+    bool inside_sequence_ = false;  // whether an unbracketed `>` would end the sequence
 };
 
 }  // namespace robochart::cspm

@@ -27,8 +27,8 @@ namespace {
 // Replaces `include` lines by the declarations of the included files.
 class Includer {
 public:
-    // Limits the nesting of includes. A script becomes exponentially long if every file includes another file several
-    // times.
+    // The maximal nesting of includes. The size is limited separately, because a script becomes exponentially long if
+    // every file includes another file several times.
     static constexpr std::size_t max_open = 200;
     static constexpr std::size_t max_files = 10000;
 
@@ -71,7 +71,7 @@ private:
     }
 
     /// Replaces includes by the declarations of their files. `read_at` is the kind of list for which the parser has
-    /// checked the declarations; `place` is the list that contains them in the script.
+    /// checked the declarations. `place` is the kind of the list that contains them in the script.
     std::vector<DeclPtr> expand(const std::vector<DeclPtr>& decls, const std::filesystem::path& folder, Place read_at,
                                 Place place) {
         std::vector<DeclPtr> result;
@@ -100,7 +100,7 @@ private:
     const Loader& load_;
     std::size_t files_ = 0;
     std::size_t bytes_ = 0;
-    bool full_ = false;  // the excessive size has been reported
+    bool full_ = false;  // whether the excessive size has been reported
     std::vector<std::filesystem::path> open_;
     std::error_code ignored_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renames names in syntax trees, and finds the names that patterns bind. A name is renamed wherever it occurs,
-// independently of its meaning there, so the caller must choose names that have at most one meaning in the tree.
+// Renames names in syntax trees, and finds the names that patterns bind. A name is renamed wherever it occurs, whatever
+// it means there. So the caller must choose names that have at most one meaning in the tree.
 #pragma once
 
 #include <map>
@@ -19,20 +19,22 @@ using NewNames = std::map<std::string, std::string>;
 /// same objects if there are no new names.
 [[nodiscard]] std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const NewNames& names);
 
-/// New names for plain names, and for the parts of qualified ones. A name after one of `modules`, which are declared in
-/// the tree itself, is renamed like a plain name.
+/// The new names for plain names, and for the parts of qualified names. A name after one of `modules`, which the tree
+/// itself declares, is renamed like a plain name.
 struct QualifiedNames {
     NewNames plain;
-    NewNames first, inside, last;  ///< for `A::b::c`: A, b and c
+    NewNames first, inside, last;  ///< new names for A, b and c in `A::b::c`
     std::set<std::string> modules;
 };
 [[nodiscard]] std::vector<DeclPtr> rename_declarations(const std::vector<DeclPtr>& decls, const QualifiedNames& names);
 
-/// Parameters of functions, lambdas and modules, variables of generators, inputs and local definitions. If such a name
-/// is also a channel or a constructor where the tree is used, it becomes a pattern that matches only that value.
+/// Returns the names of parameters of functions, lambdas and modules, of variables of generators and inputs, and of
+/// local definitions. If such a name is also a channel or a constructor where the tree is used, it becomes a pattern
+/// that matches only this value.
 [[nodiscard]] std::set<std::string> bound_names(const std::vector<DeclPtr>& decls);
 
-/// Names that value declarations bind outside expressions, including those in exported and private parts of modules.
+/// Returns the names that value declarations bind outside expressions. These declarations may be in exported or private
+/// parts of modules.
 [[nodiscard]] std::set<std::string> value_names(const std::vector<DeclPtr>& decls);
 
 }  // namespace robochart::cspm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics of the CSPM reader, as a table.
+// Lists the diagnostics of the CSPM reader.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax tree of machine-readable CSP (CSPM) as FDR4 reads it (FDR manual, chapter CSPM). Two producers build it:
-// the reader (from text) and csp_emit (from RoboChart). One printer writes it, and one evaluator runs it. Trees compare
-// structurally, ignoring spans and comments: parsing the output of the printer gives an equal tree. Nodes are immutable
-// after construction and shared freely.
+// Defines the syntax tree of machine-readable CSP (CSPM) as FDR4 reads it (FDR manual, chapter CSPM). Two producers
+// build it: the reader (from text) and csp_emit (from RoboChart). One printer writes it, and one evaluator runs it.
+// Trees are compared by structure, without spans and comments: parsing the output of the printer gives an equal tree.
+// Nodes are immutable after construction and may be shared.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ using DeclPtr = std::shared_ptr<const Decl>;
 
 enum class PatternKind {
     wildcard,  ///< _
-    name,      ///< variable, or constructor/channel if `text` names one (decided at evaluation)
+    name,      ///< a variable, or a constructor/channel if `text` names one (decided at evaluation)
     integer,
     character,
     string,
@@ -122,7 +122,7 @@ enum class ExprKind {
     replicated_synchronising,  ///< [+ args[1] +] x:S @ P
 };
 
-/// One communication field of a prefix: `.e`, `!e`, `?p`, `?p:S`, `$p`, `$p:S`.
+/// A field of a prefix: `.e`, `!e`, `?p`, `?p:S`, `$p` or `$p:S`.
 enum class FieldKind { dot, output, input, nondeterministic };
 struct Field {
     FieldKind kind = FieldKind::output;
@@ -131,13 +131,13 @@ struct Field {
     PatternPtr pattern;  ///< input, nondeterministic
 };
 
-/// A comprehension or replication clause: a generator `p <- e` / `p : e`, or a condition.
+/// A clause of a comprehension or replication: a generator `p <- e` / `p : e`, or a condition.
 struct Clause {
-    PatternPtr pattern;  ///< null: condition
+    PatternPtr pattern;  ///< null if the clause is a condition
     ExprPtr value;
 };
 
-/// `from <- to` in renamings, `from <-> to` in linked parallel; their optional clauses are in Expr::clauses.
+/// `from <- to` in renamings, or `from <-> to` in linked parallel. Their optional clauses are in Expr::clauses.
 struct Link {
     ExprPtr from, to;
 };
@@ -157,8 +157,8 @@ struct Expr {
 
 // ---------------------------------------------------------------- types as written
 
-/// Types in channel, datatype, nametype declarations are expressions that denote sets (FDR: `channel c : {0..2}.Bool`);
-/// a product of fields is an ExprKind::dot, a tuple type an ExprKind::tuple.
+/// Types in declarations of channels, datatypes and nametypes are expressions that denote sets (FDR: `channel c :
+/// {0..2}.Bool`). A product of fields is an ExprKind::dot, and a tuple type is an ExprKind::tuple.
 struct Constructor {
     std::string name;
     ExprPtr fields;  ///< null if there are none
@@ -168,8 +168,9 @@ struct Constructor {
 // ---------------------------------------------------------------- declarations
 
 enum class DeclKind {
-    function,  ///< name(patterns)...(patterns) = body: one clause; consecutive ones with the same name belong together
-    value,     ///< pattern = body
+    /// One clause, `name(patterns)...(patterns) = body`. Consecutive clauses with the same name belong together.
+    function,
+    value,  ///< pattern = body
     channel,
     datatype,
     subtype,
@@ -210,7 +211,7 @@ struct Assertion {
 struct Decl {
     DeclKind kind = DeclKind::value;
     Span span;
-    std::string comment;             ///< printed before it as `-- ` lines; ignored by equality
+    std::string comment;             ///< printed before the declaration as `-- ` lines; ignored by equality
     std::vector<std::string> names;  ///< function, channel, datatype, module…: declared names; include: path
     std::vector<std::vector<PatternPtr>> patterns;  ///< function: one list per curried argument group; value: {{p}}
     ExprPtr body;  ///< function, value, nametype, print; channel: field type (null: none); timed: the duration function
@@ -223,12 +224,12 @@ struct Decl {
     Assertion assertion;
 };
 
-/// One file, or several joined.
+/// The declarations of one file, or of several joined files.
 struct Script {
     std::vector<DeclPtr> decls;
 };
 
-/// Structural equality as described above.
+/// Compares trees by structure as described at the head of this file.
 [[nodiscard]] bool equal(const ExprPtr&, const ExprPtr&);
 [[nodiscard]] bool equal(const Decl&, const Decl&);
 [[nodiscard]] bool equal(const Script&, const Script&);

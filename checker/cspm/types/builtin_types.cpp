@@ -16,7 +16,8 @@ struct Row {
     std::string_view type;
 };
 
-// Sets of processes may be built but not examined: operations that would compare processes require Eq, the others Set.
+// Sets of processes may be built, but not examined. So operations that would compare processes require Eq, and the
+// others require Set.
 constexpr std::array rows{
     Row{"true", "Bool"},
     Row{"false", "Bool"},
@@ -93,7 +94,7 @@ constexpr std::array rows{
     Row{"dbisim", "(Proc) -> Proc"},
 };
 
-// A closed type: its variables become quantified ones.
+// Builds a closed type: its variables become quantified variables.
 class Builder {
 public:
     Builder(TypeStore& store, const WrittenScheme& scheme) : store_(store), scheme_(scheme) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The types of CSPM's built-in names, written in FDR's notation (FDR manual, "Built-in definitions").
+// Gives the types of CSPM's built-in names, written in FDR's notation (FDR manual, "Built-in definitions").
 #pragma once
 
 #include <map>
@@ -14,10 +14,10 @@ public:
     explicit BuiltinTypes(TypeStore& store) : store_(store) {}
 
     enum class Where { script, timed_section, transparent_line, external_line };
-    /// The built-in with that name, if it may be used or imported there; otherwise null.
+    /// Returns the built-in with this name if it may be used or imported there, otherwise null.
     Symbol* find(std::string_view name, Where where);
-    /// The line that makes an extra function available ("transparent", "external"); "timed" in timed sections;
-    /// otherwise "".
+    /// Returns the line that makes an extra function available ("transparent", "external"). For functions that are only
+    /// available in timed sections, returns "timed". Otherwise returns "".
     [[nodiscard]] static std::string_view hint(std::string_view name);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CSPM's predefined names (FDR manual, chapter CSPM, Built-In Definitions).
+// Lists CSPM's predefined names (FDR manual, chapter CSPM, Built-In Definitions).
 #pragma once
 
 #include <cstdint>
@@ -28,16 +28,16 @@ enum class Visibility : std::uint8_t { always, timed_sections, transparent, exte
 struct BuiltinName {
     std::string_view name;
     Builtin builtin;
-    int arguments;  ///< -1: a value
+    int arguments;  ///< number of arguments; -1 for a value
     Visibility visibility = Visibility::always;
 };
 
 [[nodiscard]] std::span<const BuiltinName> builtin_names();
-/// Returns null if there is no built-in with that name.
+/// Returns the built-in with this name, or null if there is none.
 [[nodiscard]] const BuiltinName* find_builtin(std::string_view name);
 [[nodiscard]] const BuiltinName& builtin_name(Builtin builtin);
 
-/// Whether the built-in evaluates its arguments only as far as it needs them.
+/// Returns true if the built-in evaluates its arguments only as far as it needs them.
 [[nodiscard]] inline bool takes_by_need(Builtin which) {
     return (which >= Builtin::length && which <= Builtin::elem) ||
            (which >= Builtin::map_from_list && which <= Builtin::map_delete);

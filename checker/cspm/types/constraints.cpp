@@ -77,7 +77,7 @@ void Unifier::constrain_variable(Constraint constraint, TypeId variable) {
     store_.constrain(variable, constraint);
 }
 
-// Whether the type's constructor allows the constraint; its parts are constrained too.
+// Returns true if the type's constructor allows the constraint. Also imposes the constraint on the parts of the type.
 bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
     const TypeNode node = store_.node(type);
     const auto all = [&](Constraint required) {
@@ -116,7 +116,7 @@ bool Unifier::constrain_parts(Constraint constraint, TypeId type) {
             return constraint != can_yield && constraint != can_order;
         case TypeKind::sequence:
         case TypeKind::set:
-            // Sequences are ordered by prefix, sets by inclusion: both only need equality of the elements.
+            // Sequences are ordered by prefix and sets by inclusion. Both orders only need equality of the elements.
             if (constraint == can_yield) return false;
             return constraint == can_input || all(constraint == can_order ? can_equal : constraint);
         case TypeKind::tuple:

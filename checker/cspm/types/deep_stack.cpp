@@ -24,7 +24,8 @@ namespace robochart::cspm {
 
 namespace {
 
-// The stack of a thread, which is mapped on first use and stays mapped. Its pages are allocated when they are touched.
+// A separate stack for a thread. It is mapped on first use and stays mapped. The system allocates its pages when they
+// are first accessed.
 class Stack {
 public:
     Stack()

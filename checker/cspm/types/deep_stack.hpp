@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a function on a separate stack, large enough for deep recursion in scripts. Calls may be nested; only the
-// outermost one changes stacks. Exceptions are passed on.
+// Runs a function on a separate stack that is large enough for deep recursion in scripts. Calls may be nested; only the
+// outermost call changes stacks. Exceptions are passed on.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace robochart::cspm {
 
-/// Size of the stack in bytes for code run by `on_deep_stack`. AddressSanitizer supports exceptions only on stacks up
+/// The size in bytes of the stack that `on_deep_stack` provides. AddressSanitizer supports exceptions only on stacks up
 /// to this size.
 inline constexpr std::size_t deep_stack_bytes = std::size_t{1} << 26U;
 

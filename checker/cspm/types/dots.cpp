@@ -108,7 +108,7 @@ Unifier::Parts Unifier::evaluate(Parts parts, Match match) {
     return result;
 }
 
-// `a` is expected, `b` actual; returns the parts to which both are equal.
+// Returns parts to which both lists are equal. `a` is the expected list, `b` the actual list.
 Unifier::Parts Unifier::combine(Parts a, Parts b) {
     const TypeStore::Depth guard(store_);
     if (a.empty() && b.empty()) return {};
@@ -127,7 +127,7 @@ Unifier::Parts Unifier::combine(Parts a, Parts b) {
     return result;
 }
 
-// The head of `a` takes the following parts as arguments.
+// Lets the head of `a` take the parts after it as arguments.
 Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId first = one_by_one(store_.head(a[0]));
     const TypeId next = store_.head(a[1]);
@@ -135,7 +135,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     const TypeId yielded = store_.argument(first, 1);
     const TypeKind given = store_.node(next).kind;
     if (given == TypeKind::variable && a.size() == 2 && !has_kind(argument, TypeKind::dotable)) {
-        // The variable represents all the arguments and the parts of b after their result.
+        // The variable represents all arguments of the head of `a`, and the parts of `b` after the result.
         Parts all;
         const TypeId end = store_.split(first, all);
         Parts rest = evaluate(b, Match::longest);
@@ -153,7 +153,7 @@ Unifier::Parts Unifier::take_left(Parts a, const Parts& b) {
     return combine(replace_first_two(yielded, a), b);
 }
 
-// The head of `b` takes the following parts as arguments.
+// Lets the head of `b` take the parts after it as arguments.
 Unifier::Parts Unifier::take_right(const Parts& a, Parts b) {
     const TypeId first = one_by_one(store_.head(b[0]));
     const TypeId next = store_.head(b[1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of expressions and patterns (FDR manual, chapter CSPM: functional syntax, defining processes).
+// Infers the types of expressions and patterns (FDR manual, chapter CSPM: functional syntax, defining processes).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -56,7 +56,8 @@ TypeId ExpressionTypes::expect_type(const Term& term, TypeId type, std::string_v
     return unify(inside_parentheses(term).syntax->span, type, actual, because);
 }
 
-// Reports the error at a branch or at a let's body rather than at the whole expression.
+// Requires a type of this kind. An error is reported at a branch or at a let's body rather than at the whole
+// expression.
 void ExpressionTypes::expect_atom(const Term& term, TypeKind kind, std::string_view because) {
     const Term& at = inside_parentheses(term);
     if (at.syntax->kind == ExprKind::if_then_else) {
@@ -222,7 +223,7 @@ TypeId ExpressionTypes::infer_lambda(const Term& term) {
 
 namespace {
 
-/// " (id__, x)": the names of a function's parameters, if its first equation names them all.
+/// Returns the names of a function's parameters, such as " (id__, x)", if its first equation names all of them.
 std::string parameters_text(const Symbol* function) {
     if (function == nullptr || function->owner == nullptr || function->owner->equations.empty()) return "";
     const auto& groups = function->owner->equations.front().groups;
@@ -413,7 +414,7 @@ TypeId ExpressionTypes::infer_replicated(const Term& term) {
     return atom(TypeKind::process);
 }
 
-// Checks links and renamings. To be events, both ends need the same remaining fields.
+// Checks links and renamings: both ends must become events by the same further fields.
 void ExpressionTypes::check_links(const Term& term) {
     std::vector<TypeId> left;
     for (const LinkTerm& link : term.links) {
@@ -485,7 +486,7 @@ TypeId ExpressionTypes::infer_pattern(const PatternTerm& term) {
             const TypeId element = store_.fresh_variable();
             for (const PatternTerm& argument : term.args) expect_pattern(argument, element);
             if (term.syntax->kind == PatternKind::sequence) return store_.sequence_of(element);
-            // Eq, not Set, because a pattern compares.
+            // The constraint is Eq and not Set, because a pattern compares.
             constrain(term.syntax->span, can_equal, element, "a pattern compares what it matches");
             return store_.set_of(element);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of expressions and patterns, and the places of findings about them.
+// Infers the types of expressions and patterns, and determines the places of findings about them.
 #pragma once
 
 #include <functional>
@@ -13,32 +13,35 @@
 
 namespace robochart::cspm::types {
 
-/// Owns the unifier and its place. An ill-typed expression throws a TypeFault, a type that is too large a TypeOverflow.
+/// Infers types. It owns the unifier and the place of the unifier's findings. An ill-typed expression throws a
+/// TypeFault; a type that is too large throws a TypeOverflow.
 class ExpressionTypes {
 public:
-    /// Checks the declarations of a let before its body.
+    /// A function that checks the declarations of a let before its body is checked.
     using CheckLet = std::function<void(DeclarationList&)>;
 
-    /// Store and diagnostics must outlive the object; the diagnostics are only polled for the end of the run's budget.
+    /// The store and the diagnostics must outlive this object. The diagnostics are only used to poll the run's budget.
     ExpressionTypes(TypeStore& store, diagnostics::Diagnostics& diagnostics, CheckLet check_let)
         : store_(store), unifier_(store, here_), diagnostics_(diagnostics), check_let_(std::move(check_let)) {}
     ExpressionTypes(const ExpressionTypes&) = delete;
     ExpressionTypes& operator=(const ExpressionTypes&) = delete;
 
     [[nodiscard]] Unifier& unifier() { return unifier_; }
-    /// The place for findings of the unifier.
+    /// Returns the place for findings of the unifier.
     [[nodiscard]] diagnostics::Span current_span() const { return here_; }
     void set_span(diagnostics::Span span) { here_ = span; }
 
     TypeId infer(const Term& term);
-    /// The type of the values that the pattern matches; its variables must have been bound.
+    /// Returns the type of the values that the pattern matches. Its variables must already have types (bind_locals).
     TypeId infer_pattern(const PatternTerm& pattern);
     /// Creates a new type for each variable.
     void bind_locals(const std::vector<Symbol*>& symbols);
 
-    // Requires a type; a finding is reported at the given term or span, with the reason `because` as its note.
+    // Requires a type. If the term has another type, the finding is at this term or span, and its note is the reason
+    // `because`.
     TypeId expect_type(const Term& term, TypeId type, std::string_view because = {});
-    /// Reports the error at a branch or at a let's body rather than at the whole expression.
+    /// Requires a type of this kind. An error is reported at a branch or at a let's body rather than at the whole
+    /// expression.
     void expect_atom(const Term& term, TypeKind kind, std::string_view because);
     TypeId unify(diagnostics::Span span, TypeId expected, TypeId actual, std::string_view because = {});
     void constrain(diagnostics::Span span, Constraint constraint, TypeId type, std::string_view because);

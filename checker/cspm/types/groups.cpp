@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds strongly connected components with Boost.Graph: Tarjan's algorithm (1972), without recursion, since scripts may
-// chain any number of declarations. A component gets its number when it is finished, after the components that it uses.
+// Finds strongly connected components with Boost.Graph, which uses Tarjan's algorithm (1972) without recursion, because
+// scripts may chain any number of declarations. A component gets its number when it is complete, after the components
+// that it uses.
 #include "checker/cspm/types/groups.hpp"
 
 #include <boost/graph/adjacency_list.hpp>

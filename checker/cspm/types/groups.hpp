@@ -8,8 +8,8 @@
 
 namespace robochart::cspm::types {
 
-/// Returns groups of mutually dependent declarations, each after the groups on which it depends. Members are in the
-/// order of the list.
+/// Returns groups of mutually dependent declarations. Each group comes after the groups on which it depends. The
+/// members of a group are in the order of the list.
 [[nodiscard]] std::vector<std::vector<Declaration*>> dependency_groups(DeclarationList& list);
 
 }  // namespace robochart::cspm::types

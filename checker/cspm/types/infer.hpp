@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hindley-Milner type inference for a resolved script, for one strongly connected group of declarations after the
-// other. At the top level and in modules, the types of all names are generalised. In a `let` this applies only to names
-// with an annotation (as in FDR).
+// Infers the types of a resolved script by Hindley-Milner inference, one strongly connected group of declarations after
+// the other. At the top level and in modules, the types of all names are generalised. In a `let`, only the types of
+// names with an annotation are generalised, as in FDR.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@
 
 namespace robochart::cspm::types {
 
-/// Infers the types of declarations; owns the typing of their expressions.
+/// Infers the types of declarations. It owns the object that infers the types of their expressions.
 class Inference {
 public:
-    /// All arguments must outlive the object.
+    /// All arguments must outlive this object.
     Inference(const ResolvedScript& script, TypeStore& store, diagnostics::Diagnostics& diagnostics)
         : script_(script),
           store_(store),
@@ -23,7 +23,7 @@ public:
           terms_(store, diagnostics, [this](DeclarationList& list) { check_list(list, ListKind::let); }),
           unifier_(terms_.unifier()) {}
 
-    /// Fills in the schemes of all symbols; reports findings to the diagnostics.
+    /// Sets the schemes of all symbols and reports findings to the diagnostics.
     void run();
 
 private:
@@ -63,7 +63,7 @@ private:
     TypeStore& store_;
     diagnostics::Diagnostics& diagnostics_;
     ExpressionTypes terms_;
-    Unifier& unifier_;  // the unifier in terms_
+    Unifier& unifier_;  // the unifier of terms_
     unsigned attempts_ = 0;
 };
 

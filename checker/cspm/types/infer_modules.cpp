@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Infers types of modules with parameters and of instances. An instance has the types of its module, but the types of
-// the arguments replace those of the parameters, and new datatypes replace those of the module.
+// Infers types of modules with parameters and of instances. An instance has the types of its module, with two changes:
+// the types of the arguments replace those of the parameters, and new datatypes replace those of the module.
 #include <algorithm>
 #include <set>
 
@@ -9,8 +9,8 @@
 
 namespace robochart::cspm::types {
 
-// The type of a module is the tuple of the types of its parameters. Types inside the module that depend on the
-// parameters stay open.
+// Checks a module with parameters. Its type is the tuple of the types of its parameters. Types inside the module that
+// depend on the parameters stay open.
 void Inference::check_module(const Declaration& declaration) {
     terms_.bind_locals(declaration.parameters);
     if (declaration.inside != nullptr) check_list(*declaration.inside, ListKind::module);
@@ -51,8 +51,8 @@ void Inference::check_instance(const Declaration& declaration) {
     find_comparable(declaration);
 }
 
-// Copies the types of a module. If several names share a type variable, for example that of an inner module's
-// parameter, their copies share it too.
+// Copies the types of a module for an instance. If several names share a type variable, for example that of an inner
+// module's parameter, their copies share a variable too.
 void Inference::copy_types(const Declaration& instance, std::vector<std::pair<TypeId, TypeId>> variables) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> datatypes;
     std::set<TypeId> known;
@@ -77,7 +77,8 @@ void Inference::copy_types(const Declaration& instance, std::vector<std::pair<Ty
     }
 }
 
-// A datatype is assumed to be comparable until the fields of a constructor are not, as for datatypes of the script.
+// Determines which datatypes of an instance can be compared. As for datatypes of the script, this is assumed until the
+// fields of a constructor cannot be compared.
 void Inference::find_comparable(const Declaration& instance) {
     for (const Copy& copied : instance.copies) {
         if (copied.copy->kind == SymbolKind::datatype) store_.set_comparable(copied.copy->datatype, true);

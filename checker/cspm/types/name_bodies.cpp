@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names in expressions, patterns and annotations.
+// Resolves names in expressions, patterns and annotations.
 #include <algorithm>
 #include <utility>
 
@@ -47,7 +47,7 @@ void NameResolver::resolve_name(const Expr& expr, Term& term) {
     term.symbol = value_named(expr.text, expr.span);
 }
 
-// Every pattern of a lambda is a separate scope, so names in a later pattern hide those in an earlier one.
+// Resolves a lambda. Every pattern of it is a separate scope, so names in a later pattern hide those in an earlier one.
 void NameResolver::resolve_lambda(const Expr& expr, Term& term) {
     for (const PatternPtr& pattern : expr.patterns) {
         scope_ = new_scope(scope_);
@@ -76,7 +76,7 @@ std::size_t open_parts(const Pattern& pattern) {
     return count;
 }
 
-// Whether the pattern combines two patterns for one field of a prefix, or several fields.
+// Returns true if the pattern combines two patterns for one field of a prefix, or for several fields.
 bool doubles_fields(const Pattern& pattern) {
     if (pattern.kind == PatternKind::both) return true;
     return pattern.kind == PatternKind::dot &&
@@ -85,7 +85,7 @@ bool doubles_fields(const Pattern& pattern) {
 
 }  // namespace
 
-// Nondeterministic fields are chosen before the event is offered, so their names are bound first.
+// Resolves a prefix. Nondeterministic fields are chosen before the event is offered, so their names are bound first.
 void NameResolver::resolve_prefix(const Expr& expr, Term& term) {
     term.args.push_back(resolve_expression(expr.args.at(0)));
     scope_ = new_scope(scope_);
@@ -115,8 +115,8 @@ void NameResolver::resolve_prefix(const Expr& expr, Term& term) {
 
 namespace {
 
-// Arguments outside the scope of the clauses' variables: the processes of renaming and linked parallel, the interface
-// of replicated parallels.
+// Returns true if an argument is outside the scope of the clauses' variables. Such arguments are the processes of
+// renaming and linked parallel, and the interface of replicated parallels.
 bool outside_clauses(ExprKind kind, std::size_t arg) {
     if (kind == ExprKind::rename || kind == ExprKind::linked) return true;
     return (kind == ExprKind::replicated_parallel || kind == ExprKind::replicated_synchronising) && arg == 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes declarations in phases, so that a list may have any order. The phases are modules, then channels and
-// constructors (which determine the meaning of names in patterns), then all other names, and then the right-hand sides.
+// Resolves declarations in phases, so that the declarations of a list may have any order. The phases are modules, then
+// channels and constructors (which determine the meaning of names in patterns), then all other names, and then the
+// right-hand sides.
 #include <algorithm>
 #include <utility>
 
@@ -54,10 +55,10 @@ void NameResolver::flatten(const std::vector<DeclPtr>& decls, const Place& place
         if (decl->kind != DeclKind::annotation) continue;
         for (const std::string& name : decl->names) place.scope->annotations.emplace(name, decl.get());
     }
-    std::size_t function = items.size();  // the item that collects the current function's clauses
+    std::size_t function = items.size();  // the item for the clauses of the current function
     for (const DeclPtr& decl : decls) {
         if (decl->kind == DeclKind::annotation || decl->kind == DeclKind::include) continue;
-        // Clauses in two files are not combined. The clause in the included file is another declaration of the name.
+        // Clauses in two files are not combined: a clause in the included file is another declaration of the name.
         if (decl->kind == DeclKind::function && function < items.size() &&
             items[function].decls[0]->names == decl->names &&
             items[function].decls[0]->span.source == decl->span.source) {
@@ -269,7 +270,7 @@ void NameResolver::add_imports(const Item& item) {
             if (!line.empty() && line != "timed") {
                 finding.notes.push_back({decl.span, "'" + name + "' is " + std::string(line)});
             }
-            // The symbol prevents further findings for uses of the name.
+            // This symbol prevents further findings for uses of the name.
             symbol = &new_symbol(name, decl.span, SymbolKind::variable);
             symbol->failed = true;
         }
@@ -376,7 +377,8 @@ void NameResolver::body_of_function(Item& item) {
     }
 }
 
-// A subtype uses existing constructors. At this point all constructors of datatypes are declared.
+// Resolves the constructors of a datatype or subtype. A subtype uses existing constructors; all constructors of
+// datatypes are declared by now.
 void NameResolver::body_of_datatype(Item& item) {
     const Decl& decl = *item.decls[0];
     for (std::size_t i = 0; i < decl.constructors.size(); ++i) {
@@ -414,7 +416,7 @@ void NameResolver::body_of_assertion(Item& item) {
     if (decl.assertion.tau_priority) declaration.tau_priority = resolve_expression(decl.assertion.tau_priority);
 }
 
-// Unknown names in a print statement are only a warning.
+// Resolves a print statement, in which unknown names are only a warning.
 void NameResolver::body_of_print(const Item& item) {
     diagnostics::Diagnostics inside;
     diagnostics::Diagnostics* const outside = std::exchange(diagnostics_, &inside);

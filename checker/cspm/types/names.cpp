@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks up names, and reports unknown ones.
+// Looks up names and reports unknown names.
 #include "checker/cspm/types/names.hpp"
 
 #include <fmt/format.h>
@@ -52,8 +52,8 @@ const Entry* NameResolver::find_plain(std::string_view name) const {
     return nullptr;
 }
 
-// In FDR, M::x is one name in the scope. A variable called M does not hide it. An inner module M without x does not
-// hide an outer module M with x, but an inner module with a private x does.
+// Finds the meaning of a name. In FDR, M::x is one name in the scope. A variable called M does not hide it. An inner
+// module M without x does not hide an outer module M with x, but an inner module with a private x does.
 NameResolver::Lookup NameResolver::find(std::string_view name) {
     const std::size_t colons = name.find("::");
     if (colons == std::string_view::npos) {
@@ -89,7 +89,7 @@ NameResolver::Lookup NameResolver::find_inside(const Module& module, std::string
 
 namespace {
 
-/// Returns the predefined CSPM name for a name in another spelling or notation.
+/// Returns the predefined CSPM name that a name in another spelling or notation means.
 std::string_view predefined_for(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 14> rows = {{{"int", "Int"},
                                                                                      {"integer", "Int"},
@@ -129,7 +129,7 @@ std::string NameResolver::in_a_module(std::string_view name) {
     return "";
 }
 
-/// Suggests a correction for a qualified name: its last part if that is known unqualified, a member that extends it
+/// Suggests a correction for a qualified name: the last part if it is known unqualified, a member whose name is longer
 /// (the channel `moveCall` for `move`), or the most similar member.
 std::string NameResolver::suggest_member(std::string_view name) {
     const std::size_t colons = name.rfind("::");
@@ -148,8 +148,8 @@ std::string NameResolver::suggest_member(std::string_view name) {
     return longer.empty() ? diagnostics::nearest_spelling(name, members) : longer;
 }
 
-// Suggests a name with the same spelling in a module, otherwise the most similar name in scope: a local, a member or a
-// predefined name.
+// Suggests a name with the same spelling in a module. If there is none, suggests the most similar name in scope, which
+// may be a local, a member or a predefined name.
 std::string NameResolver::suggest_name(std::string_view name) {
     if (const std::string_view own = predefined_for(name); !own.empty()) return std::string(own);
     if (std::string member = suggest_member(name); !member.empty()) return member;

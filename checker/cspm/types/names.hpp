@@ -29,9 +29,9 @@ private:
     struct Scope {
         Scope* parent = nullptr;
         Names names;
-        std::map<std::string, Symbol*, std::less<>> types;  // datatypes, for annotations
+        std::map<std::string, Symbol*, std::less<>> types;  // datatypes that annotations may name
         std::map<std::string, TypeVariable*, std::less<>> type_variables;
-        std::map<std::string, const Decl*, std::less<>> annotations;  // by annotated name
+        std::map<std::string, const Decl*, std::less<>> annotations;  // by name: its annotation
     };
     // The list that contains a declaration.
     struct Place {
@@ -45,16 +45,16 @@ private:
         Declaration* enclosing = nullptr;
     };
     struct Item {
-        std::vector<DeclPtr> decls;  // clauses of a function; otherwise a single declaration
+        std::vector<DeclPtr> decls;  // the clauses of a function, or another single declaration
         Place place;
         Declaration* declaration = nullptr;
-        Module* made = nullptr;  // modules and instances
+        Module* made = nullptr;  // for modules and instances
         const Module* original = nullptr;
         Scope* inside = nullptr;
     };
     using Items = std::vector<Item>;
 
-    // declarations, in phases: modules, labels, other names, bodies
+    // The following functions resolve declarations in phases: modules, labels, other names, bodies.
     DeclarationList* resolve_declarations(const std::vector<DeclPtr>& decls, const Place& place);
     void flatten(const std::vector<DeclPtr>& decls, const Place& place, Items& items);
     Item& add_item(Items& items, const DeclPtr& decl, const Place& place);
@@ -98,7 +98,7 @@ private:
     // names
     struct Lookup {
         Entry entry;
-        std::string hint;  // the reason why an existing name is not in scope
+        std::string hint;  // why an existing name is not in scope
     };
     [[nodiscard]] Lookup find(std::string_view name);
     [[nodiscard]] const Entry* find_plain(std::string_view name) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings of the type checker for CSPM, as a table.
+// Lists the findings of the type checker for CSPM.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A script with resolved names, the input of type inference: every name points to its symbol, and every list of
-// declarations contains its dependencies. Built by names.hpp, used by infer.hpp.
+// A script with resolved names, which is the input of type inference. Every name points to its symbol, and every list
+// of declarations contains its dependencies. names.hpp creates it, and infer.hpp uses it.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +22,16 @@ struct Term;
 
 enum class SymbolKind : std::uint8_t { variable, constructor, channel, datatype, module, builtin };
 
-/// One declared name. Inference fills in `scheme`; before that, and for ill-typed declarations, the name has any type.
+/// One declared name. Inference sets `scheme`. Before that, and if the declaration is ill-typed, the name has any type.
 struct Symbol {
     std::string name;  ///< qualified, as printed
     Span span;
     std::size_t number = 0;
     SymbolKind kind = SymbolKind::variable;
-    Declaration* owner = nullptr;  ///< null: parameters, variables of patterns, built-ins
+    Declaration* owner = nullptr;  ///< null for parameters, variables of patterns and built-ins
     Scheme scheme;
     bool failed = false;
-    std::uint32_t datatype = 0;  ///< datatypes: its number in the type store
+    std::uint32_t datatype = 0;  ///< for datatypes: the number in the type store
     [[nodiscard]] bool label() const { return kind == SymbolKind::constructor || kind == SymbolKind::channel; }
 };
 
@@ -39,12 +39,13 @@ struct Symbol {
 struct TypeVariable {
     std::string name;
     Constraints constraints = 0;
-    TypeId type = no_type;  ///< its rigid variable during the check of the declaration
+    TypeId type = no_type;  ///< its rigid variable while the declaration is checked
 };
 
 /// A resolved type from an annotation.
 struct TypeTerm {
-    TypeKind kind = TypeKind::integer;  ///< extendable: args are the variable and the type; function: result last
+    /// For an extendable, `args` are the variable and the type. For a function, the result is the last of them.
+    TypeKind kind = TypeKind::integer;
     std::vector<TypeTerm> args;
     TypeVariable* variable = nullptr;  ///< kind variable
     Symbol* datatype = nullptr;        ///< kind datatype
@@ -57,7 +58,7 @@ struct Annotation {
 
 struct PatternTerm {
     const Pattern* syntax = nullptr;
-    Symbol* symbol = nullptr;  ///< names: the variable bound, or the constructor or channel matched
+    Symbol* symbol = nullptr;  ///< for names: the bound variable, or the matched constructor or channel
     std::vector<PatternTerm> args;
 };
 
@@ -79,18 +80,18 @@ struct LinkTerm {
 
 struct Term {
     const Expr* syntax = nullptr;
-    Symbol* symbol = nullptr;  ///< name; null if it is not in scope
+    Symbol* symbol = nullptr;  ///< of a name; null if the name is not in scope
     std::vector<const Term*> args;
     std::vector<FieldTerm> fields;
     std::vector<ClauseTerm> clauses;
-    std::vector<ClauseTerm> link_clauses;  ///< replicated linked parallel: the clauses of its links
+    std::vector<ClauseTerm> link_clauses;  ///< replicated linked parallel: the clauses of the links
     std::vector<LinkTerm> links;
     std::vector<PatternTerm> patterns;
     std::vector<Symbol*> binds;  ///< variables of its patterns, clauses and fields
     DeclarationList* decls = nullptr;
 };
 
-/// One equation of a function: parameters by groups, and the body.
+/// One equation of a function: its parameters by groups, and its body.
 struct EquationTerm {
     std::vector<std::vector<PatternTerm>> groups;
     std::vector<Symbol*> binds;
@@ -109,10 +110,11 @@ struct ConstructorTerm {
 struct Copy {
     Symbol* original = nullptr;
     Symbol* copy = nullptr;
-    bool checked = true;  ///< whether the types of its fields must be known (not inside a module with parameters)
+    bool checked = true;  ///< whether the types of its fields must be known (false inside a module with parameters)
 };
 
-/// A declaration of a list. Functions include all clauses; modules without parameters are flattened into their list.
+/// A declaration of a list. A function includes all its clauses. Modules without parameters are flattened into their
+/// list.
 struct Declaration {
     DeclKind kind = DeclKind::value;
     Span span;
@@ -152,16 +154,16 @@ using Names = std::map<std::string, Entry, std::less<>>;
 struct Module {
     std::string name;
     Span span;
-    Symbol* symbol = nullptr;  ///< its type is the tuple of its parameters
+    Symbol* symbol = nullptr;  ///< the type of this symbol is the tuple of the module's parameters
     bool parametrised = false;
     std::size_t parameters = 0;
-    const Module* outer = nullptr;     ///< the module that contains it
-    const Module* original = nullptr;  ///< instances and copies: their original
+    const Module* outer = nullptr;     ///< the module that contains this module
+    const Module* original = nullptr;  ///< for instances and copies: the module that was copied
     Names exported;
     Names hidden;
 };
 
-/// A resolved script; owns all of the above.
+/// A resolved script. It owns all of the objects above.
 struct ResolvedScript {
     std::deque<Symbol> symbols;
     std::deque<Term> terms;
@@ -171,7 +173,7 @@ struct ResolvedScript {
     std::deque<DeclarationList> lists;
     DeclarationList* top = nullptr;
     std::vector<Symbol*> shown;  ///< the names to print with their types, in order
-    bool names_missing = false;  ///< some name was not in scope, so types may stay open
+    bool names_missing = false;  ///< whether some name was not in scope; types may then stay open
 };
 
 }  // namespace robochart::cspm::types

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arena of types: creating, reading and binding them. Levels follow Rémy's scheme: a variable belongs to the
-// innermost open group of declarations that may still determine it.
+// Creates, reads and binds the types of the arena. Levels follow Rémy's scheme: a variable belongs to the innermost
+// open group of declarations that may still determine it.
 #include "checker/cspm/types/type.hpp"
 
 #include "base/diagnostics/containers.hpp"
@@ -20,7 +20,7 @@ TypeKind primitive_kind(std::string_view name) {
     return TypeKind::variable;
 }
 
-// The first nodes are the atoms, at the index of their kind.
+// Creates the atoms: the first nodes are the atoms, each at the index of its kind.
 TypeStore::TypeStore() {
     for (std::uint32_t kind = 0; kind < kinds; ++kind) {
         TypeNode node;
@@ -104,7 +104,8 @@ TypeId TypeStore::follow_links(TypeId type) {
     return end;
 }
 
-// An extendable whose variable is bound to `argument, rest` is the dotable of that argument and the rest.
+// Returns the type after following all bindings. If the variable of an extendable is bound to `argument, rest`, the
+// extendable is equal to the dotable of the argument and the rest.
 TypeId TypeStore::head(TypeId type) {
     for (;;) {
         type = follow_links(type);

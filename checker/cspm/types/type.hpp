@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types during inference are nodes of an arena. Links bind variables, and a trail undoes these bindings. Dotted types
-// follow the FDR manual: `a => b` (dotable) becomes b when dotted with an a; `a =>* b` (extendable) becomes b after
-// some unknown arguments, which are stored in the variable on its left.
+// Represents types during inference as nodes of an arena. Links bind variables, and a trail undoes these bindings.
+// Dotted types follow the FDR manual: `a => b` (dotable) becomes b when it is dotted with an a. `a =>* b` (extendable)
+// becomes b after some unknown arguments, which are stored in the variable on its left.
 #pragma once
 
 #include <cstdint>
@@ -31,13 +31,13 @@ enum class TypeKind : std::uint8_t {
     dot,         ///< the parts of a dotted value, at least two
     dotable,     ///< argument, result
     extendable,  ///< result, and the variable that collects the arguments
-    complete,    ///< value of an extendable's variable: no more arguments
+    complete,    ///< the value of an extendable's variable if there are no more arguments
 };
 
-/// The type with this name in CSPM: Int, Bool, Char, Proc or Event; `variable` for any other name.
+/// Returns the type with this name in CSPM (Int, Bool, Char, Proc or Event), or `variable` for any other name.
 [[nodiscard]] TypeKind primitive_kind(std::string_view name);
 
-/// Constraints on a type, a set of bits. Eq implies Set.
+/// The constraints on a type as a set of bits. Eq implies Set.
 using Constraints = std::uint8_t;
 enum Constraint : std::uint8_t {
     can_equal = 1,    ///< Eq: values can be compared
@@ -54,18 +54,19 @@ struct Scheme {
 
 struct TypeNode {
     TypeKind kind = TypeKind::variable;
-    Constraints constraints = 0;  ///< variables
-    bool rigid = false;           ///< variables of annotations, which are never bound
+    Constraints constraints = 0;  ///< of variables
+    bool rigid = false;           ///< for variables of annotations, which are never bound
     bool closed = false;          ///< contains no variables
-    bool plain = false;           ///< closed and without dotted types, so nothing must be evaluated
-    std::uint32_t level = 0;      ///< variables: the group of declarations to which they belong; generalised when the
-                                  ///< group is closed
-    TypeId link = no_type;        ///< variables: their binding
-    std::uint32_t first = 0;      ///< arguments; datatype: its number; rigid: the index of its name
+    bool plain = false;           ///< closed and without dotted types, so no dots must be evaluated
+    /// For variables: the group of declarations to which the variable belongs. It is generalised when the group is
+    /// closed.
+    std::uint32_t level = 0;
+    TypeId link = no_type;    ///< the binding of a variable
+    std::uint32_t first = 0;  ///< index of the arguments; datatype: its number; rigid: the index of its name
     std::uint32_t count = 0;
 };
 
-/// Thrown if types become too large (deep nesting, exponential size).
+/// Thrown if types become too large, by deep nesting or exponential size.
 struct TypeOverflow {
     bool deep = false;
 };
@@ -77,7 +78,7 @@ public:
 
     TypeStore();
 
-    // making types
+    // The following functions create types.
     [[nodiscard]] TypeId fresh_variable(Constraints constraints = 0);
     [[nodiscard]] TypeId rigid_variable(const std::string& name, Constraints constraints);
     [[nodiscard]] TypeId atom(TypeKind kind) const { return static_cast<TypeId>(kind); }
@@ -85,38 +86,39 @@ public:
     [[nodiscard]] TypeId make_type(TypeKind kind, const std::vector<TypeId>& args);
     [[nodiscard]] TypeId set_of(TypeId element) { return make_type(TypeKind::set, {element}); }
     [[nodiscard]] TypeId sequence_of(TypeId element) { return make_type(TypeKind::sequence, {element}); }
-    /// A dotted type of one or more parts.
+    /// Returns a dotted type with these parts, of which there must be at least one.
     [[nodiscard]] TypeId dot_type(const std::vector<TypeId>& parts);
     [[nodiscard]] TypeId dotable_type(TypeId argument, TypeId result) {
         return make_type(TypeKind::dotable, {argument, result});
     }
-    /// `result` after several arguments.
+    /// Returns the type that becomes `result` after several arguments.
     [[nodiscard]] TypeId dotable_type(const std::vector<TypeId>& arguments, std::size_t from, TypeId result);
     [[nodiscard]] TypeId extendable_type(TypeId result, TypeId arguments) {
         return make_type(TypeKind::extendable, {result, arguments});
     }
 
-    // looking at types
-    /// The type to which a variable is bound; an extendable with known arguments is replaced by its value.
+    // The following functions read types.
+    /// Returns the type to which a variable is bound. Replaces an extendable with known arguments by its value.
     [[nodiscard]] TypeId head(TypeId type);
     [[nodiscard]] const TypeNode& node(TypeId type) const { return nodes_[type]; }
-    /// The kind of `head`.
+    /// Returns the kind of `head`.
     [[nodiscard]] TypeKind kind(TypeId type) { return nodes_[head(type)].kind; }
     [[nodiscard]] TypeId argument(TypeId type, std::size_t i) const { return args_[nodes_[type].first + i]; }
     [[nodiscard]] std::vector<TypeId> arguments(TypeId type) const;
     [[nodiscard]] const std::string& rigid_name(TypeId type) const { return names_[nodes_[type].first]; }
-    /// Returns the parts of a dotted type, with nested ones flattened. Any other type is its only part.
+    /// Returns the parts of a dotted type; nested dots are flattened. Any other type is its only part.
     [[nodiscard]] std::vector<TypeId> dot_parts(TypeId type);
-    /// Returns the final result of a dotable and its arguments (flattened). All other types have no arguments.
+    /// Returns the final result of a dotable, and appends its arguments (flattened). Other types have no arguments and
+    /// are their own result.
     [[nodiscard]] TypeId split(TypeId type, std::vector<TypeId>& arguments);
 
-    // changing variables
+    // The following functions change variables.
     void bind(TypeId variable, TypeId type);
     void constrain(TypeId variable, Constraints constraints);
     void lower_level(TypeId variable, std::uint32_t level);
-    /// Lowers the variables of a type to at most this level; returns whether `sought` occurs in it.
+    /// Lowers the level of each variable of a type to at most this level. Returns true if `sought` occurs in the type.
     bool lower_and_find(TypeId type, TypeId sought, std::uint32_t level);
-    /// The variables of a type whose level is above the current level, sorted.
+    /// Returns the variables of a type whose level is above the current level, sorted.
     [[nodiscard]] std::vector<TypeId> open_variables(TypeId type);
 
     // groups of declarations
@@ -178,13 +180,13 @@ private:
     std::uint64_t steps_ = 0;
 };
 
-/// Prints types in FDR's notation; a writer gives variables the same names in several types.
+/// Prints types in FDR's notation. A writer uses the same names for variables in several types.
 class TypeWriter {
 public:
     explicit TypeWriter(TypeStore& store) : store_(store) {}
-    /// The type without constraints.
+    /// Returns the text of the type without constraints.
     [[nodiscard]] std::string type_text(TypeId type);
-    /// The type preceded by the constraints of its variables.
+    /// Returns the text of the type, preceded by the constraints of its variables.
     [[nodiscard]] std::string with_constraints(TypeId type);
 
 private:
@@ -198,7 +200,7 @@ private:
     unsigned depth_ = 0;
 };
 
-/// The name of a constraint in FDR.
+/// Returns the name of a constraint in FDR.
 [[nodiscard]] std::string constraint_name(Constraint constraint);
 
 }  // namespace robochart::cspm::types

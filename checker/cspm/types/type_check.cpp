@@ -25,7 +25,7 @@ std::vector<NamedType> named_types(const types::ResolvedScript& script, types::T
     return result;
 }
 
-/// Visits everything that refers to a symbol.
+/// Collects all places that refer to a symbol.
 class NameTableMaker {
 public:
     explicit NameTableMaker(types::TypeStore& store) : store_(store) {}
@@ -86,7 +86,7 @@ private:
         if (constructor.symbol != nullptr)
             add_use(name_span(constructor.span, *constructor.symbol), constructor.symbol);
     }
-    /// The span of the name at the beginning of a declaration or use.
+    /// Returns the span of the name at the beginning of a declaration or use.
     static Span name_span(Span span, const types::Symbol& symbol) {
         const std::size_t colons = symbol.name.rfind(':');
         const std::size_t length = symbol.name.size() - (colons == std::string::npos ? 0 : colons + 1);
@@ -111,7 +111,7 @@ std::vector<NamedType> check_types(const Script& script, diagnostics::Diagnostic
             types::Inference(*resolved, store, diagnostics).run();
             result = named_types(*resolved, store);
             if (table != nullptr) *table = NameTableMaker(store).run(*resolved);
-        } catch (const types::TypeOverflow&) {  // the error has already been reported at its place
+        } catch (const types::TypeOverflow&) {  // the error has already been reported where it occurred
         }
     });
     return result;

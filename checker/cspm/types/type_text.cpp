@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types as text, in the notation of FDR's manual: {Int}, <Int>, (Int, Bool), (Int) -> Proc, Int => Event, a =>* Event.
+// Writes types as text in the notation of FDR's manual: {Int}, <Int>, (Int, Bool), (Int) -> Proc, Int => Event, a =>*
+// Event.
 #include <algorithm>
 
 #include "checker/cspm/types/type.hpp"
@@ -8,7 +9,8 @@ namespace robochart::cspm::types {
 
 namespace {
 
-// Precedence: dotted types are higher than dotables; an argument of a dotable has parentheses if it is a dotable.
+// Precedences: dotted types bind more tightly than dotables. If an argument of a dotable is a dotable, it has
+// parentheses.
 enum Binding : int { loosest = 0, dot_part = 1, tightest = 2 };
 
 constexpr std::size_t longest_text = 300;
@@ -34,7 +36,7 @@ std::string constraint_name(Constraint constraint) {
     return "";
 }
 
-// a, b, ..., z, a1, b1, ...
+// Returns the name of a variable. New variables get the names a, b, ..., z, a1, b1, ...
 std::string TypeWriter::variable(TypeId type) {
     const auto found = std::ranges::find(seen_, type, &std::pair<TypeId, std::string>::first);
     if (found != seen_.end()) return found->second;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unification: plain types, variables, and equalities of dotted types (FDR manual, "Type system": dotable and
-// extendable types; the rules were derived from tomgr/libcspm, which is FDR's own type checker).
+// Unifies plain types, variables, and dotted types (FDR manual, "Type system": dotable and extendable types). The rules
+// for dotted types were derived from tomgr/libcspm, which is FDR's own type checker.
 #include "checker/cspm/types/unify.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace robochart::cspm::types {
 
 namespace {
 
-// Keeps an element on a stack during its lifetime, also if an exception is thrown.
+// Keeps an element on a stack during its lifetime, even if an exception ends it.
 template <typename T>
 class Pushed {
 public:
@@ -101,7 +101,7 @@ TypeId Unifier::unify_variables(TypeId a, TypeId b) {
 
 TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
     if (store_.node(variable).rigid && has_kind(type, TypeKind::dot)) {
-        // A variable of an annotation is never equal to a dot, but it may be equal to the dot's result.
+        // A variable of an annotation is never equal to a dot, but the result of the dot may be equal to it.
         const TypeId yielded = store_.head(evaluate_dots(type));
         if (!has_kind(yielded, TypeKind::dot)) return unify(variable, yielded);
     }
@@ -109,7 +109,8 @@ TypeId Unifier::unify_variable(TypeId variable, TypeId type) {
     return substitute(variable, type);
 }
 
-// A type that contains the variable may still be equal to it after its dots have been evaluated.
+// Binds a variable to a type. If the type contains the variable, it may still be equal to the variable after its dots
+// have been evaluated.
 TypeId Unifier::substitute(TypeId variable, TypeId type) {
     if (store_.node(variable).rigid) mismatch();
     const std::uint32_t level = store_.node(variable).level;
@@ -139,7 +140,8 @@ TypeId Unifier::unify_arguments(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- dotted types
 
-// Both types need arguments. If the result of one is still extendable, it takes the remaining arguments of the other.
+// Unifies two types that need arguments. If the result of one is still extendable, it takes the remaining arguments of
+// the other.
 TypeId Unifier::unify_dotables(TypeId a, TypeId b) {
     Parts left;
     Parts right;
@@ -179,7 +181,7 @@ TypeId Unifier::unify_dots(TypeId a, TypeId b) {
     return store_.dot_type(combine(store_.dot_parts(a), store_.dot_parts(b)));
 }
 
-// h.x.y is a T if h applied to x and y is a T.
+// Unifies a dot with another type: h.x.y is a T if h applied to x and y is a T.
 TypeId Unifier::unify_dot_with(TypeId dot, TypeId other, bool dot_expected) {
     if (dot_expected && one_way_) mismatch();
     Parts parts = store_.dot_parts(dot);
@@ -213,7 +215,7 @@ void Unifier::set_arguments(TypeId variable, TypeId arguments) {
     store_.bind(variable, arguments);
 }
 
-// At least one of the types is an extendable; the other is not a dotted value.
+// Unifies two types of which at least one is an extendable. The other must not be a dotted value.
 TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
     const bool left = store_.node(a).kind == TypeKind::extendable;
     const TypeId open = left ? a : b;
@@ -244,8 +246,8 @@ TypeId Unifier::unify_extendable(TypeId a, TypeId b) {
 
 // ---------------------------------------------------------------- findings
 
-// Returns the type for a message: dots that can be evaluated are evaluated. This may bind variables, which is harmless
-// after an error.
+// Returns the type for a message, with all dots evaluated that can be evaluated. This may bind variables, which is
+// harmless after an error.
 TypeId Unifier::type_to_display(TypeId type) {
     if (failing_) return type;
     failing_ = true;

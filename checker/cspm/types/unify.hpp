@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unification of types. The rules of dotted types are those of FDR. If a value is expected, a dotted value takes as
-// many arguments as its head can take ("longest match"). If an extendable is expected, the dotted value takes as few
+// Unifies types. The rules for dotted types are those of FDR. If a value is expected, a dotted value takes as many
+// arguments as its head can take ("longest match"). If an extendable is expected, the dotted value takes as few
 // arguments as possible.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace robochart::cspm::types {
 
-/// A type error, thrown as an exception. It is caught where the enclosing declaration is checked.
+/// A type error, thrown as an exception. The check of the enclosing declaration catches it.
 struct TypeFault {
     const diagnostics::Rule* rule = nullptr;
     std::vector<std::string> arguments;
@@ -23,21 +23,21 @@ struct TypeFault {
 
 class Unifier {
 public:
-    /// `here`: the place for findings, which the owner updates.
+    /// `here` is the place for findings. The caller updates it.
     Unifier(TypeStore& store, const diagnostics::Span& here) : store_(store), here_(here) {}
 
-    /// Makes both types equal and returns the result. Throws TypeFault.
+    /// Makes both types equal and returns the result. Throws TypeFault if they cannot be equal.
     TypeId unify(TypeId expected, TypeId actual);
-    /// Unifies the types of patterns and arguments, in which a dotted value must not be split.
+    /// Unifies the types of a pattern and its argument. A dotted value in them must not be split.
     TypeId unify_one_way(TypeId expected, TypeId actual);
-    /// Makes a type satisfy a constraint. Throws TypeFault.
+    /// Makes a type satisfy a constraint. Throws TypeFault if this is impossible.
     void constrain(Constraint constraint, TypeId type);
     void constrain_all(Constraints constraints, TypeId type);
     /// Applies every head of a dotted type inside `type` to the following parts.
     TypeId evaluate_dots(TypeId type);
 
     TypeId instantiate(const Scheme& scheme);
-    /// Returns a copy of a type in which variables and datatypes are replaced. Both lists must be sorted.
+    /// Returns a copy of a type in which some variables and datatypes are replaced. Both lists must be sorted.
     TypeId copy_type(TypeId type, const std::vector<std::pair<TypeId, TypeId>>& variables,
                      const std::vector<std::pair<std::uint32_t, std::uint32_t>>& datatypes);
 
@@ -71,7 +71,7 @@ private:
 
     TypeStore& store_;
     const diagnostics::Span& here_;
-    std::vector<std::pair<TypeId, TypeId>> pairs_;  // pairs being unified, outermost first: expected, actual
+    std::vector<std::pair<TypeId, TypeId>> pairs_;  // pairs (expected, actual) being unified, outermost first
     std::vector<TypeId> constrained_;               // types being constrained, outermost first
     bool one_way_ = false;
     bool failing_ = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Precedences as in FDR's grammar (libcspm, Parser.ppy): `.` is highest; `=>`, `=>*` and `->` are right-associative.
+// Parses with the precedences of FDR's grammar (libcspm, Parser.ppy): `.` binds most tightly; `=>`, `=>*` and `->` are
+// right-associative.
 #include "checker/cspm/types/written_type.hpp"
 
 #include <array>
@@ -30,7 +31,7 @@ public:
     }
 
 private:
-    // `Eq a`: two adjacent names.
+    // Reads a constraint such as `Eq a`: two adjacent names.
     bool read_constraint(WrittenScheme& scheme) {
         static constexpr std::array<Constraint, 5> all{can_equal, can_order, can_input, can_collect, can_yield};
         const std::string first = read_name();
@@ -51,7 +52,7 @@ private:
         return left;
     }
 
-    // (A, B) -> C: the types in the parentheses are the arguments.
+    // Reads the rest of a function type: in (A, B) -> C, the types in the parentheses are the arguments.
     WrittenType read_function(WrittenType arguments, bool grouped) {
         WrittenType result{TypeKind::function, "", {}};
         if (grouped && arguments.kind == TypeKind::tuple) {
@@ -94,7 +95,7 @@ private:
         return result;
     }
 
-    // (T) is a group; (T, U) is a tuple, or the arguments of a function.
+    // Reads a type in parentheses: (T) is a group; (T, U) is a tuple, or the arguments of a function.
     WrittenType read_parenthesis(bool& grouped) {
         grouped = true;
         WrittenType result{TypeKind::tuple, "", {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses types in annotations, which the reader stores as text.
+// Parses the types in annotations, which the reader of scripts stores as text.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace robochart::cspm::types {
 
-/// A type with its names as text. The kind `variable` stands for any name. The parts of an extendable are the variable
-/// and then the result. The last part of a function is the result.
+/// A type whose names are stored as text. The kind `variable` represents any name. The parts of an extendable are the
+/// variable and then the result. The last part of a function is the result.
 struct WrittenType {
     TypeKind kind = TypeKind::variable;
     std::string name;
@@ -22,7 +22,7 @@ struct WrittenScheme {
     WrittenType type;
 };
 
-/// The reader must have accepted the text (parse_type.cpp).
+/// Parses a text that the reader of scripts has accepted (parse_type.cpp).
 [[nodiscard]] WrittenScheme read_type(std::string_view text);
 
 }  // namespace robochart::cspm::types

@@ -17,7 +17,7 @@ using lts::Word;
 
 namespace {
 
-// The filter, the open level and the rows put aside get these sixteenths of the memory.
+// How many sixteenths of the memory the filter, the open level and the rows put aside get.
 constexpr std::uint64_t filter_part = 13, open_part = 2, aside_part = 1;
 constexpr Level no_level = std::numeric_limits<Level>::max();
 
@@ -51,8 +51,8 @@ DiskRowStore::~DiskRowStore() {
     if (bounds_.report) bounds_.report(figures_);
 }
 
-/// For the open level the number is only a lower bound, because several runs contain a row that was found again after
-/// it had been written.
+/// For the open level the result is only a lower bound: a row that was found again after it had been written is in
+/// several runs.
 std::uint64_t DiskRowStore::rows(Level level) const {
     return level < levels() ? kept_.files().rows(level) : std::max<std::uint64_t>(open_->size(), runs_.longest_run());
 }
@@ -61,7 +61,7 @@ RowStore::Found DiskRowStore::enter_row(StateView row, std::uint64_t hash) {
     ++met_;
     if (open_->find(row, hash) != lts::no_state) return Found::again;
     if (levels() > 0 && filter_.may_have(hash)) {
-        aside_.add(row, hash, levels());  // if it was put aside before, it keeps its earlier level
+        aside_.add(row, hash, levels());  // a row that was put aside before keeps its earlier level
         return Found::unsure;
     }
     ++new_;
@@ -79,7 +79,8 @@ std::uint64_t DiskRowStore::rows_sorted_at_once() const {
     return std::max<std::uint64_t>(most_open_ / 4, 64);
 }
 
-/// Sorts the rows in pieces, because rows exist three times in memory while they are sorted.
+/// Writes the rows of the open level as runs. The rows are sorted in pieces, because each row of a piece exists three
+/// times in memory while it is sorted.
 void DiskRowStore::write_open() {
     note_peak();
     const auto piece = static_cast<StateIndex>(rows_sorted_at_once());
@@ -90,7 +91,8 @@ void DiskRowStore::write_open() {
     renew_open();
 }
 
-/// If the store was full, it is likely to become full again. So its new table is allocated with full size.
+/// Empties the store of the open level. If it was full, it will probably become full again, so its new table is
+/// allocated with full size.
 void DiskRowStore::renew_open() {
     const bool full = open_->size() >= most_open_;
     open_ = new_store();
@@ -123,7 +125,7 @@ void DiskRowStore::close_level() {
     if (filter_.capacity() > 0 && filter_.size() == filter_.capacity()) fill_filter();
 }
 
-/// Rows that do not fit are added when the filter is refilled.
+/// Adds rows to the filter. Rows that do not fit are added when the filter is refilled.
 void DiskRowStore::add_to_filter(std::span<const Word> rows) {
     each_hashed(
         rows, width(), [this](std::uint64_t hash) { filter_.prefetch(hash); },
@@ -132,8 +134,8 @@ void DiskRowStore::add_to_filter(std::span<const Word> rows) {
         });
 }
 
-/// Fills the filter with the rows of the levels and the rows put aside. A filter of another size might reject rows put
-/// aside if it did not contain them, but an unsure row must stay unsure until it is settled.
+/// Fills the filter with the rows of the levels and the rows put aside. Rows put aside are included, because an unsure
+/// row must stay unsure until it is settled; a filter of another size might reject it.
 void DiskRowStore::fill_filter() {
     filter_.reset(kept_.files().rows());
     if (filter_.capacity() == 0) return;
@@ -151,10 +153,10 @@ void DiskRowStore::fill_filter() {
     });
 }
 
-/// The more work has been done since the last settling, the more is lost if a row was taken for a duplicate by mistake.
-/// The expected total loss is minimal if this work, multiplied by the probability of a mistake, equals the work of
-/// settling (Young, CACM 17(9), 1974). Rows put aside in files are settled when there are as many of them as of all
-/// other rows, so that they never need more space than these.
+/// Returns true if it is time to settle the rows put aside. If a row was taken for a duplicate by mistake, all work
+/// since the last settling is lost. The expected total loss is minimal if this work, multiplied by the probability of a
+/// mistake, equals the work of settling (Young, CACM 17(9), 1974). Rows put aside in files are settled when there are
+/// as many of them as of all other rows. So they never need more space than the other rows.
 bool DiskRowStore::wants_to_settle() const {
     if (late_->size() > 0) return true;
     if (aside_.empty()) return false;
@@ -168,7 +170,8 @@ bool DiskRowStore::wants_to_settle() const {
 
 namespace {
 
-/// Compares rows of `width` words. The result is negative, 0 or positive for less, equal or greater.
+/// Compares two rows of `width` words. The result is negative if `a` is less than `b`, 0 if they are equal, and
+/// positive if `a` is greater.
 int compare_rows(const Word* a, const Word* b, std::size_t width) {
     for (std::size_t i = 0; i < width; ++i)
         if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
@@ -179,12 +182,12 @@ int compare_rows(const Word* a, const Word* b, std::size_t width) {
 class Sought {
 public:
     Sought(std::vector<Word>& rows, std::size_t width) : rows_(rows), width_(width) {}
-    /// Advances to the first row that is not before `row`, in increasing steps (Bentley and Yao, Information
-    /// Processing Letters 5(3), 1976). False if there is none.
+    /// Advances to the first row that is not less than `row`, in increasing steps (Bentley and Yao, Information
+    /// Processing Letters 5(3), 1976). Returns false if there is no such row.
     bool seek_row(const Word* row) {
         if (at_ == end() || !is_before(at_, row)) return at_ != end();
         std::size_t step = stride();
-        std::size_t low = at_;  // a row before `row`
+        std::size_t low = at_;  // the row at this index is less than `row`
         while (end() - low > step && is_before(low + step, row)) {
             low += step;
             step *= 2;
@@ -205,7 +208,7 @@ public:
     [[nodiscard]] Level current_level() const { return rows_[at_ + width_]; }
     void mark_found() { rows_[at_ + width_] = no_level; }
 
-    /// Removes the marked rows.
+    /// Removes the marked rows from the sequence.
     void remove_marked() {
         std::size_t to = 0;
         for (std::size_t from = 0; from < end(); from += stride()) {
@@ -230,7 +233,7 @@ private:
 
 }  // namespace
 
-/// Removes the rows that this level contains, if it is the level of the row or an earlier one. Blocks that cannot
+/// Removes the rows that this level contains, unless the row itself belongs to an earlier level. Blocks that cannot
 /// contain such rows are not read.
 void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& rows) {
     Sought sought(rows, width());
@@ -255,9 +258,9 @@ void DiskRowStore::remove_those_in(Level level, bool polled, std::vector<Word>& 
     if (any) sought.remove_marked();
 }
 
-/// Handles rows that no level contains. Rows of the open level are added to it, or dropped if the search does not
+/// Handles rows that no level contains. Rows of the open level are added to it; they are dropped if the search does not
 /// continue. Rows of a closed level are called late. Only the late rows of the least such level are stored, because the
-/// search rolls back to that level and finds the other rows again. Returns whether rows were added to the open level.
+/// search rolls back to that level and finds the other rows again. Returns true if rows were added to the open level.
 bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     bool joined = false;
     for (std::size_t at = 0; at < rows.size(); at += width() + 1) {
@@ -278,8 +281,8 @@ bool DiskRowStore::take_missing(std::span<const Word> rows, bool going_on) {
     return joined;
 }
 
-/// Returns whether rows were added to the open level. If `going_on` is false, the search has ended, and there is no
-/// time for other work.
+/// Settles the rows put aside. Returns true if rows were added to the open level. If `going_on` is false, the search
+/// has ended, and only this work is done.
 bool DiskRowStore::settle_aside(bool going_on) {
     if (aside_.empty()) return false;
     ++figures_.settled;
@@ -306,11 +309,12 @@ void DiskRowStore::forget_aside() {
     aside_.clear();
 }
 
-/// The filter is refilled. Otherwise it would report the rows of later levels as duplicates when they are found again.
+/// Rolls back and refills the filter, because the old filter would report rows of later levels as duplicates when they
+/// are found again.
 void DiskRowStore::roll_back_to(Level level) {
     assert(late_->size() == 0 || level <= late_level_);  // `level` is the least level of all ranks
     forget_aside();
-    if (level == levels()) return;  // the missing rows have been added to it
+    if (level == levels()) return;  // settling has added the missing rows to the open level
     ++figures_.rolled_back;
     empty_open();
     runs_.add([&](const storage::TakeRows& take) {
@@ -328,7 +332,7 @@ void DiskRowStore::roll_back_to(Level level) {
 }
 
 /// Passes the rows put aside, and the rows that are missing in closed levels. A run that continues from the checkpoint
-/// treats all of them as unsure.
+/// treats all of these rows as unsure.
 void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     aside_.each_piece([&](const std::vector<Word>& rows) { take(rows); });
     std::vector<Word> rows;
@@ -340,9 +344,9 @@ void DiskRowStore::give_unsure(const storage::TakeRows& take) const {
     take(rows);
 }
 
-/// Removes the runs, because the checkpoint does not contain the open level, to which they belong, and their disk space
-/// may be needed. If there is no space for the rows put aside, they are settled first. If there is still too little
-/// space, levels are dropped.
+/// Writes a checkpoint. First removes the runs: the checkpoint does not contain the open level, to which they belong,
+/// and their disk space may be needed. If there is no space for the rows put aside, they are settled first. If there is
+/// still too little space, levels are dropped.
 void DiskRowStore::checkpoint() {
     const auto unsure = [this](const storage::TakeRows& take) { give_unsure(take); };
     empty_open();

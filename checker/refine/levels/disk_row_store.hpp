@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A store for more rows than fit into memory (docs/search.md, "Out of core"). All closed levels are in sorted files.
-// Memory contains rows of the open level, which are written as sorted runs when they need too much memory, and a filter
-// over all closed levels. A row that the filter rejects is new. A row that it accepts is almost certainly a duplicate:
-// it is put aside, in files if there are many such rows. From time to time, and before any verdict, the store settles
-// these rows: it reads all levels and looks for them. A row that is in no level was taken for a duplicate by mistake.
-// If it belongs to the open level, it is added to it; otherwise the search rolls back to the level of the row.
+// A store for more rows than fit into memory (docs/search.md, "Out of core"). Sorted files contain all closed levels.
+// Memory contains a filter over all closed levels, and rows of the open level. Rows of the open level are written as
+// sorted runs when they need too much memory. A row that the filter rejects is new. A row that it accepts is almost
+// certainly a duplicate: it is put aside, in files if there are many such rows. From time to time, and before any
+// verdict, the store settles these rows: it reads all levels and looks for them. A row that no level contains was taken
+// for a duplicate by mistake. If it belongs to the open level, it is added to this level. Otherwise the search rolls
+// back to the level of the row.
 #pragma once
 
 #include <algorithm>
@@ -20,25 +21,25 @@ namespace robochart::refine {
 
 class DiskRowStore final : public RowStore {
 public:
-    /// Statistics of the store.
+    /// Statistics about the work of the store.
     struct Figures {
         std::uint64_t settled = 0;       ///< number of passes through all levels to settle rows put aside
         std::uint64_t put_aside = 0;     ///< total number of rows put aside in these passes
         std::uint64_t rolled_back = 0;   ///< number of times that the search rolled back
         std::uint64_t in_error = 0;      ///< number of rows taken for duplicates by mistake
-        std::uint64_t runs_written = 0;  ///< number of times that rows of an open level were written before it was
-                                         ///< complete
+        std::uint64_t runs_written = 0;  ///< number of times that a part of an open level was written
         std::uint64_t peak_bytes = 0;
     };
     struct Bounds {
-        std::uint64_t most_bytes = 0;  ///< limit on the total memory; a merge also needs a block of each run
+        std::uint64_t most_bytes = 0;  ///< limit on the total memory, without the blocks of runs in a merge
         unsigned filter_bits = 32;     ///< maximal number of bits for each row
-        /// An estimate: in the time that the search needs for one row, this many rows can be read from files. If it is
+        /// An estimate of how many rows can be read from files in the time that the search needs for one row. If it is
         /// 0, rows are settled only when this is unavoidable.
         unsigned reads_a_step = 10;
-        std::function<void(const Figures&)> report;  ///< called at the end; may be empty
+        std::function<void(const Figures&)> report;  ///< receives the statistics at the end; may be empty
     };
-    /// Continues from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
+    /// Creates a store. It continues from the newest checkpoint in the folder, if there is one. Throws
+    /// storage::BadFile.
     DiskRowStore(KeptWhere where, Bounds bounds);
     ~DiskRowStore() override;
     DiskRowStore(const DiskRowStore&) = delete;
@@ -87,14 +88,14 @@ private:
     KeptLevels kept_;
     Bounds bounds_;
     RowFilter filter_;
-    std::uint64_t most_open_;  ///< number of rows
+    std::uint64_t most_open_;  ///< maximal number of rows in `open_`
     Store open_;
-    storage::SortedRuns runs_;  ///< further rows of the open level, some of which may also be in `open_`
+    storage::SortedRuns runs_;  ///< further rows of the open level; `open_` may contain some of them again
     RowsAside aside_;
     Level late_level_ = 0;   ///< the least level with missing rows
     Store late_;             ///< the missing rows
-    std::uint64_t met_ = 0;  ///< number of rows since the last settling
-    std::uint64_t new_ = 0;  ///< number of new rows among these
+    std::uint64_t met_ = 0;  ///< number of rows that were entered since the last settling
+    std::uint64_t new_ = 0;  ///< number of them that were new
     Figures figures_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Communication between the ranks of a search. Every rank owns a part of the rows. All calls are collective: every rank
-// makes the same calls in the same order.
+// Defines the communication between the ranks of a search. Every rank owns a part of the rows. All calls are
+// collective: every rank makes the same calls in the same order.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@ namespace robochart::refine {
 using Words = std::vector<lts::Word>;
 
 /// Returns the number of the rank that owns a row with this hash (lts::StateStore::hash). The number is below `ranks`
-/// and is the same in every run. The hash is mixed again, so that the rows of a rank are spread over its table.
+/// and is the same in every run. The hash is mixed again, so that the rows of one rank are spread over its whole table.
 [[nodiscard]] inline unsigned owner_of(std::uint64_t hash, unsigned ranks) {
     hash = (hash ^ hash >> 29U) * 0xBF58476D1CE4E5B9ULL;
     return static_cast<unsigned>((hash >> 32U) * ranks >> 32U);
 }
 
-/// The messages to all ranks, or from all ranks, in one block of memory.
+/// The messages to all ranks or from all ranks, in one block of memory.
 struct Messages {
     explicit Messages(unsigned ranks) : begins(ranks), sizes(ranks) {}
     [[nodiscard]] lts::StateView message_of(unsigned rank) const { return {words.data() + begins[rank], sizes[rank]}; }
 
     Words words;
-    std::vector<std::size_t> begins, sizes;  ///< by rank: the place of its message
+    std::vector<std::size_t> begins, sizes;  ///< by rank: where its message begins, and its size
 };
 
 class Exchange {
@@ -37,33 +37,34 @@ public:
     Exchange& operator=(const Exchange&) = delete;
     virtual ~Exchange() = default;
 
-    /// The number of this rank, counted from 0.
+    /// Returns the number of this rank, counted from 0.
     [[nodiscard]] virtual unsigned rank() const = 0;
     [[nodiscard]] virtual unsigned ranks() const = 0;
-    /// The number of ranks that are threads of this program and share its memory.
+    /// Returns the number of ranks that are threads of this program and share its memory.
     [[nodiscard]] virtual unsigned ranks_here() const { return 1; }
 
-    /// Sends to each rank r its message in `out`, and stores the message from r in `in`. There are fewer than 2^31
-    /// words in total.
+    /// Sends the messages in `out` to their ranks, and stores the messages from all ranks in `in`. The total must be
+    /// less than 2^31 words.
     virtual void all_to_all(const Messages& out, Messages& in) = 0;
     /// Replaces each value by its sum over all ranks.
     virtual void sum(std::span<std::uint64_t> values) = 0;
-    /// Returns at every rank the words that each rank has passed. Intended for few words.
+    /// Returns at every rank the words that each rank has passed. It is intended for few words.
     [[nodiscard]] virtual std::vector<Words> gather(const Words& own) = 0;
-    /// Replaces the bytes by those of rank 0. A rank may wait for a long time without using its processor.
+    /// Replaces the bytes by the bytes of rank 0. A rank may wait for a long time, but then it does not use its
+    /// processor.
     virtual void broadcast(std::string& bytes) = 0;
 
-    /// Statistics of the messages that this rank has sent to others by all_to_all.
+    /// Statistics about the messages that this rank has sent to others by all_to_all.
     struct Traffic {
         std::uint64_t bytes = 0;
         std::uint64_t messages = 0;  ///< number of nonempty messages
         std::uint64_t rounds = 0;
     };
     [[nodiscard]] const Traffic& traffic() const { return traffic_; }
-    /// Memory use of messages in transit.
+    /// Returns the memory use of messages in transit.
     [[nodiscard]] virtual std::uint64_t bytes() const { return 0; }
 
-    /// Records that all ranks leave their current work together (SharedWork). The next call of `begin_together` removes
+    /// Records that all ranks leave their current work together (SharedWork). The next call of `begin_together` clears
     /// this record.
     virtual void leave_together() { left_together_ = true; }
     virtual void begin_together() { left_together_ = false; }

@@ -10,8 +10,8 @@
 
 namespace robochart::refine {
 
-/// `prefetch(hash)` is called for several rows before `visit(row, hash)` is called for the first of them. The size of
-/// `rows` is a multiple of `width` words, at least one row.
+/// Calls `prefetch(hash)` for several rows before it calls `visit(row, hash)` for the first of them. The size of `rows`
+/// is a multiple of `width` words; there must be at least one row.
 template <class Prefetch, class Visit>
 void each_hashed(lts::StateView rows, std::size_t width, const Prefetch& prefetch, const Visit& visit) {
     assert(rows.size() % width == 0);

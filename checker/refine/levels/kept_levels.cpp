@@ -21,13 +21,13 @@ std::string path_of(const char* what, const KeptWhere& where) {
 KeptLevels::KeptLevels(KeptWhere where)
     : where_(std::move(where)), files_({where_.folder, where_.kind, where_.place}) {}
 
-/// If a rank was killed while it closed a level or rolled back, it has another number of levels than the other ranks.
-/// The levels that all ranks have are complete, except for unsure rows. The reason is that a rank starts a level only
-/// when all ranks have closed the previous level. The last of these levels is expanded again. This finds the rows of
-/// later levels, including rows that were unsure.
+/// Ranks can have different numbers of levels if they were killed while some of them closed a level or rolled back. The
+/// levels that all ranks have are complete except for unsure rows, because a rank starts a level only when all ranks
+/// have closed the previous level. The last of these levels is expanded again. This finds the rows of later levels,
+/// including rows that were unsure.
 void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure) {
     const std::vector<storage::Checkpoint> found = storage::read(where_.folder, where_.kind, where_.from);
-    // If only some ranks have written a checkpoint with a number, this number is not used again.
+    // If only some ranks have written the checkpoint with a number, this number is not used again.
     const std::uint64_t greatest = where_.from.greatest;
     if (found.empty()) {
         files_.number_from(greatest);
@@ -65,7 +65,8 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
                 if (level < levels && mine(row)) unsure(level, row);
             }
         });
-        // The statistics are sums over all ranks, so the first rank can store them for all ranks.
+        // Only the sums over all ranks matter. So if the number of ranks has changed, the first rank stores the
+        // statistics of all former ranks.
         record.expanded.resize(levels - 1);
         if (!same && where_.place.rank != 0) continue;
         for (std::size_t level = 0; level < record.expanded.size(); ++level) {
@@ -75,8 +76,8 @@ void KeptLevels::load_checkpoint(SearchRecord& record, const TakeUnsure& unsure)
     }
 }
 
-/// The checkpoint contains statistics for every level except the last one. So the size of its file limits the number of
-/// levels that are stored in memory.
+/// Rejects a checkpoint that does not fit. It contains statistics for every level except the last one, so the size of
+/// its file limits the number of levels that must be stored in memory.
 void KeptLevels::check(const storage::Checkpoint& found) const {
     if (found.levels > found.expanded.size() + 1)
         throw storage::BadFile(
@@ -84,8 +85,8 @@ void KeptLevels::check(const storage::Checkpoint& found) const {
                         storage::name_of(found.number, found.place), found.levels, found.expanded.size()));
 }
 
-/// Collects the rows of this rank from the files of all former ranks. Each former rank gives one run; then the runs are
-/// merged.
+/// Collects the rows of this rank from the files of all former ranks. The rows from each former rank form one run; then
+/// the runs are merged.
 void KeptLevels::redistribute_rows(const std::vector<storage::Checkpoint>& found, Level levels) {
     std::vector<storage::LevelFiles> all;
     for (const storage::Checkpoint& each : found) {
@@ -117,7 +118,7 @@ void KeptLevels::redistribute_rows(const std::vector<storage::Checkpoint>& found
     rows_before_ = before;
 }
 
-/// Adds the rows of a level that belong to this rank as a run; returns their number.
+/// Adds a run with the rows of a level that belong to this rank. Returns the number of these rows.
 std::uint64_t KeptLevels::add_mine(storage::LevelFiles& from, Level level, storage::SortedRuns& runs) {
     const std::size_t width = where_.kind.width;
     std::uint64_t rows = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of row stores that use files. It writes the levels of one rank to files, decides when to write
-// checkpoints, and continues searches from a checkpoint that any number of ranks have written.
+// Contains the common part of row stores that use files. It writes the levels of one rank to files, decides when to
+// write checkpoints, and continues searches from a checkpoint, which any number of ranks may have written.
 #pragma once
 
 #include <chrono>
@@ -17,47 +17,50 @@
 
 namespace robochart::refine {
 
-/// Where and how a search stores rows in files.
+/// Describes where and how a search stores rows in files.
 struct KeptWhere {
     std::string folder;     ///< used only by this search; must exist
     storage::RowKind kind;  ///< identifies the search
-    storage::Place place;   ///< the rank of the search
-    storage::Newest from;   ///< the checkpoint from which it continues, the same at all ranks
-    /// The time between checkpoints. No value: checkpoints are written only on limits and interrupts.
+    storage::Place place;   ///< the number of this rank and the number of ranks
+    storage::Newest from;   ///< the checkpoint from which the search continues, the same at all ranks
+    /// The time between checkpoints. If it has no value, checkpoints are written only on limits and interrupts.
     std::optional<std::chrono::milliseconds> every;
-    /// Whether a row belongs to this rank. If the function is empty, all rows do.
+    /// Returns whether a row belongs to this rank. If the function is empty, all rows do.
     std::function<bool(lts::StateView row)> mine;
     /// Polled during long work; it must outlive the store.
     diagnostics::Pollable* budget = &diagnostics::unlimited;
-    /// Open while this rank uses the folder. Null if the folder is not locked.
+    /// The lock that this rank holds while it uses the folder. It is null if the folder is not locked.
     std::shared_ptr<const diagnostics::Descriptor> lock;
 };
 
-/// Returns the path of a file that is stored in addition to the levels.
+/// Returns the path of a file for rows besides the levels. `what`: the first part of its name.
 [[nodiscard]] std::string path_of(const char* what, const KeptWhere& where);
 
 class KeptLevels {
 public:
     explicit KeptLevels(KeptWhere where);
 
-    /// Receives an unsure row: it may be a duplicate of an earlier row. `level` is its level if it is not.
+    /// A function that receives an unsure row, which may be a duplicate of an earlier row. If it is no duplicate, it
+    /// belongs to `level`.
     using TakeUnsure = std::function<void(Level level, lts::StateView row)>;
-    /// Continues from the checkpoint, if there is one: files() then contains the levels that all its ranks have closed,
-    /// and the record describes these levels. `unsure` is called after the levels have been loaded. Throws
-    /// storage::BadFile, and the exceptions of `unsure`.
+    /// Continues from the checkpoint, if there is one. files() then contains the levels that all ranks of the
+    /// checkpoint have closed, and the record describes these levels. Calls `unsure` after the levels have been loaded.
+    /// Throws storage::BadFile, and the exceptions of `unsure`.
     void load_checkpoint(SearchRecord& record, const TakeUnsure& unsure);
 
-    /// The number of rows in these levels at all former ranks. No value if loading has not redistributed the rows.
+    /// Returns the number of rows in these levels at all former ranks. Returns no value if loading has not
+    /// redistributed the rows.
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const { return rows_before_; }
 
     [[nodiscard]] storage::LevelFiles& files() { return files_; }
     [[nodiscard]] const storage::LevelFiles& files() const { return files_; }
     [[nodiscard]] bool checkpoint_due() const;
-    /// Writes a checkpoint. `unsure` passes rows followed by their levels; rows of levels that are not closed are
-    /// omitted. Throws storage::CannotWrite.
+    /// Writes a checkpoint. `unsure` passes unsure rows, each followed by its level. Rows of levels that are not closed
+    /// are omitted. Throws storage::CannotWrite.
     void checkpoint(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
-    /// After CannotWrite: writes a checkpoint of as many levels as there is space for. The other levels are dropped, so
-    /// the search is over. Throws storage::CannotWrite if no level remains that is not in the previous checkpoint.
+    /// Writes a checkpoint of as many levels as there is space for, after a checkpoint failed with CannotWrite. It
+    /// drops the other levels, so the search is over. Throws storage::CannotWrite if no level remains that is not in
+    /// the previous checkpoint.
     void checkpoint_of_fewer(const SearchRecord& record, const storage::LevelFiles::GivePieces& unsure);
     void poll() const { where_.budget->poll(); }
 

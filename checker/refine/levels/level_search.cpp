@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
 constexpr std::size_t rows_a_block = 256;
 
-/// Adds the processor time of this thread during its lifetime.
+/// Adds the processor time that this thread uses during the object's lifetime.
 class Timed {
 public:
     explicit Timed(double& seconds) : seconds_(seconds), start_(thread_seconds()) {}
@@ -99,20 +99,20 @@ std::optional<LevelFinding> LevelSearch::first_violation(std::uint64_t events_un
     }
 }
 
-/// Writes a checkpoint when all ranks leave the search together; otherwise only for this rank. If no level is closed,
-/// no checkpoint is written.
+/// Writes a checkpoint: together with all ranks if they leave the search together, otherwise only for this rank. If no
+/// level is closed, writes nothing.
 void LevelSearch::write_last_checkpoint() {
     if (!exchange_.left_together()) {
         if (store_.levels() > 0) store_.checkpoint();
         return;
     }
-    exchange_.begin_together();  // the other ranks do not know of an error that only this rank has from here on
+    exchange_.begin_together();  // if a rank alone fails from here on, the others do not know of it
     SharedWork last(exchange_);
     checkpoint(last);
     exchange_.leave_together();
 }
 
-/// The run is not killed before all ranks have written their checkpoints.
+/// Writes a checkpoint. The program is not killed before all ranks have written theirs.
 void LevelSearch::checkpoint(SharedWork& work) {
     std::shared_ptr<void> held;
     work.execute_part([&] {
@@ -122,8 +122,8 @@ void LevelSearch::checkpoint(SharedWork& work) {
     work.sum({});
 }
 
-/// Holds Limits::undisturbed at the first rank. Only the program of this rank is killed if it runs on after a limit has
-/// been reached.
+/// Holds Limits::undisturbed at the first rank; returns null at other ranks. Only the program of the first rank is
+/// killed if it continues after a limit has been reached.
 std::shared_ptr<void> LevelSearch::hold_undisturbed() const {
     const auto& hold = budget_.limits().undisturbed;
     return hold && exchange_.rank() == 0 ? hold() : nullptr;
@@ -134,8 +134,8 @@ void LevelSearch::close_level_of_store() {
     store_.close_level();
 }
 
-/// Creates an expander unless the current one follows the required events. After a rollback, a level may have to be
-/// expanded with all events although a later level was expanded with taus alone.
+/// Creates an expander unless the current one follows the required events. A rollback may have changed what is
+/// required: an earlier level is expanded with all events although a later level was already expanded with taus alone.
 void LevelSearch::use_expander(bool taus_alone) {
     if (expander_ && taus_alone_ == taus_alone) return;
     taus_alone_ = taus_alone;
@@ -170,7 +170,7 @@ void LevelSearch::begin() {
 }
 
 /// Expands a level in rounds. At the end of each round all ranks know how much work remains. The statistics are added
-/// to those stored so far; the statistics of the initial state belong to its level.
+/// to those of earlier levels. The statistics of the initial state belong to its level.
 void LevelSearch::expand_level(Level level) {
     assert(level + std::size_t{1} == store_.levels());
     fault_.reset();
@@ -182,7 +182,7 @@ void LevelSearch::expand_level(Level level) {
         {
             const Timed timed(level_seconds_[level]);
             work_.execute_part([&] {
-                budget_.check();  // comes after the rank has waited for others
+                budget_.check();  // after the rank has waited for the others
                 expand_some(level, next);
             });
         }
@@ -201,7 +201,7 @@ void LevelSearch::expand_level(Level level) {
         agree_on_totals(store_.rows(level) - next);
         const std::uint64_t most = budget_.limits().max_states;
         if (agreed_.known > most) {
-            exchange_.leave_together();  // all ranks have the same sum
+            exchange_.leave_together();  // all ranks compute this from the same sums
             throw LimitReached(fmt::format("the limit of {} states was reached", most));
         }
     } while (agreed_.waiting > 0);
@@ -210,8 +210,8 @@ void LevelSearch::expand_level(Level level) {
 
 void LevelSearch::expand_some(Level level, std::uint64_t& next) {
     const std::size_t width = store_.width();
-    // The rows that wait to be sent should take little memory compared with the store. The waiting rows of all threads
-    // of a program must fit into one message.
+    // The rows that wait to be sent should take little memory compared with the store. In addition, the waiting rows of
+    // all threads of a program must fit into one message.
     const std::uint64_t most_waiting =
         std::clamp(store_.bytes() / 32, std::uint64_t{1} << 13U, std::uint64_t{1} << 26U);
     for (std::size_t done = 0; done < rows_a_round && !batches_.is_full(most_waiting);) {
@@ -233,8 +233,8 @@ void LevelSearch::expand_some(Level level, std::uint64_t& next) {
             } catch (const std::bad_alloc&) {
                 throw;
             } catch (const std::exception&) {
-                // An evaluation error in a process that stays a term. Results that were found before it take
-                // precedence.
+                // The process is run as a term, and its evaluation has failed. Results that were found before the error
+                // take precedence.
                 if (!fault_) throw;
                 next = store_.rows(level);
                 return;
@@ -256,8 +256,8 @@ void LevelSearch::expand(StateView row) {
     if (pair.forbidden) keep_least(forbidden_, {{row.begin(), row.end()}, ViolationKind::trace, *pair.forbidden});
 }
 
-/// Collects the rows of other ranks for sending and enters the rows of this rank. The target of a tau is sent each
-/// time, even if it was sent before: whether the tau leads back depends on the current level.
+/// Collects the rows of other ranks for sending and enters the rows of this rank. The target of a tau is sent again
+/// even if it was sent before, because the current level determines whether the tau leads back.
 void LevelSearch::distribute_rows() {
     const unsigned ranks = exchange_.ranks();
     const unsigned self = exchange_.rank();
@@ -279,8 +279,8 @@ void LevelSearch::distribute_rows() {
     expansion_.clear(store_.width());
 }
 
-/// Marks targets of taus that lead back, that is, to a row of the same level or an earlier one. Every cycle of taus
-/// contains such a tau.
+/// Enters a row. Marks it if it is the target of a tau that leads back, which means to a row of the same level or an
+/// earlier one. Every cycle of taus contains such a tau.
 void LevelSearch::enter_row(StateView row, std::uint64_t hash, bool by_tau) {
     assert(row.size() == no_rows_.width());
     const RowStore::Found found = store_.enter_row(row, hash);
@@ -303,7 +303,7 @@ void LevelSearch::agree_on_totals(std::uint64_t waiting) {
     agreed_ = {values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7], values[8]};
 }
 
-/// Returns the least level of a row that some rank has missed.
+/// Settles the unsure rows of all ranks. Returns the least level of a row that some rank has missed.
 std::optional<Level> LevelSearch::settle_unsure_rows() {
     std::optional<Level> wrong;
     work_.execute_part([&] { wrong = store_.settle_unsure_rows(); });
@@ -330,10 +330,10 @@ void LevelSearch::roll_back_to(Level level) {
         work_.execute_part([this] { close_level_of_store(); });
 }
 
-/// The expanded level and the open level are complete.
+/// Closes the open level. The expanded level and the open level must be complete.
 void LevelSearch::close_level() {
     work_.execute_part([this] {
-        // All closed levels but the last have been expanded before.
+        // All closed levels except the last one have been expanded before.
         assert(store_.record().expanded.size() + 1 == store_.levels());
         store_.record().expanded.push_back(figures_);
         before_ = figures_until(store_.record().expanded.size());
@@ -359,7 +359,7 @@ LevelFigures LevelSearch::figures_until(std::size_t levels) const {
     return sum;
 }
 
-/// Sets the statistics to those of all levels up to this one, which has been expanded.
+/// Sets the statistics to the sums over all levels up to this one, which has been expanded.
 void LevelSearch::count_levels(Level last) {
     transitions_ = agreed_.transitions;
     chased_ = agreed_.chased;
@@ -394,7 +394,8 @@ LevelFinding LevelSearch::finding_of(const Fault& fault, Level level) {
     return finding;
 }
 
-/// Every rank can compute the step. If several steps are possible, the step to the least state is used.
+/// Adds the step of the forbidden event to the run. Every rank can compute this step. If several steps are possible,
+/// uses the step to the least state.
 void LevelSearch::forbidden_step(const Fault& fault, Run& run) {
     std::optional<RunStep> least;
     for (RunStep& step : steps_from(system_, state(fault.row)))
@@ -403,7 +404,7 @@ void LevelSearch::forbidden_step(const Fault& fault, Run& run) {
     run.steps.push_back(std::move(*least));
 }
 
-/// A row of the previous level and the step from it.
+/// A row of the previous level, and the events of the step from it.
 struct LevelSearch::Step {
     Words row;
     Event event = process::tau;
@@ -415,7 +416,7 @@ struct LevelSearch::Step {
 
 namespace {
 
-/// The least transition from one row to another.
+/// Finds the least transition from one row to another.
 class StepTo final : public lts::SuccessorSink {
 public:
     StepTo(Monitor& monitor, bool nodes, StateView goal) : monitor_(monitor), nodes_(nodes), goal_(goal) {}
@@ -469,7 +470,7 @@ Run LevelSearch::run_to(const Words& row, Level level) {
     return run;
 }
 
-/// Every rank searches its part of the level.
+/// Finds the step that leads to this row from the level before it. Every rank searches its part of the level.
 LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
     std::optional<Step> least;
     work_.execute_part([&] {
@@ -508,7 +509,7 @@ LevelSearch::Step LevelSearch::last_step(const Words& row, Level level) {
 }
 
 std::optional<LevelFinding> LevelSearch::first_divergence() {
-    checkpoint(work_);  // after a limit there may be no time for it
+    checkpoint(work_);  // written before a limit leaves no time for it
     TauElimination elimination(system_, store_, exchange_, budget_, work_, nodes_);
     const std::optional<TauCycle> cycle = elimination.least_cycle();
     if (!cycle) return std::nullopt;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Level-synchronous search by several ranks: the same product of system and monitor as search.hpp, but the hash of a
-// row determines the rank that owns it, and no parents are stored. The ranks expand a level in rounds, exchange the
-// rows found, and agree at the end of each level. Runs are found afterwards by expanding the earlier levels again.
+// A level-synchronous search by several ranks. It searches the same product of system and monitor as search.hpp, but
+// the hash of a row determines the rank that owns it, and no parents are stored. The ranks expand a level in rounds,
+// exchange the rows found, and agree at the end of each level. Runs are found afterwards by expanding the earlier
+// levels again.
 //
-// The result does not depend on the number of ranks, nor on where rows are stored. Among several violations at the
-// least level, a state's fault comes before a forbidden event, then the least row by its words. Among several
-// predecessors of a row, the least by words, then by event and revealed event, is taken. If a violation is found, its
-// whole level is counted.
+// The result does not depend on the number of ranks, nor on where rows are stored. If there are several violations at
+// the least level, a state's fault comes before a forbidden event. Among several faults, the fault of the least row is
+// reported; rows are compared by their words. If a row has several predecessors, the run contains the least of them, by
+// words, then by event and revealed event. If a violation is found, the statistics include its whole level.
 #pragma once
 
 #include <limits>
@@ -25,55 +26,57 @@
 
 namespace robochart::refine {
 
-/// A violation with a shortest run, including the step of a forbidden event.
+/// A violation with a shortest run, which includes the step of a forbidden event.
 struct LevelFinding {
     ViolationKind kind = ViolationKind::trace;
     Run run;
-    Run loop;  ///< divergence: taus from the run's last state back to it
+    Run loop;  ///< divergence: taus from the run's last state back to this state
 };
 
-/// The part of one rank in a search. All functions except the statistics are collective, and all ranks get the same
+/// Represents one rank in a search. All functions except the statistics are collective, and all ranks get the same
 /// results.
 class LevelSearch {
 public:
-    /// `monitor` must number its nodes in the same way at each rank. `store` has rows of the system's width, plus one
-    /// word if the monitor has nodes. `note_taus`: whether first_divergence will be called.
+    /// `monitor` must number its nodes in the same way at each rank. The rows of `store` have the system's width, plus
+    /// one word if the monitor has nodes. `note_taus`: whether first_divergence will be called.
     LevelSearch(lts::TransitionSystem& system, Monitor& monitor, RowStore& store, Exchange& exchange, Budget& budget,
                 bool note_taus);
     LevelSearch(const LevelSearch&) = delete;
     LevelSearch& operator=(const LevelSearch&) = delete;
     ~LevelSearch();
 
-    /// Returns the first violation. No value if all rows have been seen. In level `events_until` and later levels only
-    /// taus are followed. At a limit, which any rank may reach, all ranks write a checkpoint and throw.
+    /// Returns the first violation, or no value if all rows have been searched. From level `events_until` on, only taus
+    /// are followed. If any rank reaches a limit, all ranks write a checkpoint and throw.
     std::optional<LevelFinding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
-    /// Returns the least row, by level and words, on a cycle of taus. Call it after a search that noted taus and found
-    /// no violation.
+    /// Returns the first row on a cycle of taus: rows are ordered by level, then by words. Call it after a search that
+    /// noted taus and found no violation.
     std::optional<LevelFinding> first_divergence();
 
-    // Statistics of all ranks. If a violation was found, they cover all levels up to the level of the violation.
+    // The following statistics cover all ranks. If a violation was found, they cover all levels up to the level of the
+    // violation.
     [[nodiscard]] std::uint64_t states() const { return states_; }
     [[nodiscard]] std::uint64_t transitions() const { return transitions_; }
     [[nodiscard]] std::uint64_t chased_state_count() const { return chased_; }
     [[nodiscard]] std::uint64_t depth() const { return depth_; }
 
-    // Statistics of this rank. For each level, the processor time to expand the level and to enter the rows found.
+    // The following statistics cover only this rank. For each level, returns the processor time for expanding it and
+    // for entering the rows found.
     [[nodiscard]] const std::vector<double>& level_seconds() const { return level_seconds_; }
-    /// Number of rows sent to other ranks.
+    /// Returns the number of rows sent to other ranks.
     [[nodiscard]] std::uint64_t crossing_rows() const { return batches_.rows(); }
-    /// The maximal memory use of rows and messages at the end of a level.
+    /// Returns the maximal memory use in bytes of rows and messages at the end of a level.
     [[nodiscard]] std::uint64_t peak_bytes() const { return peak_bytes_; }
 
 private:
-    /// A fault of a row, or an event that is forbidden in the row.
+    /// A row with a fault of its state, or with an event that is forbidden there.
     struct Fault {
         Words row;
         ViolationKind kind = ViolationKind::trace;
         process::Event event = process::tau;
     };
-    /// The data on which the ranks agree at the end of a round.
+    /// The sums on which the ranks agree at the end of a round.
     struct Agreed {
-        std::uint64_t waiting = 0;  ///< rows of the level that have not been expanded
+        std::uint64_t waiting = 0;  ///< rows of the level that are still to be expanded
         std::uint64_t known = 0;    ///< rows of all levels
         std::uint64_t open = 0;     ///< rows of the open level
         std::uint64_t transitions = 0, chased = 0;

@@ -23,7 +23,8 @@ std::size_t MemoryRowStore::read(Level level, std::uint64_t first, std::size_t m
     return to - from;
 }
 
-/// A row takes its words and a place in a table that is three quarters full and has twelve places in each cache line.
+/// Counts the words of each row and its place in a table. The table is three quarters full and has twelve places in
+/// each cache line.
 std::uint64_t MemoryRowStore::bytes() const {
     constexpr std::uint64_t line = 64, per_line = 12;
     return rows_.size() * (width() * sizeof(lts::Word) + line * 4 / (3 * per_line));

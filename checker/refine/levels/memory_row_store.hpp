@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows in memory.
+// Stores all rows of a rank in memory.
 #pragma once
 
 #include "checker/refine/levels/row_store.hpp"
@@ -25,7 +25,7 @@ private:
     [[nodiscard]] std::uint64_t end(Level level) const { return level < ends_.size() ? ends_[level] : rows_.size(); }
 
     lts::StateStore rows_;             // in the order of levels
-    std::vector<std::uint64_t> ends_;  // ends of the closed levels
+    std::vector<std::uint64_t> ends_;  // ends of the closed levels in rows_
 };
 
 }  // namespace robochart::refine

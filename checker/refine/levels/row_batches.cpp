@@ -10,7 +10,7 @@ RowBatches::RowBatches(unsigned ranks, std::size_t width)
     out_.words.resize(ranks * space_);
 }
 
-/// Grows each message by a quarter.
+/// Makes the space for each message a quarter larger.
 void RowBatches::make_space() {
     const std::size_t larger = space_ + std::max(space_ / 4, width_);
     Words words(messages_.size() * larger);

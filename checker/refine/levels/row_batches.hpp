@@ -12,8 +12,8 @@
 
 namespace robochart::refine {
 
-/// Creates one message for each rank. It contains the number of rows that are not targets of taus, these rows, and then
-/// the targets of taus.
+/// Builds one message for each rank. A message contains the number of rows that are not targets of taus, then these
+/// rows, and then the targets of taus.
 class RowBatches {
 public:
     RowBatches(unsigned ranks, std::size_t width);
@@ -31,17 +31,18 @@ public:
             at += message.front;
             message.front += width_;
         }
-        for (std::size_t i = 0; i < width_; ++i) out_.words[at + i] = row[i];  // a loop, because rows are short
+        for (std::size_t i = 0; i < width_; ++i) out_.words[at + i] = row[i];  // a loop is fast, because rows are short
         largest_ = std::max(largest_, message.front + message.back);
         ++waiting_;
     }
-    /// Whether it is time to send: one message has reached 64 KiB, or all messages together have this many bytes.
+    /// Returns true if it is time to send: one message has reached 64 KiB, or all messages together have this many
+    /// bytes.
     [[nodiscard]] bool is_full(std::uint64_t bytes) const {
         return largest_ * sizeof(lts::Word) >= std::size_t{1} << 16U || waiting_ * width_ * sizeof(lts::Word) >= bytes;
     }
-    /// The number of rows in all messages so far.
+    /// Returns the number of rows in all messages so far.
     [[nodiscard]] std::uint64_t rows() const { return rows_ + waiting_; }
-    /// Sends all messages, and receives those of the other ranks.
+    /// Sends all messages, and receives the messages of the other ranks.
     void exchange(Exchange& with);
     /// Passes the received rows one by one with their hashes to `enter(row, hash, by_tau)`. Calls `prefetch(hash)` for
     /// several rows before the first of them is passed.
@@ -56,14 +57,14 @@ public:
                         [&](lts::StateView words, auto hash) { enter(words, hash, row++ >= message[0]); });
         }
     }
-    /// Memory use.
+    /// Returns the memory use in bytes.
     [[nodiscard]] std::uint64_t bytes() const {
         return (out_.words.capacity() + in_.words.capacity()) * sizeof(lts::Word);
     }
 
 private:
-    /// The use of the space for one rank's message. It begins with a word for the number of rows that are not targets
-    /// of taus, which is written later, and with these rows. The targets of taus are at the end of the space.
+    /// How the space for one rank's message is used. At the beginning is a word for the number of rows that are not
+    /// targets of taus, which is filled in later. These rows follow. The targets of taus are at the end of the space.
     struct Message {
         std::size_t front = 1;
         std::size_t back = 0;

@@ -12,7 +12,7 @@ namespace robochart::refine {
 namespace {
 
 constexpr std::size_t counts_size = sizeof(std::uint64_t);
-/// If the expected number of errors is less than this, errors are negligible.
+/// If the expected number of mistaken rows is less than this, mistakes are negligible.
 constexpr double fewest_errors = 0.25;
 constexpr std::uint64_t full = std::uint64_t{1} << 63U;
 
@@ -23,8 +23,8 @@ RowFilter::RowFilter(unsigned most_bits, std::uint64_t most_bytes) : most_bits_(
     reset(0);
 }
 
-/// The stored bits of a row take whole bytes. In a full bucket, the counts of rows in its parts take all bits of a word
-/// except the top one.
+/// Sets the number of bits that are stored of each row, which take whole bytes. When a bucket is full, the counts of
+/// the rows in its parts take all bits of a word except the top one.
 void RowFilter::keep_bits(unsigned bits) {
     assert(bits >= 1 && bits <= 32);
     bytes_of_row_ = (bits + 7) / 8;
@@ -34,8 +34,9 @@ void RowFilter::keep_bits(unsigned bits) {
     assert(places_ > 0 && places_ < 63 && counts_size + std::size_t{places_} * bytes_of_row_ <= line);
 }
 
-/// Allocates space for twice as many rows as there are, or for as many as fit into memory if that is not much more. A
-/// growing filter is then seldom refilled. If memory is short, there is space for at least an eighth more.
+/// Allocates space for twice as many rows as there are, so that a growing filter is seldom refilled. If this takes more
+/// than a quarter of the memory limit, allocates all of the limit. The space must suffice for at least an eighth more
+/// rows than there are.
 void RowFilter::reset(std::uint64_t rows) {
     constexpr std::uint64_t fewest = 4096;
     size_ = 0;
@@ -48,7 +49,7 @@ void RowFilter::reset(std::uint64_t rows) {
         const std::uint64_t needed = std::max(fewest, 2 * rows) * 20 / (std::uint64_t{places_} * 19) + 1;
         const std::uint64_t buckets = needed > most / 4 ? most : needed;
         const bool fits = buckets > 0 && space_in(buckets) >= rows + rows / 8 + 1;
-        // With fewer bits, the filter has space for more rows, so it must be refilled less often.
+        // With fewer bits, the filter has space for more rows, so it is refilled less often.
         const bool fewer = bytes_of_row_ > 1 && errors_with(8 * (bytes_of_row_ - 1), buckets) < fewest_errors;
         if (fits && !fewer) {
             buckets_ = buckets;
@@ -57,19 +58,20 @@ void RowFilter::reset(std::uint64_t rows) {
         if (bytes_of_row_ == 1) return;
     }
     capacity_ = space_in(buckets_);
-    // The filter always reads the same number of bytes for a row.
+    // The additional word is needed because the filter always reads the same number of bytes for a row.
     memory_ = lts::zeroed_pages(buckets_ * line + sizeof(std::uint32_t));
 }
 
-/// Returns the approximate number of mistaken rows while the filter is filled, if it stores this many bits of each row.
+/// Returns the approximate number of rows that are mistaken for duplicates while the filter is filled, if it stores
+/// this many bits of each row.
 double RowFilter::errors_with(unsigned bits, std::uint64_t buckets) {
     const double places = static_cast<double>(line - counts_size) / (bits / 8);
     const double compared = places / (63 - places);
     return static_cast<double>(buckets) * places * compared / std::exp2(bits);
 }
 
-/// The probability that the filter accepts a row that was not added. A look-up examines buckets up to the first that is
-/// not full, and compares the row with the rows of one part of each.
+/// Computes the probability that the filter accepts a row that was not added. A look-up examines buckets up to the
+/// first that is not full. In each bucket it compares the row with the rows of one part.
 double RowFilter::error() const {
     if (full_ == buckets_) return 1;
     const double compared = static_cast<double>(size_) / (static_cast<double>(buckets_ - full_) * parts_);
@@ -93,8 +95,8 @@ std::uint64_t sums_of(std::uint64_t word) {
     return ((word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU) * ones;
 }
 
-/// Returns the index of the zero that follows this many zeros; it must exist (Vigna, Broadword implementation of
-/// rank/select queries, WEA 2008).
+/// Returns the index of the zero that follows this many zeros. This zero must exist. (Vigna, Broadword implementation
+/// of rank/select queries, WEA 2008.)
 unsigned zero_after(std::uint64_t word, unsigned zeros) {
     const std::uint64_t sums = sums_of(~word);
     const std::uint64_t passed = (((zeros * ones) | tops) - sums) & tops;
@@ -131,7 +133,8 @@ void RowFilter::add(std::uint64_t hash) {
     ++size_;
 }
 
-/// The rows of a part are stored before its zero.
+/// Returns true if the part of the bucket contains a row with these bits. The rows of a part are stored before the zero
+/// of the part.
 bool RowFilter::bucket_contains(const std::uint8_t* bucket, std::uint64_t counts, unsigned part,
                                 std::uint32_t bits) const {
     unsigned zero = zero_after(counts, part);

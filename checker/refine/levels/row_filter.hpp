@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A filter of rows: some bits of the hash of each row, in buckets of one cache line. It never rejects a row that was
-// added. If there are more rows, it stores fewer bits of each row, so that it never needs more memory than its limit.
+// A filter of rows. It stores some bits of the hash of each row, in buckets of one cache line. It never rejects a row
+// that was added. To stay within its memory limit, it stores fewer bits of each row when there are more rows.
 //
 // A bucket consists of parts; other bits of the hash select the part of a row. So a look-up compares the row with few
 // other rows: with less than one on average, or with about eight if only 8 bits of each row are stored. The number of
@@ -15,20 +15,20 @@ namespace robochart::refine {
 
 class RowFilter {
 public:
-    /// Stores `most_bits` (1 to 32) of each hash, or fewer: the largest of 24, 16 and 8 bits with which all rows fit
-    /// into `most_bytes` and the expected number of mistaken rows is negligible. If not even 8 bits fit, the filter
-    /// accepts every row.
+    /// Creates a filter that stores `most_bits` (1 to 32) of each hash, or fewer: the largest of 24, 16 and 8 bits with
+    /// which all rows fit into `most_bytes` and the expected number of mistaken rows is negligible. If not even 8 bits
+    /// fit, the filter accepts every row.
     RowFilter(unsigned most_bits, std::uint64_t most_bytes);
 
     /// Removes all rows and prepares for this many rows, and for some more if there is memory for them.
     void reset(std::uint64_t rows);
-    /// The maximal number of rows. If it is 0, the filter accepts every row, and no row may be added.
+    /// Returns the maximal number of rows. If it is 0, the filter accepts every row, and no row may be added.
     [[nodiscard]] std::uint64_t capacity() const { return capacity_; }
     [[nodiscard]] std::uint64_t size() const { return size_; }
     /// Precondition: size() < capacity().
     void add(std::uint64_t hash);
     [[nodiscard]] bool may_have(std::uint64_t hash) const;
-    /// The approximate probability that the filter accepts a row that was not added.
+    /// Returns the approximate probability that the filter accepts a row that was not added.
     [[nodiscard]] double error() const;
     void prefetch(std::uint64_t hash) const {
         if (buckets_ > 0) __builtin_prefetch(bucket(home_of(hash)));
@@ -40,10 +40,12 @@ private:
 
     void keep_bits(unsigned bits);
     [[nodiscard]] static double errors_with(unsigned bits, std::uint64_t buckets);
-    /// At most nineteen of twenty places are used. If a bucket is full, its further rows are stored in the next bucket.
+    /// Returns how many rows may be stored in this many buckets: nineteen of twenty places are used at most. If a
+    /// bucket is full, its further rows are stored in the next bucket.
     [[nodiscard]] std::uint64_t space_in(std::uint64_t buckets) const { return buckets * places_ * 19 / 20; }
-    /// The upper half of the hash determines the bucket and, in the lower half of its product, the part; the stored
-    /// bits are from the lower half of the hash.
+    /// Returns the bucket for a hash. The upper half of the hash, multiplied by the number of buckets, determines the
+    /// bucket (by the upper half of the product) and the part (by the lower half). The stored bits are from the lower
+    /// half of the hash.
     [[nodiscard]] std::uint64_t home_of(std::uint64_t hash) const { return ((hash >> 32U) * buckets_) >> 32U; }
     [[nodiscard]] unsigned part_of(std::uint64_t hash) const {
         return static_cast<unsigned>(((((hash >> 32U) * buckets_) & 0xFFFFFFFFU) * parts_) >> 32U);
@@ -58,10 +60,10 @@ private:
     std::uint64_t most_bytes_;
     unsigned bytes_of_row_ = 0;
     std::uint32_t mask_ = 0;
-    /// The number of places in a bucket. Before them is a word with the number of used places of each part: as many
-    /// ones, then a zero. Its top bit is set if all places are used.
+    /// The number of places in a bucket. Before the places is a word that encodes the number of used places of each
+    /// part: as many ones, then a zero. Its top bit is set if all places are used.
     unsigned places_ = 0;
-    unsigned parts_ = 0;  ///< parts in a bucket
+    unsigned parts_ = 0;  ///< number of parts in a bucket
     lts::Pages memory_;
     std::uint64_t buckets_ = 0;
     std::uint64_t capacity_ = 0;

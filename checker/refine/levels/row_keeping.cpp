@@ -15,8 +15,9 @@
 namespace robochart::refine {
 namespace {
 
-/// A folder with the same name on another machine would contain files for other rows. Checking after locking that the
-/// file still has this name shows that no other run has begun in between.
+/// Opens and locks the file `run_name` of the folder, and checks its contents. A folder with the same name on another
+/// machine would contain files for other rows. storage::lock checks after locking that the file still has this name, so
+/// no other run has begun meanwhile.
 std::shared_ptr<const diagnostics::Descriptor> use_folder(const RowKeeping& keeping, unsigned rank) {
     const std::string path = keeping.folder + "/" + run_name;
     const auto refuse = [&](const std::string& why) {

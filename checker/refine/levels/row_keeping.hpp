@@ -17,16 +17,16 @@
 
 namespace robochart::refine {
 
-/// The description, which is the same at all ranks of a search.
+/// Describes the row stores of a search; the description is the same at all ranks.
 struct RowKeeping {
-    std::string folder;                  ///< used only by this search, created by the first rank; "": rows are only in
-                                         ///< memory
-    std::string run;                     ///< the contents of the folder's file `run_name`: every rank must see the same
-                                         ///< folder
+    /// A folder that the first rank has created and that only this search uses; "" if rows are stored only in memory.
+    std::string folder;
+    /// The contents of the folder's file `run_name`, by which a rank recognises the folder of the first rank.
+    std::string run;
     diagnostics::Digest search{};        ///< identifies the search
     storage::Newest from;                ///< the checkpoint to continue from
     std::chrono::milliseconds every{0};  ///< time between checkpoints
-    bool disk = false;                   ///< rows that do not fit into memory are stored in files
+    bool disk = false;                   ///< whether rows that do not fit into memory are stored in files
     std::uint64_t most_bytes = 0;        ///< disk: memory limit for all ranks of a program together
     // disk: see DiskRowStore::Bounds
     unsigned filter_bits = DiskRowStore::Bounds{}.filter_bits;
@@ -37,7 +37,7 @@ struct RowKeeping {
 /// on the file (flock), so that no other run begins before an earlier one has ended.
 inline constexpr const char* const run_name = "run";
 
-/// The store for the rows of this rank, with `width` words each. The store polls the budget during long work.
+/// Creates the store for the rows of this rank, which have `width` words. The store polls the budget during long work.
 /// `report`: see DiskRowStore::Bounds. Throws storage::BadFile, also if this rank does not see the right folder, and
 /// storage::CannotWrite.
 [[nodiscard]] std::unique_ptr<RowStore> make_row_store(const RowKeeping& keeping, std::size_t width,

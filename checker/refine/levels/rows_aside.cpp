@@ -13,7 +13,7 @@ using lts::StateStore;
 using lts::StateView;
 using lts::Word;
 
-/// Each row is in the store. While rows are passed on, there is also a copy of each row with its level.
+/// Reserves memory for each row in the store, and for a copy of each row with its level while rows are passed on.
 RowsAside::RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes)
     : most_(StateStore::most_in(bytes, kind.width, (kind.width + 1) * sizeof(Word))),
       store_(std::make_unique<StateStore>(kind.width)),
@@ -36,13 +36,14 @@ std::vector<Word> RowsAside::with_levels(StateIndex first, StateIndex end) const
     for (StateIndex i = first; i < end; ++i) {
         while (level != levels_.end() && level->second <= i) ++level;
         rows.insert(rows.end(), (*store_)[i].begin(), (*store_)[i].end());
-        assert(level != levels_.begin());  // the store's first row has a level
+        assert(level != levels_.begin());  // the first row of the store has a level
         rows.push_back(std::prev(level)->first);
     }
     return rows;
 }
 
-/// Exception-safe: each row is in the store, in transit, or in a run at all times.
+/// Writes the rows in memory as a run. If an exception is thrown, no row is lost: each row is in the store, in
+/// `unwritten_` or in a run at all times.
 void RowsAside::write() {
     if (unwritten_.empty()) {
         auto next = std::make_unique<StateStore>(width());
@@ -76,7 +77,7 @@ void RowsAside::each_piece(const std::function<void(std::vector<Word>& rows)>& t
     }
 }
 
-/// Among copies of a row, the one with the least level comes first.
+/// Merges the runs. Among copies of a row, the one with the least level comes first.
 void RowsAside::each_of_runs(const std::function<void(std::vector<Word>& rows)>& take) const {
     const std::size_t words = width() + 1;
     const std::size_t full = most_ * words;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stores rows that may be duplicates, in order to decide later about all of them together ("delayed duplicate
-// detection": Stern and Dill, Using magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each row
-// has the level to which it belongs if it is not a duplicate. If there are many rows, they are stored as sorted runs in
-// a file.
+// detection": Stern and Dill, Using magnetic disk instead of main memory in the Murphi verifier, CAV 1998). Each row is
+// stored with a level, to which it belongs if it is not a duplicate. If there are many rows, they are stored as sorted
+// runs in a file.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,8 @@ namespace robochart::refine {
 
 class RowsAside {
 public:
-    /// Stores in memory as many rows as fit into `bytes`, but at least a few. The file has this path while it is being
-    /// created.
+    /// Stores as many rows in memory as fit into `bytes`, but at least a few. While the file is being created, it has
+    /// this path.
     RowsAside(const std::string& path, const storage::RowKind& kind, std::uint64_t bytes);
 
     /// Adds a row that belongs to `level` if it is not a duplicate. If a row is added again, its level must not be less
@@ -26,12 +26,12 @@ public:
     /// others are unchanged.
     void add(lts::StateView row, std::uint64_t hash, Level level);
     [[nodiscard]] bool empty() const { return rows() == 0; }
-    /// The number of rows; duplicates may count several times.
+    /// Returns the number of rows; duplicates may be counted several times.
     [[nodiscard]] std::uint64_t rows() const { return store_->size() + unwritten_row_count() + runs_.rows(); }
     [[nodiscard]] bool on_disk() const { return !runs_.empty(); }
-    /// Passes all rows in pieces. A piece contains ascending rows without duplicates; each row is followed by its level
-    /// as another word. If a row is in several pieces, the first of them has the least level. `take` may change the
-    /// piece. Writes nothing. Throws the exceptions of `take`, and storage::BadFile.
+    /// Passes all rows to `take` in pieces. A piece contains ascending rows without duplicates; each row is followed by
+    /// its level as another word. If several pieces contain a row, the first of them has the least level. `take` may
+    /// change the piece. Does not write to the disk. Throws the exceptions of `take`, and storage::BadFile.
     void each_piece(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
     /// Removes all rows.
     void clear();
@@ -44,12 +44,12 @@ private:
     void write();
     void each_of_runs(const std::function<void(std::vector<lts::Word>& rows)>& take) const;
 
-    std::uint64_t most_;                                     ///< maximal number of rows in memory
-    std::unique_ptr<lts::StateStore> store_;                 ///< the rows added last
-    std::vector<std::pair<Level, lts::StateIndex>> levels_;  ///< a level, and the first row of the store with this
-                                                             ///< level
-    std::vector<lts::Word> unwritten_;                       ///< further rows with their levels, to be written as a run
-    storage::SortedRuns runs_;                               ///< the other rows
+    std::uint64_t most_;                      ///< maximal number of rows in memory
+    std::unique_ptr<lts::StateStore> store_;  ///< the rows added last
+    /// Each level in the store, with the first row of the store that has this level.
+    std::vector<std::pair<Level, lts::StateIndex>> levels_;
+    std::vector<lts::Word> unwritten_;  ///< further rows with their levels, to be written as a run
+    storage::SortedRuns runs_;          ///< the other rows
 };
 
 }  // namespace robochart::refine

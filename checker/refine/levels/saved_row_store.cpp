@@ -16,7 +16,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
         unsure.emplace_back(level, std::vector<lts::Word>(row.begin(), row.end()));
     });
     diagnostics::sort_unique(unsure);
-    // An unsure row of a level is looked up when memory contains this level and the earlier ones.
+    // An unsure row can only be looked up when memory contains its level and all earlier levels.
     auto next = unsure.begin();
     for (Level level = 0; level < kept_.files().levels(); ++level) {
         load_until(level + 1);
@@ -25,7 +25,7 @@ SavedRowStore::SavedRowStore(KeptWhere where)
     }
 }
 
-/// Loads the levels before this one from the files.
+/// Loads the levels before this level from the files.
 void SavedRowStore::load_until(Level level) {
     for (Level next = rows_->levels(); next < level; ++next) {
         kept_.files().each_block(next, [this](std::span<const lts::Word> rows) {
@@ -44,8 +44,9 @@ std::optional<Level> SavedRowStore::settle_unsure_rows() {
     return late_.front().first;
 }
 
-/// Writes earlier levels if necessary, and reads them again. Until that is done, the files contain all levels, so a
-/// checkpoint during the rollback is one from before the rollback.
+/// Rolls back to a level. If memory does not contain it, first writes the levels in memory and then reads the earlier
+/// ones again. Until that is done, the files contain all levels, so a checkpoint during the rollback is a checkpoint
+/// from before the rollback.
 void SavedRowStore::roll_back_to(Level level) {
     save_levels(true);
     auto rows = std::make_unique<MemoryRowStore>(width());
@@ -63,7 +64,7 @@ void SavedRowStore::roll_back_to(Level level) {
     for (const auto& [own, row] : late_)
         if (own == level) rows_->enter_row(row, StateStore::hash(row));
     kept_.files().forget_from(level);
-    late_.clear();  // the other rows are found again in the levels to which they belong
+    late_.clear();  // rows of other levels are found again in the levels to which they belong
 }
 
 void SavedRowStore::save_levels(bool polled) {
@@ -77,7 +78,7 @@ void SavedRowStore::save_levels(bool polled) {
     }
 }
 
-/// If there is no space for all levels, as many of the first ones as possible are stored.
+/// Writes a checkpoint. If there is no space for all levels, it contains as many of the first levels as possible.
 void SavedRowStore::checkpoint() {
     std::vector<lts::Word> late;
     for (const auto& [level, row] : late_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows in memory, with checkpoints in files.
+// Stores rows in memory and writes checkpoints to files.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,11 @@ namespace robochart::refine {
 
 class SavedRowStore final : public RowStore {
 public:
-    /// Continues from the newest checkpoint in the folder, if there is one. Throws storage::BadFile.
+    /// Creates a store. It continues from the newest checkpoint in the folder, if there is one. Throws
+    /// storage::BadFile.
     explicit SavedRowStore(KeptWhere where);
 
-    /// During a rollback, the files contain more levels than memory.
+    /// The maximum is needed during a rollback, when the files contain more levels than memory.
     [[nodiscard]] Level levels() const override { return std::max(rows_->levels(), kept_.files().levels()); }
     [[nodiscard]] std::optional<std::uint64_t> rows_before() const override { return kept_.rows_before(); }
     [[nodiscard]] std::uint64_t rows(Level level) const override { return rows_->rows(level); }
@@ -39,7 +40,8 @@ private:
 
     KeptLevels kept_;
     std::unique_ptr<MemoryRowStore> rows_;
-    /// Rows that an earlier run has missed because it did not have all rows in memory, sorted by their levels.
+    /// Rows that an earlier run has missed because it did not have all rows in memory, with their levels; sorted by
+    /// level.
     std::vector<std::pair<Level, std::vector<lts::Word>>> late_;
 };
 

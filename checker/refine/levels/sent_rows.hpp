@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Remembers the rows that a rank has sent recently, so that it does not send them again. Neighbouring rows often have
-// the same successors, and the owner stores every row that it receives. The table is small enough for the processor's
-// cache. It forgets old rows, so a row may be sent again. It never takes a new row for a sent one, because it compares
-// whole rows.
+// Remembers the rows that a rank has sent recently, so that it does not send them again. This saves work, because
+// neighbouring rows often have the same successors. The table is small enough for the processor's cache. It forgets old
+// rows, so a row may be sent again; this is harmless, because the owner stores each row once. It never takes a new row
+// for a sent one, because it compares whole rows.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,13 @@ namespace robochart::refine {
 
 class SentRows {
 public:
-    /// `width`: words in a row.
+    /// `width`: the number of words in a row.
     explicit SentRows(std::size_t width) : width_(width) {}
 
-    /// Sets the size of the table to this many bytes, within its own limits. If the table grows, all rows are removed.
+    /// Sets the size of the table to at most this many bytes, within limits of its own. If the table grows, all rows
+    /// are removed.
     void resize_to_fit(std::uint64_t most_bytes);
-    /// Whether the row has been sent recently; records it as sent. `hash` is lts::StateStore::hash(row).
+    /// Returns true if the row has been sent recently. Records the row as sent. `hash` is lts::StateStore::hash(row).
     bool sent_recently(lts::StateView row, std::uint64_t hash) {
         if (places_ == 0) return false;
         assert(std::has_single_bit(places_) && row.size() == width_ && words_.size() == places_ * (width_ + 1));
@@ -33,9 +34,9 @@ public:
         std::ranges::copy(row, place + 1);
         return false;
     }
-    /// Removes all rows, because their owners have dropped what they received.
+    /// Removes all rows, because their owners have dropped the rows that they received.
     void clear() { std::ranges::fill(words_, 0); }
-    /// Memory use.
+    /// Returns the memory use in bytes.
     [[nodiscard]] std::uint64_t bytes() const { return words_.size() * sizeof(lts::Word); }
 
 private:

@@ -17,23 +17,24 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A rank that reaches a limit or fails continues to take part in the communication, without doing more work, until all
-/// ranks learn of it at their next sum.
+/// Executes work in parts, one for each rank. A rank that reaches a limit or fails does no more work. It continues to
+/// take part in the communication until all ranks learn of the failure at their next sum.
 class SharedWork {
 public:
     explicit SharedWork(Exchange& exchange) : exchange_(exchange) {}
 
-    /// Executes this rank's part of the work, unless it has failed already; stores its exception.
+    /// Executes this rank's part of the work, unless the rank has failed already. Stores the exception if the part
+    /// throws one.
     void execute_part(const std::function<void()>& part);
     [[nodiscard]] bool has_failed() const { return failure_ != nullptr; }
-    /// Adds values as Exchange::sum does. If a rank has failed, all ranks throw. That rank throws its stored exception.
-    /// The others throw LimitReached with its message for a limit or a lack of memory, storage::BadFile with its
-    /// message for a bad file, and RankFailed otherwise. If several ranks have failed, the worst failure is reported:
-    /// an error is worse than a bad file, and a bad file is worse than a limit.
+    /// Adds values as Exchange::sum does. If a rank has failed, all ranks throw. The rank that failed throws its stored
+    /// exception. The others throw an exception with its message: LimitReached for a limit or a lack of memory,
+    /// storage::BadFile for a bad file, and RankFailed otherwise. If several ranks have failed, the worst failure is
+    /// reported: an error is worse than a bad file, and a bad file is worse than a limit.
     void sum(std::span<std::uint64_t> values);
 
 private:
-    enum class Kind : std::uint8_t { error, bad_file, limit, none };  // the worst first
+    enum class Kind : std::uint8_t { error, bad_file, limit, none };  // the worst kind first
 
     void record_failure(Kind kind);
     [[noreturn]] void leave_with_failure(Kind worst);
@@ -44,8 +45,8 @@ private:
     std::vector<std::uint64_t> values_;
 };
 
-/// Each rank executes its part, which may be empty, and continues when all have finished. If one fails, all throw
-/// (SharedWork::sum).
+/// Executes this rank's part, which may be empty, and continues when all ranks have finished theirs. If one part fails,
+/// all ranks throw (SharedWork::sum).
 void run_together(Exchange& exchange, const std::function<void()>& part);
 
 }  // namespace robochart::refine

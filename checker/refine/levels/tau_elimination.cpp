@@ -14,7 +14,7 @@ using lts::StateIndex;
 using lts::StateView;
 using process::Event;
 
-/// The rows to which the taus of one row lead.
+/// Collects the rows to which the taus of one row lead.
 class TauElimination::Targets final : public lts::SuccessorSink {
 public:
     Targets(const OnRow& on_row, bool nodes) : on_row_(on_row), nodes_(nodes) {}
@@ -47,8 +47,8 @@ std::optional<TauCycle> TauElimination::least_cycle() {
     eliminate();
     if (left_everywhere() == 0) return std::nullopt;
     std::vector<Words> rows = at_first_rank();
-    // The words are the level, the length of the loop, the row, and then each step of the loop as revealed event and
-    // state.
+    // The words contain the level, the length of the loop, the row, and then, for each step of the loop, the revealed
+    // event and the state.
     Words answer;
     work_.execute_part([&] {
         if (exchange_.rank() != 0) return;
@@ -77,7 +77,8 @@ std::optional<TauCycle> TauElimination::least_cycle() {
     return cycle;
 }
 
-/// Repeats rounds until no rank has a waiting row: the taus of waiting rows are sent to the ranks of their targets.
+/// Repeats rounds until no rank has a waiting row. In a round, the taus of waiting rows are sent to the ranks that own
+/// their targets.
 void TauElimination::repeat_rounds(const Waiting& waiting, const OnRow& on_target) {
     constexpr std::size_t rows_a_round = std::size_t{1} << 16U;
     constexpr std::uint64_t most_waiting = std::uint64_t{1} << 22U;
@@ -103,7 +104,7 @@ void TauElimination::repeat_rounds(const Waiting& waiting, const OnRow& on_targe
                 targets.begin(row);
                 system_.successors(state(row), targets);
             }
-            left[0] = done;  // if rows were processed, more may be waiting
+            left[0] = done;  // the processed rows may have added waiting rows
         });
         batches_.exchange(exchange_);
         work_.execute_part([&] {
@@ -135,7 +136,7 @@ void TauElimination::find_reached_rows() {
         });
 }
 
-/// Removes all rows to which no tau of a remaining row leads, until there are no more such rows.
+/// Removes rows to which no tau of a remaining row leads, until no such row is left.
 void TauElimination::eliminate() {
     for (StateIndex row = 0; row < taus_to_.size(); ++row)
         if (taus_to_[row] == 0) dropped_.push_back(row);
@@ -159,7 +160,8 @@ std::uint64_t TauElimination::left_everywhere() {
     return left[0];
 }
 
-/// Returns the remaining rows, each preceded by its level. Empty at all ranks except the first.
+/// Returns the remaining rows of all ranks, each preceded by its level. The result is empty at all ranks except the
+/// first.
 std::vector<Words> TauElimination::at_first_rank() {
     constexpr std::size_t rows_a_message = 1U << 14U;
     const std::size_t width = store_.width();
@@ -204,7 +206,8 @@ std::vector<Words> TauElimination::at_first_rank() {
     return all;
 }
 
-/// Numbers the rows by level and words, so that the cycle does not depend on the distribution of the rows.
+/// Decides about cycles among the remaining rows. Numbers the rows by level and words, so that the cycle does not
+/// depend on the distribution of the rows.
 TauCycle TauElimination::decide(std::vector<Words> rows) {
     std::ranges::sort(rows);
     lts::StateStore store(store_.width());

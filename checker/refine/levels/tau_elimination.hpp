@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds cycles of taus among the rows of all ranks. Every cycle contains a marked row (SearchRecord::marks). The
-// algorithm follows taus from the marked rows. Then it repeatedly removes rows to which no remaining tau leads. If rows
-// remain, each of them has such a tau, so there is a cycle (OWCTY without its fairness; Cerna and Pelanek, SPIN 2003;
-// Barnat et al. 2009). Rank 0 examines the remaining rows.
+// algorithm follows taus from the marked rows. Then it repeatedly removes rows to which no tau of a remaining row
+// leads. If rows remain, there is a cycle, because a tau of a remaining row leads to each of them. (OWCTY without its
+// fairness; Cerna and Pelanek, SPIN 2003; Barnat et al. 2009.) Rank 0 examines the remaining rows.
 #pragma once
 
 #include <optional>
@@ -17,20 +17,20 @@
 
 namespace robochart::refine {
 
-/// A row on a cycle of taus.
+/// A row on a cycle of taus, and this cycle.
 struct TauCycle {
     Words row;
     Level level = 0;
     Run loop;  ///< a shortest cycle back to the row's state
 };
 
-/// The part of one rank. Its functions are collective.
+/// Represents one rank in the elimination. Its functions are collective.
 class TauElimination {
 public:
     TauElimination(lts::TransitionSystem& system, RowStore& store, Exchange& exchange, Budget& budget, SharedWork& work,
                    bool nodes);
 
-    /// The least row on a cycle, by level, then words.
+    /// Returns the first row on a cycle; rows are ordered by level, then by words.
     std::optional<TauCycle> least_cycle();
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All threads publish their data, wait at a barrier, read the others' data, and wait again, so that no thread publishes
-// the next data before all have read. The first thread communicates with other programs between the two barriers.
+// Implements the exchange between threads by barriers. All threads publish their data, wait at a barrier, read the
+// others' data, and wait again, so that no thread publishes new data before all have read the old ones. The first
+// thread communicates with other programs between the two barriers.
 #include "checker/refine/levels/thread_exchange.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@
 namespace robochart::refine {
 namespace {
 
-/// The barrier of a program's threads. Each thread has its own exchange; the barrier outlives them.
+/// The barrier of a program's threads. Each thread has its own exchange, which this object must outlive.
 class Meeting {
 public:
     Meeting(Exchange& programs, unsigned threads)
@@ -56,7 +57,7 @@ private:
     std::uint64_t turn_ = 0;
     bool left_ = false;    // a thread has left
     bool unable_ = false;  // a thread has failed
-    // Data published by each thread; written by its owner between barriers at which no one reads it.
+    // The data published by each thread. The owner writes them between barriers while no one reads them.
     std::vector<const Messages*> out_;
     std::vector<const Words*> words_;
     std::vector<std::vector<std::uint64_t>> sums_;
@@ -127,7 +128,7 @@ private:
     void read_those_of_programs(Messages& in) const {
         const Messages& came = meeting_.from_programs_;
         const std::size_t threads = meeting_.threads_;
-        // The number is approximately the same for each thread.
+        // Each thread receives approximately the same number of words.
         in.words.reserve(in.words.size() + came.words.size() / threads);
         for (unsigned program = 0; program < came.sizes.size(); ++program) {
             if (program == meeting_.programs_.rank()) continue;
@@ -161,7 +162,8 @@ std::unique_ptr<Exchange> Meeting::exchange(unsigned thread) {
     return std::make_unique<Member>(*this, thread);
 }
 
-/// `able`: whether this thread can continue afterwards. If one cannot, all others throw RankLost.
+/// Waits at the barrier. `able`: whether this thread can continue afterwards. If a thread cannot, all others throw
+/// RankLost.
 void Meeting::wait_for_all(bool able) {
     std::unique_lock lock(mutex_);
     if (!able) unable_ = true;
@@ -178,7 +180,8 @@ void Meeting::wait_for_all(bool able) {
     if (able && (unable_ || !all_came)) throw RankLost("another rank has ended");
 }
 
-/// All threads wait before and after the part, even if one has failed, because others may still read its data.
+/// Executes a part between two barriers. All threads wait before and after the part, even if one has failed, because
+/// others may still read its data.
 template <class Part>
 void Meeting::meet_and_run(const Part& part) {
     wait_for_all();
@@ -236,7 +239,7 @@ void Meeting::exchange_sums() {
     programs_.sum(sum_);
 }
 
-/// A message contains, for each program, the number of words of each thread, and then these words.
+/// A message contains, for each program, the number of words from each thread, and then these words.
 void Meeting::exchange_words() {
     Words own;
     for (const Words* const of_thread : words_) own.push_back(static_cast<lts::Word>(of_thread->size()));
@@ -253,7 +256,7 @@ void Meeting::exchange_words() {
     }
 }
 
-/// The threads of a program, from their start to their end.
+/// Manages the threads of a program from their start to their end.
 class Team {
 public:
     Team(Exchange& programs, unsigned threads, const std::function<void(Exchange&)>& work)
@@ -280,7 +283,7 @@ public:
             throw diagnostics::LimitReached(fmt::format("program {}: {}", programs_.rank(), limit.what()));
         }
     }
-    /// Executes the part of the caller's thread, and then waits until all threads have ended.
+    /// Executes the part of the caller's thread, and then waits until all other threads have ended.
     void finish_all() {
         run_as_rank(0);
         others_->join();
@@ -309,7 +312,7 @@ private:
     Meeting meeting_;
     const std::function<void(Exchange&)>& work_;
     std::vector<std::unique_ptr<Exchange>> exchanges_;
-    std::vector<std::exception_ptr> errors_, heard_, lost_;  // by thread
+    std::vector<std::exception_ptr> errors_, heard_, lost_;  // exceptions by thread
     std::optional<diagnostics::Threads> others_;
 };
 

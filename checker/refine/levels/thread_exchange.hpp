@@ -15,11 +15,11 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Calls `work` in this many threads, the caller's being the first, and returns when all have ended. Each rank of
-/// `programs` is a program, and calls this function with the same number of threads; the threads of program p are the
-/// ranks p * threads, p * threads + 1, ... of the exchange passed to `work`. Messages between threads of one program
-/// stay in its memory; all messages to another program are combined into one. Only the caller's thread calls
-/// `programs`.
+/// Calls `work` in this many threads and returns when all have ended. The caller's thread is the first of them. Each
+/// rank of `programs` is a program, and calls this function with the same number of threads. The threads of program p
+/// are the ranks p * threads, p * threads + 1, ... of the exchange that is passed to `work`. Messages between threads
+/// of one program stay in its memory. All messages to another program are combined into one. Only the caller's thread
+/// calls `programs`.
 ///
 /// If threads of the program have failed, throws an exception of the first of these kinds: that of a thread that failed
 /// itself, that of a thread that learned of another rank's failure (RankFailed), or that of a thread that lost another

@@ -9,12 +9,12 @@
 
 namespace robochart::refine {
 
-/// Forwards all calls to another exchange. During the calls it holds the object that Limits::undisturbed returns. If a
-/// limit has been reached during a call, the exchange holds that object until it is destroyed. By then, all ranks have
+/// Forwards all calls to another exchange. During each call it holds the object that Limits::undisturbed returns. If a
+/// limit has been reached during a call, it holds that object until its own destruction. By then, all ranks have
 /// learned of the limit and written their results.
 class UndisturbedExchange final : public Exchange {
 public:
-    /// `over`: whether a limit is reached. `real` must outlive the object.
+    /// `over` returns whether a limit is reached. `real` must outlive the object.
     UndisturbedExchange(Exchange& real, std::function<std::shared_ptr<void>()> undisturbed, std::function<bool()> over)
         : real_(real), undisturbed_(std::move(undisturbed)), over_(std::move(over)) {}
 
@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool left_together() const override { return real_.left_together(); }
 
 private:
-    /// The rank waits during the lifetime of this object.
+    /// During the lifetime of this object, the rank waits for others.
     class Wait;
 
     Exchange& real_;

@@ -7,7 +7,8 @@
 namespace robochart::refine {
 namespace {
 
-/// Maximal number of comparisons for one pair; after that the pair is searched, which is always correct.
+/// Maximal number of comparisons for one pair. If they find no other pair, the pair is searched, which is always
+/// correct.
 constexpr std::size_t most_compared = 64;
 
 }  // namespace

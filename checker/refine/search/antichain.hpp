@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds pairs that need not be searched, because a pair with the same state and a subset of the specification states
-// has been searched. The smaller set of specification states allows and forbids everything that the larger set allows
-// or forbids. So every violation of a run of the larger pair is a violation of a run of the smaller one that is not
-// longer.
+// Finds pairs that need not be searched: a pair with the same state and a subset of the specification states has
+// already been searched. The smaller set of specification states allows only what the larger set allows. So every
+// violation of a run of the larger pair is also a violation of a run of the smaller pair that is not longer.
 //
-// Laveaux, Groote and Willemse, "Correct and efficient antichain algorithms for refinement checking" (LMCS 17(1),
-// 2021): the test is made before a pair is entered. A pair that has been entered is expanded, unless a pair that covers
-// it is on its own level or an earlier one. So a pair that covers another was reached by a run that is not longer, and
-// shortest violations are those of the search of all pairs.
+// The algorithm follows Laveaux, Groote and Willemse, "Correct and efficient antichain algorithms for refinement
+// checking" (LMCS 17(1), 2021): the test is made before a pair is entered. A pair that has been entered is expanded,
+// unless a pair that covers it is on its own level or an earlier one. So a pair that covers another was reached by a
+// run that is not longer, and shortest violations have the same length as in the search of all pairs.
 #pragma once
 
 #include <vector>
@@ -23,17 +22,17 @@ public:
 
     /// Returns the number of a state, in the order of first appearance.
     lts::StateIndex number_state(lts::StateView state);
-    /// Whether a pair with this state has been entered whose node is included in `node`.
+    /// Returns true if an entered pair has this state and a node that is included in `node`.
     [[nodiscard]] bool is_covered(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
     void enter_node(lts::StateIndex state, Monitor::Node node, lts::StateIndex pair);
-    /// Whether one of the state's pairs has a node that is included in `node` and differs from it.
+    /// Returns true if one of the state's pairs has a node that is included in `node` and differs from it.
     [[nodiscard]] bool is_subsumed(lts::StateIndex state, Monitor::Node node, Monitor& monitor) const;
     [[nodiscard]] lts::StateIndex first_pair(lts::StateIndex state) const { return first_pair_[state]; }
     [[nodiscard]] std::size_t size() const { return states_.size(); }
 
 private:
     lts::StateStore states_;
-    std::vector<std::vector<Monitor::Node>> nodes_;  // by state
+    std::vector<std::vector<Monitor::Node>> nodes_;  // by state: the nodes of its pairs
     std::vector<lts::StateIndex> first_pair_;
 };
 

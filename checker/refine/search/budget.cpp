@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See budget.hpp. Memory is the resident memory of the whole program, because the searched states are stored in the
-// systems and not in the search.
+// Implements the limits of a check. The limit on memory refers to the resident memory of the whole program, because the
+// searched states are stored in the systems and not in the search.
 #include "checker/refine/search/budget.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ Budget::Budget(const Limits& limits, Progress::Phase phase)
       resident_at_start_(diagnostics::resident_bytes()) {}
 
 void Budget::states(std::uint64_t count) const {
-    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have numbers of 32 bits; this leaves a margin
+    constexpr std::uint64_t most_numbers = 4'000'000'000;  // states have 32-bit numbers; this leaves a margin
     const std::uint64_t most = std::min(limits_.max_states, most_numbers);
     if (count > most)
         throw LimitReached(fmt::format("the limit of {} states was reached{}", most,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of one check, counted and polled while it runs.
+// Counts the work of one check, and compares it with the limits while the check runs.
 #pragma once
 
 #include <chrono>
@@ -17,18 +17,19 @@ using diagnostics::LimitReached;
 
 /// When Budget::call_after may call its function.
 enum class CallMoment : std::uint8_t {
-    any_poll,        ///< when any work polls the budget
-    between_states,  ///< when a search calls Budget::between_states, so that the function may use the searched systems
+    any_poll,        ///< whenever any work polls the budget
+    between_states,  ///< when a search calls Budget::between_states; the function may then use the searched systems
 };
 
-/// The budget of the run, with a limit on states. The search charges it for work, and it reports progress.
+/// The limits of one check: the budget of the run, with an additional limit on states. The search charges it for work.
+/// It also reports progress.
 class Budget final : public diagnostics::Pollable {
 public:
     explicit Budget(const Limits& limits, Progress::Phase phase = Progress::Phase::searching);
 
     /// Charges a unit of work, as charge() does.
     void poll() override { charge(); }
-    /// Charges a unit of work, about as large as expanding a state. Throws LimitReached.
+    /// Charges a unit of work; expanding a state is about as much work. Throws LimitReached.
     void charge() {
         if ((work_++ & 1023U) == 0) check_and_report();
     }
@@ -36,25 +37,26 @@ public:
         if (((work_ + pieces - 1) ^ (work_ - 1)) > 1023U) check_and_report();
         work_ += pieces;
     }
-    /// Checks the limits of the run at once. Throws LimitReached.
+    /// Checks the limits of the run immediately. Throws LimitReached.
     void check() { run_.check(); }
-    /// Whether a limit of the run is reached, or the run is interrupted. Checked without delay.
+    /// Returns true if a limit of the run is reached, or if the run is interrupted. Checks this immediately.
     [[nodiscard]] bool limit_reached() { return !run_.reached_limit().empty(); }
-    /// Sets the number of stored states. Throws LimitReached.
+    /// Compares the number of stored states with its limit. Throws LimitReached.
     void states(std::uint64_t count) const;
     [[nodiscard]] double seconds() const;
     [[nodiscard]] const Limits& limits() const { return limits_; }
-    /// `source` fills in the statistics when progress is reported; may be empty.
+    /// Sets a function that fills in the statistics when progress is reported. It may be empty.
     void report_by(std::function<void(Progress&)> source) { source_ = std::move(source); }
-    /// Calls the function once, when the program has used this much more CPU time from now on. The function may throw
-    /// an exception to end the work that polls the budget.
+    /// Calls the function once, after the program has used this much more CPU time. The function may throw an exception
+    /// to end the work that polls the budget.
     void call_after(std::chrono::duration<double> cpu_time, CallMoment moment, std::function<void()> function);
     void cancel_call();
-    /// Called by a search while no thread of it uses its systems.
+    /// Makes the call of call_after if it is due. A search calls this function while none of its threads uses its
+    /// systems.
     void between_states() {
         if (call_is_due_) make_call();
     }
-    /// The number of threads that may work on the check, at least one.
+    /// Returns the number of threads that may work on the check, at least one.
     [[nodiscard]] unsigned threads() const;
     [[nodiscard]] std::size_t wide_level() const { return limits_.wide_level; }
 
@@ -73,10 +75,10 @@ private:
     std::uint64_t resident_at_start_;
     std::uint64_t work_ = 0;
     std::function<void(Progress&)> source_;
-    std::function<void()> call_;  // empty: none is left
+    std::function<void()> call_;  // empty if nothing is to be called
     CallMoment call_moment_ = CallMoment::any_poll;
-    std::clock_t call_time_ = 0;  // CPU time of the program at which it is due
-    bool call_is_due_ = false;    // it waits for between_states
+    std::clock_t call_time_ = 0;  // CPU time of the program at which the call is due
+    bool call_is_due_ = false;    // the call waits for between_states
 };
 
 }  // namespace robochart::refine

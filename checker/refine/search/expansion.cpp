@@ -77,7 +77,7 @@ void Expander::expand_into(lts::StateView words) {
     out_->pairs.push_back(pair_);
 }
 
-/// The events that unstable states offer are not used.
+/// Sorts the events of the offer and removes duplicates. Skips unstable states, because their events are not used.
 void Expander::settle_offer() {
     process::EventSet& events = offer_.events;
     const bool unstable = offer_.tau && std::ranges::find(events, process::tick) == events.end();
@@ -103,7 +103,7 @@ void Expander::add(Event event, lts::StateView target, Event /*revealed*/) {
         offer_.tau = true;
         return add_row(node_, target, true);
     }
-    if (!nodes_) {  // only the fact is used, not the event
+    if (!nodes_) {  // only whether an event is possible is used, not which one
         if (offer_.events.empty()) offer_.events.push_back(event);
         if (!taus_alone_) add_row(node_, target, false);
         return;

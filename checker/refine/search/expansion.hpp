@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the successors of several consecutive pairs before any of them is looked up. Several look-ups can then
-// access memory at the same time, and several threads can compute successors.
+// Expands pairs. It computes the successors of several consecutive pairs before it looks up any of them. Several
+// look-ups can then access memory at the same time, and several threads can compute successors.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace robochart::refine {
 
-/// The results of expanding pairs of one level. A row is a target: the monitor's node, if the monitor has nodes, and
-/// the state.
+/// The results of expanding pairs of one level. A row is the target of a transition: the monitor's node, if the monitor
+/// has nodes, and the state.
 class Expansion {
 public:
     struct Pair {
-        std::uint32_t end_row;  ///< end of its rows, which begin at the end of the previous pair's
+        std::uint32_t end_row;  ///< end of its rows, which follow those of the previous pair
         std::uint32_t transitions;
         std::uint64_t chased;  ///< number of left-out states (lts::TransitionSystem::chased)
         std::optional<ViolationKind> fault;
-        std::optional<process::Event> forbidden;  ///< the first forbidden event; there are no rows after it
+        std::optional<process::Event> forbidden;  ///< the first forbidden event; no rows follow it
     };
 
     void clear(std::size_t width);
@@ -34,7 +34,7 @@ public:
     }
     [[nodiscard]] std::uint64_t hash(std::size_t number) const { return hashes_[number]; }
     [[nodiscard]] bool by_tau(std::size_t number) const { return by_tau_[number] != 0; }
-    /// Appends a row; the caller fills it in.
+    /// Appends a row, which the caller must fill in.
     std::span<lts::Word> add(bool by_tau);
     void set_hash(std::uint64_t hash) {
         assert(size_ > 0);
@@ -45,13 +45,13 @@ public:
         size_ = size;
     }
 
-    /// Whether there are results other than rows.
+    /// Returns true if there are results other than rows.
     [[nodiscard]] bool has_findings() const;
-    /// Whether there are results other than rows and forbidden events.
+    /// Returns true if there are results other than rows and forbidden events.
     [[nodiscard]] bool has_faults() const;
 
     std::vector<Pair> pairs;
-    std::exception_ptr error;  ///< thrown by the pair after the last
+    std::exception_ptr error;  ///< thrown by the pair after the last of `pairs`
 
 private:
     std::size_t width_ = 0;
@@ -61,18 +61,19 @@ private:
     std::vector<std::uint8_t> by_tau_;
 };
 
-/// This many rows are computed before they are looked up. They are few enough to stay in the cache.
+/// How many rows are computed before any of them is looked up. They are few enough to stay in the processor's cache.
 inline constexpr std::size_t rows_at_once = 256;
 
-/// Expands pairs.
+/// Expands pairs and passes their events to the monitor.
 class Expander final : private lts::SuccessorSink {
 public:
     Expander(lts::TransitionSystem& system, Monitor& monitor, const lts::StateStore& pairs);
 
-    /// Expands from `first` on, until `end` is reached, there are enough rows, or a pair has failed with an error.
+    /// Expands pairs from `first` on, until `end` is reached, there are enough rows, or a pair has failed with an
+    /// error.
     void expand(lts::StateIndex first, lts::StateIndex end, std::size_t enough_rows, Expansion& out);
-    /// Expands one more pair, given by its words. Before the call, `out` must be cleared with the size of these words.
-    /// If the system throws an exception, removes the rows of the pair and passes the exception on.
+    /// Expands one more pair, whose words are given. Before the call, `out` must be cleared with the number of these
+    /// words. If the system throws an exception, the function removes the rows of the pair and passes the exception on.
     void expand(lts::StateView words, Expansion& out);
     /// After this call only taus are followed.
     void follow_taus_alone() { taus_alone_ = true; }
@@ -86,7 +87,7 @@ private:
 
     struct Remembered {
         Monitor::Node node = 0;
-        process::Event event = process::tau;  // tau: none yet
+        process::Event event = process::tau;  // tau if the entry is empty
         Monitor::Advance advance{};
     };
     lts::TransitionSystem& system_;

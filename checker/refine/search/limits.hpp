@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of a check, and its progress.
+// Defines the limits of a check, its progress, and its statistics.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ namespace robochart::refine {
 class LevelStrategy;
 class SymbolicStage;
 
-/// The progress of a check, for users who wait.
+/// The progress of a check, for display.
 struct Progress {
     enum class Phase { compiling, searching };
     Phase phase = Phase::searching;
     std::string part;                             ///< compiling: the current component
-    std::uint64_t component = 0, components = 0;  ///< compiling: its number, and the total number; 0 if unknown
+    std::uint64_t component = 0, components = 0;  ///< compiling: number of the component, and the total; 0: unknown
     std::uint64_t states = 0;                     ///< number of states found so far
     std::uint64_t transitions = 0;
     std::uint64_t frontier = 0;  ///< searching: number of states that wait to be expanded
@@ -30,27 +30,28 @@ struct Progress {
     double seconds = 0;                ///< since the phase began
 };
 
-/// Limits of one check: those of the run, and additional ones. If a limit is reached, the result is
+/// The limits of one check: those of the run, and additional ones. If a limit is reached, the result is
 /// Outcome::inconclusive, never a wrong answer.
 struct Limits : diagnostics::Limits {
     std::uint64_t max_states = 500'000'000;
-    unsigned threads = 0;  ///< maximal number for wide state spaces; 0: one for each core. Verdicts do not depend on it
+    unsigned threads = 0;  ///< maximal number; 0: one for each core. Verdicts do not depend on it
     std::size_t wide_level =
         2048;  ///< levels with fewer states are processed by one thread, because waking others takes longer
-    /// Whether static proofs replace searches, and searches skip states by confluence and symmetry (docs/search.md).
-    /// Verdicts do not depend on it.
+    /// Whether static proofs may replace searches, and searches may skip states by confluence and symmetry
+    /// (docs/search.md). Verdicts do not depend on it.
     bool reduction = false;
-    bool first_of_two = false;  ///< another search follows if a limit ends this one, so partial answers are useless
-    /// Strategy of searches by levels (verdict/level_strategy.hpp); null: other searches are used. Verdicts do not
-    /// depend on it.
+    /// Whether another search follows if a limit ends this one; partial answers are then useless.
+    bool first_of_two = false;
+    /// The strategy of searches by levels (verdict/level_strategy.hpp). If it is null, other searches are used.
+    /// Verdicts do not depend on it.
     LevelStrategy* by_levels = nullptr;
-    /// With `reduction`: decides questions that a search has not decided for some time (verdict/symbolic_stage.hpp). If
-    /// it is null, there is only the search. Verdicts do not depend on it.
+    /// With `reduction`: decides questions that a search has not decided after some time (verdict/symbolic_stage.hpp).
+    /// If it is null, the search decides alone. Verdicts do not depend on it.
     SymbolicStage* symbolic = nullptr;
-    /// Returns an object. As long as the object exists, the program is not killed, even if a limit or an interrupt
-    /// should end it. Several threads may call the function. May be empty.
+    /// Returns an object. During the lifetime of this object, the program is not killed, even if a limit or an
+    /// interrupt should end it. Several threads may call the function. It may be empty.
     std::function<std::shared_ptr<void>()> undisturbed;
-    /// Called a few times a second, by the thread that called the check.
+    /// Receives progress a few times a second, in the thread that called the check.
     std::function<void(const Progress&)> progress;
 };
 
@@ -63,23 +64,22 @@ enum class DecidedBy : std::uint8_t {
     diagrams,          ///< decision diagrams represent the set of all reachable states
 };
 
-/// The size of a search.
+/// Statistics of a search.
 struct Statistics {
     DecidedBy decided_by = DecidedBy::search;
     std::uint64_t states = 0;  ///< number of visited pairs (specification node, implementation state), or states
     std::uint64_t transitions = 0;
-    std::uint64_t depth = 0;  ///< breadth-first level of the last state
-    /// If a limit ended the search: all runs with fewer steps than this were examined, and none of them is a violation.
-    /// 0 if unknown.
+    std::uint64_t depth = 0;  ///< breadth-first level of the last state found
+    /// If a limit ended the search: no run with fewer steps than this is a violation. 0 if unknown.
     std::uint64_t searched_steps = 0;
-    bool divergence_open = false;  ///< with searched_steps: these runs were not examined for divergence
+    bool divergence_open = false;  ///< with searched_steps: divergence was not excluded for these runs
     std::uint64_t spec_nodes = 0;  ///< number of normalised specification nodes
     double seconds = 0;
-    std::uint64_t chased = 0;    ///< number of skipped states, from which a confluent step was followed
-    std::uint64_t replicas = 0;  ///< greatest number of equal components whose exchange leads to no further state; 0:
-                                 ///< none
-    std::uint64_t distinguished = 0;  ///< number of equal components that the assertion distinguishes, which prevents
-                                      ///< the reduction
+    std::uint64_t chased = 0;  ///< number of skipped states, from which a confluent step was followed
+    /// Greatest number of equal components whose exchange leads to no further state; 0 if there are none.
+    std::uint64_t replicas = 0;
+    /// Number of equal components that the assertion distinguishes, which prevents the reduction by symmetry.
+    std::uint64_t distinguished = 0;
     std::uint64_t diagram_nodes = 0;  ///< decision diagrams: number of nodes of the set of reachable states
     double log10_states = 0;          ///< decision diagrams: decimal logarithm of the number of reachable states
     std::uint64_t ranks = 0;          ///< number of ranks in all programs, for a search by levels; 0: another search

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface by which a check observes the runs of a system.
+// Defines the interface by which a check observes the runs of a system.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace robochart::refine {
 
-/// Nodes advance by visible events and tick. Taus do not change the node.
+/// Observes runs by nodes: a visible event or tick leads from one node to the next. Taus do not change the node.
 class Monitor {
 public:
     using Node = lts::Word;
@@ -23,16 +23,18 @@ public:
 
     virtual ~Monitor() = default;
     virtual Node start() = 0;
-    /// Must return the same answer every time.
+    /// Returns the effect of an event in this node. It must return the same answer every time.
     virtual Advance advance(Node node, process::Event event) = 0;
-    /// Returns the fault of a run that ends in this node and can continue with this offer. The events of an unstable
-    /// state are unsorted. A monitor that observes only states gets one event that represents all events.
+    /// Returns the fault of a run that ends in this node and can continue with this offer. If the state is unstable,
+    /// the events of the offer are unsorted. If the monitor observes only states, the offer contains one event, which
+    /// represents all events.
     virtual std::optional<ViolationKind> examine(Node node, const Offer& offer) = 0;
-    /// Whether there is only one node, which no event changes. Such a monitor observes states and not runs.
+    /// Returns true if there is only one node. Such a monitor observes states and not runs.
     [[nodiscard]] virtual bool watches_states_only() const { return false; }
-    /// Whether every violation after `larger` is also a violation after `smaller`, with the same run or a shorter one.
+    /// Returns true if every violation after `larger` is also a violation after `smaller`, with the same run or a
+    /// shorter one.
     [[nodiscard]] virtual bool includes(Node /*larger*/, Node /*smaller*/) const { return false; }
-    /// Returns a monitor with the same answers for use in another thread. Null if this is not possible.
+    /// Returns a monitor with the same answers for use in another thread, or null if this is not possible.
     [[nodiscard]] virtual std::unique_ptr<Monitor> clone_for_thread() { return nullptr; }
 };
 

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t most_parts = 128;
 static_assert(most_parts * ProvisionalStates::most == lts::StateStore::most_claims);
-/// With space for fewer new states than this, a parallel call does not pay off.
+/// If there is space for fewer new states than this, a parallel call does not pay off.
 constexpr std::uint64_t min_space = 4096;
 /// The maximal time between checks of the limits.
 constexpr std::chrono::milliseconds longest{20};
 
 }  // namespace
 
-/// The claims of one part, with the API that lts::StateStore needs.
+/// Stores the claims of one part, with the API that lts::StateStore needs.
 class ParallelLevel::Claiming {
 public:
     Claiming(std::vector<Part>& parts, std::size_t number) : parts_(parts), own_(parts[number]), number_(number) {}
@@ -70,7 +70,7 @@ void ParallelLevel::follow_taus_alone() {
     for (Member& member : members_) member.expander->follow_taus_alone();
 }
 
-/// Distributes the numbers from 0 on to idle threads, until there has been enough work for one call.
+/// Gives the numbers from 0 on to idle threads, until there has been enough work for one call.
 void ParallelLevel::share(std::size_t count, const std::function<void(unsigned, std::size_t)>& work) {
     next_ = 0;
     enough_ = false;
@@ -158,7 +158,7 @@ bool ParallelLevel::has_space(Part& part, const Expansion& expansion) {
     }
 }
 
-/// Returns false if the table is full.
+/// Claims the rows of the part's pairs. Returns false if the table is full.
 bool ParallelLevel::enter_rows(const Expansion& expansion, Part& part, std::size_t number) {
     Claiming claiming(parts_, number);
     std::uint32_t pair = 0;
@@ -176,7 +176,7 @@ bool ParallelLevel::enter_rows(const Expansion& expansion, Part& part, std::size
     return true;
 }
 
-/// Enters the new states of the part's claims permanently.
+/// Gives the new states of the part's claims their final numbers.
 void ParallelLevel::publish_states(Part& part) {
     constexpr std::uint32_t ahead = 8;
     StateIndex number = part.first_number;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Expands and enters a part of a wide level with several threads. The result is the same as with one thread.
 //
-// The pairs are divided into blocks. A thread expands pairs of a block and looks up their targets in the shared table
-// while they are in its cache. New states get provisional numbers in the order of blocks and rows; among duplicates,
-// the smallest provisional number wins. When all blocks are done, the new states of each block are counted, which gives
-// the first final number of each block. Then the states are entered with their final numbers. So states have the same
-// numbers and the same parents for any number of threads. (Laarman, van de Pol and Weber, FMCAD 2010, share a table
-// between threads in this way, but do not number states.)
+// The pairs are divided into blocks. A thread expands pairs of a block, and looks up their targets in the shared table
+// while the targets are in its processor cache. New states get provisional numbers in the order of blocks and rows. If
+// several threads find the same state, the smallest provisional number wins. When all blocks are done, the new states
+// of each block are counted, which gives the first final number of each block. Then the states are entered with their
+// final numbers. So states have the same numbers and the same parents for any number of threads. (Laarman, van de Pol
+// and Weber, FMCAD 2010, share a table between threads in this way, but do not number states.)
 #pragma once
 
 #include <atomic>
@@ -28,16 +28,16 @@ public:
                                                               lts::StateStore& pairs, unsigned threads);
 
     enum class Work {
-        enter,            ///< enters targets
+        enter,            ///< enters the targets of transitions
         enter_note_taus,  ///< also records targets of taus that do not lead forward
-        examine           ///< the first forbidden event is known; only the states of pairs are examined for faults
+        examine           ///< looks only for faults of states, because the first forbidden event is known
     };
-    /// Processes some pairs from `first` on, before `end`, and returns where it has stopped. It stops at or shortly
-    /// before a pair with a fault, an error or a forbidden event, when space runs out, or when there has been enough
-    /// work for one call.
+    /// Processes pairs from `first` on, before `end`, and returns where it has stopped. It stops at or shortly before a
+    /// pair with a fault, an error or a forbidden event. It also stops when space runs out, or when there has been
+    /// enough work for one call.
     lts::StateIndex run(lts::StateIndex first, lts::StateIndex end, Work work);
-    /// Whether the last call stopped at a pair that it cannot process. One thread then processes this many pairs, or
-    /// all up to the end.
+    /// Returns true if the last call stopped at a pair that it cannot process. One thread must then process the next
+    /// `pairs_at_once` pairs, or all up to the end.
     [[nodiscard]] bool has_stopped() const { return stopped_; }
     static constexpr lts::StateIndex pairs_at_once = 128;
     /// After this call only taus are followed.
@@ -64,7 +64,7 @@ private:
     };
     struct Part : Block {
         ProvisionalStates claims;
-        alignas(64) std::atomic<std::uint32_t> lost = 0;  // written by other threads, so on its own cache line
+        alignas(64) std::atomic<std::uint32_t> lost = 0;  // written by other threads, so it has its own cache line
         bool stopped = false;
         lts::StateIndex first_number = 0;
     };

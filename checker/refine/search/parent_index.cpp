@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Select on a bit vector: a binary search over the counts of blocks, then over one block's words.
+// Finds the n-th one of the bit vector ("select"): by a binary search over the counts of blocks, and then over the
+// words of one block.
 #include "checker/refine/search/parent_index.hpp"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ void ParentIndex::begin_word() {
     words_.push_back(0);
 }
 
-/// Appends the lowest `count` bits, at most a word; the other bits are zero.
+/// Appends the lowest `count` bits, at most a word. The other bits of `bits` must be zero.
 void ParentIndex::append(std::uint64_t bits, std::uint32_t count) {
     assert(count > 0 && count <= word_bits && (count == word_bits || bits >> count == 0));
     const auto shift = static_cast<std::uint32_t>(size_ % word_bits);
@@ -61,7 +62,7 @@ void ParentIndex::clear() {
 }
 
 lts::StateIndex ParentIndex::parent(lts::StateIndex state) const {
-    const std::uint64_t one = state - 1U;  // counted from 0
+    const std::uint64_t one = state - 1U;  // index of its one, counted from 0
     assert(state > 0 && one < ones_);
     const auto block = std::ranges::upper_bound(ones_before_, one) - ones_before_.begin() - 1;
     std::uint64_t left = one - ones_before_[static_cast<std::size_t>(block)];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores the BFS parents of states as a succinct bit vector (rank/select), two bits for each state. States are numbered
-// in the order of discovery and expanded in the same order, so it suffices to store how many states each one found. The
-// vector contains a one for each state found and a zero after each state expanded. The parent of a state is the number
-// of zeros before the one of that state.
+// Stores the BFS parents of states as a succinct bit vector (rank/select), with two bits for each state. States are
+// numbered in the order of discovery and expanded in the same order. So it suffices to store how many states each state
+// has found. The vector contains a one for each state found and a zero after each state expanded. The parent of a state
+// is the number of zeros before its one.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ class ParentIndex {
 public:
     /// Records that the next state has been expanded and has found this many new states.
     void add_expanded_state(std::uint32_t found);
-    /// Appends the record of another index, which describes the following states.
+    /// Appends the records of another index, which must describe the states that follow.
     void append(const ParentIndex& next);
     void clear();
-    /// Defined for all states except state 0.
+    /// Returns the parent of a state, which must not be state 0.
     [[nodiscard]] lts::StateIndex parent(lts::StateIndex state) const;
 
 private:
@@ -27,7 +27,7 @@ private:
     void begin_word();
 
     std::vector<std::uint64_t> words_;
-    std::vector<std::uint64_t> ones_before_;  // by block of words
+    std::vector<std::uint64_t> ones_before_;  // by block of words: the number of ones before it
     std::uint64_t size_ = 0;
     std::uint64_t ones_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Charges long work inside systems to a check's budget.
+// Charges the long work inside systems to the budget of a check.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace robochart::refine {
 
-/// The systems poll the budget during the lifetime of this object. The systems and the budget must outlive it. Null
-/// pointers are ignored.
+/// Makes the systems poll the budget during the lifetime of this object. The systems and the budget must outlive it.
+/// Null pointers are ignored.
 class PollGuard {
 public:
     PollGuard(std::vector<lts::TransitionSystem*> systems, Budget& budget) : systems_(std::move(systems)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The new states of one block of a wide level (parallel_level.hpp), in the order of discovery. Adding states does not
-// change the addresses of earlier ones, so that other threads can compare with them.
+// Stores the new states of one block of a wide level (parallel_level.hpp), in the order of discovery. The addresses of
+// states never change, so that other threads can compare with a state while states are added.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ class ProvisionalStates {
 public:
     struct Claim {
         lts::IndexTable::Slot slot;
-        std::uint32_t pair = 0;  ///< the pair that found it, counted from the block's first
-        bool lost = false;       ///< a smaller claim has replaced this one
+        std::uint32_t pair = 0;  ///< the pair that found the state, counted from the first pair of the block
+        bool lost = false;       ///< true if a smaller claim has replaced this one
     };
     static constexpr std::uint32_t most = std::uint32_t{1} << 20U;
 
@@ -55,14 +55,14 @@ public:
         std::ranges::copy(state, chunks_[place.chunk].words.get() + place.offset * width_);
         chunks_[place.chunk].claims[place.offset].lost = false;
     }
-    /// Called after the claim has been made.
+    /// Completes the next claim. It is called after the claim has been made in the table.
     void add(const lts::IndexTable::Slot& slot, std::uint32_t pair) {
         assert(size_ < most);
         Claim& claim = (*this)[size_++];
         claim.slot = slot;
         claim.pair = pair;
     }
-    /// Called by the thread whose claim has replaced this one.
+    /// Marks a claim as lost. The thread whose claim has replaced this one calls it.
     void mark_lost(std::uint32_t number) {
         std::atomic_ref((*this)[number].lost).store(true, std::memory_order_relaxed);
     }

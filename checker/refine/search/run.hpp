@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of a system as exact states, from which counterexamples are built.
+// Represents runs of a system by exact states. Counterexamples are built from these runs.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ namespace robochart::refine {
 struct RunStep {
     process::Event event;
     process::Event revealed;
-    std::vector<lts::Word> state;  ///< the state reached
+    std::vector<lts::Word> state;  ///< the state after the event
 };
 
-/// An initial state and the steps from it.
+/// An initial state, and the steps from this state.
 struct Run {
     std::vector<lts::Word> initial;
     std::vector<RunStep> steps;
@@ -24,7 +24,7 @@ struct Run {
     [[nodiscard]] const std::vector<lts::Word>& last_state() const {
         return steps.empty() ? initial : steps.back().state;
     }
-    /// Returns the visible events and tick of the run.
+    /// Returns the visible events and ticks of the run.
     [[nodiscard]] std::vector<process::Event> trace() const {
         std::vector<process::Event> events;
         for (const RunStep& step : steps)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The product search, level by level. If divergence matters, the search records taus that do not lead forward. The
-// cycle search begins with these taus and computes all other taus again.
+// Searches the product level by level. If divergence matters, the search records taus that do not lead forward. The
+// search for cycles begins with these taus and computes all other taus again.
 #include "checker/refine/search/search.hpp"
 
 #include <algorithm>
@@ -78,8 +78,8 @@ std::optional<Finding> Search::search_alone(StateIndex first, StateIndex end) {
     return std::nullopt;
 }
 
-/// Skips pairs that another pair of this level or an earlier level covers. The first pair of each state still adds its
-/// tau edges.
+/// Searches a level with an antichain. It skips pairs that another pair of this level or an earlier level covers. The
+/// first pair of each state still adds its tau edges.
 std::optional<Finding> Search::search_antichain_level(StateIndex first, StateIndex end) {
     std::vector<bool> needed;
     for (StateIndex pair = first; pair != end; ++pair) {
@@ -99,7 +99,7 @@ std::optional<Finding> Search::search_antichain_level(StateIndex first, StateInd
     return std::nullopt;
 }
 
-/// Threads are started at the first wide level.
+/// Returns true if several threads can be used. Starts them at the first wide level.
 bool Search::several_threads() {
     if (!wide_ && !one_thread_ && budget_.threads() > 1)
         wide_ = ParallelLevel::create_if_supported(system_, monitor_, pairs_, budget_.threads());
@@ -122,7 +122,7 @@ std::optional<Finding> Search::search_wide_level(StateIndex first, StateIndex en
     return std::nullopt;
 }
 
-/// Records the results of a block like those of single expansions.
+/// Records the results of a block in the same way as those of single expansions.
 void Search::record_block(const ParallelLevel::Block& block) {
     budget_.charge(block.pairs);
     budget_.between_states();
@@ -143,7 +143,7 @@ std::optional<Finding> Search::enter_results(const Expansion& expansion, StateIn
         transitions_ += pair.transitions;
         chased_ += pair.chased;
         if (!forbidden_)
-            insert(expansion, first, row, pair.end_row);  // after it, only this level's states are examined
+            insert(expansion, first, row, pair.end_row);  // after it, only the states of this level are examined
         row = pair.end_row;
         budget_.states(pairs_.size());
         if (pair.fault) return Finding{*pair.fault, first};
@@ -155,7 +155,7 @@ std::optional<Finding> Search::enter_results(const Expansion& expansion, StateIn
 }
 
 /// Inserts the targets of one pair. Their lines in the table have been prefetched. Their states are usually in the
-/// cache, because they have been found recently.
+/// processor's cache, because they have been found recently.
 void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t first, std::size_t end) {
     const std::optional<StateIndex> vertex = note_taus_ ? tau_vertex(pair) : std::nullopt;
     constexpr std::size_t between_counts = 4096;  // one pair may have any number of targets
@@ -169,7 +169,8 @@ void Search::insert(const Expansion& expansion, StateIndex pair, std::size_t fir
     parents_.add_expanded_state(found);
 }
 
-/// Looks up a pair. With antichains the key is the state, because divergence does not depend on the specification node.
+/// Looks up a pair, and enters it if it is new. With antichains the result contains the number of the state, because
+/// divergence does not depend on the specification node.
 lts::StateStore::Insertion Search::enter_pair(StateView row, std::uint64_t hash) {
     if (!antichain_) return pairs_.insert(row, hash);
     const StateIndex state = antichain_->number_state(row.subspan(1));
@@ -179,8 +180,8 @@ lts::StateStore::Insertion Search::enter_pair(StateView row, std::uint64_t hash)
     return {state, true};
 }
 
-/// Returns the vertex in the graph of taus. It is the pair; with an antichain it is the state, if the pair is the first
-/// of this state.
+/// Returns the vertex of a pair in the graph of taus. Without an antichain, the vertex is the pair. With an antichain,
+/// it is the state, but only for the first pair of this state.
 std::optional<StateIndex> Search::tau_vertex(StateIndex pair) {
     if (!antichain_) return pair;
     const StateIndex number = antichain_->number_state(state(pair));
@@ -189,7 +190,7 @@ std::optional<StateIndex> Search::tau_vertex(StateIndex pair) {
 
 namespace {
 
-/// Finds the transition between two given pairs.
+/// Finds a transition between two given pairs.
 class StepFinder final : public lts::SuccessorSink {
 public:
     StepFinder(Monitor& monitor, Monitor::Node from, Monitor::Node to, StateView target, bool only_tau)
@@ -216,7 +217,7 @@ private:
 
 }  // namespace
 
-/// The rows to which taus lead, prefetched before any is looked up.
+/// Collects the rows to which taus lead. Their lines are prefetched before any row is looked up.
 class Search::TauRows final : public lts::SuccessorSink {
 public:
     TauRows(const lts::StateStore& pairs, std::optional<Monitor::Node> node) : pairs_(pairs), node_(node) {}
@@ -236,8 +237,8 @@ private:
     std::optional<Monitor::Node> node_;
 };
 
-/// If the search has visited all pairs, all targets are in the store. Otherwise, targets that are not in the store are
-/// left out.
+/// Appends the targets of the pair's taus. If the search has visited all pairs, all targets are in the store.
+/// Otherwise, targets that are not in the store are left out.
 void Search::tau_targets(StateIndex pair, std::vector<StateIndex>& targets) {
     budget_.charge();
     budget_.between_states();
@@ -260,7 +261,7 @@ GraphView Search::tau_graph() {
             }};
 }
 
-/// The rules of the system may exclude that some taus lie on a cycle.
+/// Leaves out taus that do not lie on cycles according to the rules of the system.
 void Search::leave_out_acyclic_taus() {
     if (!budget_.limits().reduction) return;
     cycle_system_ = system_.make_cycle_system(budget_);

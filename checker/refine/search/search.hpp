@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breadth-first search of a system's states paired with the node of a monitor that observes its runs. States are
-// expanded in the order of discovery, so the first finding has a shortest run, the same every time.
+// Searches pairs breadth first. A pair consists of a state of the system and a node of a monitor, which observes the
+// runs of the system. States are expanded in the order of discovery. So the first finding has a shortest run and is the
+// same every time.
 #pragma once
 
 #include <limits>
@@ -19,7 +20,7 @@
 
 namespace robochart::refine {
 
-/// A violation: the pair at the end of the run, and for a forbidden event the event after it.
+/// A violation: the pair at the end of the run and, for a forbidden event, the event after this pair.
 struct Finding {
     ViolationKind kind;
     lts::StateIndex pair;
@@ -38,24 +39,24 @@ public:
     Search& operator=(const Search&) = delete;
     ~Search();
 
-    /// Returns the violation with the shortest run. Among runs of the same length, a state's fault comes before a
-    /// forbidden event. No value if all pairs have been visited. Throws LimitReached. For pairs whose shortest runs
-    /// have `events_until` steps or more, only taus are followed. This suffices to find the first pair on a cycle of
-    /// taus, if that pair is known to be reached in `events_until` steps.
+    /// Returns the violation with the shortest run, or no value if all pairs have been visited. Among runs of the same
+    /// length, a state's fault comes before a forbidden event. Throws LimitReached. If the shortest run of a pair has
+    /// `events_until` steps or more, only taus are followed from the pair. This suffices to find the first pair on a
+    /// cycle of taus if that pair is known to be reached in `events_until` steps.
     std::optional<Finding> first_violation(std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max());
     /// Returns the first pair on a tau cycle. Call it after a search that noted taus and found no violation. After a
-    /// search that reached the limit of states, it returns the first pair on a cycle of visited pairs.
+    /// search that reached the limit of states, it returns the first pair on a cycle that consists of visited pairs.
     std::optional<lts::StateIndex> first_tau_cycle();
-    /// Returns a shortest cycle of taus through the pair as pairs. The last pair is the pair itself.
+    /// Returns a shortest cycle of taus through the pair as a list of pairs. The last of them is the pair itself.
     std::vector<lts::StateIndex> tau_cycle(lts::StateIndex pair);
 
-    /// Returns the run by which the pair was found.
+    /// Returns the pairs on the run by which the pair was found.
     [[nodiscard]] std::vector<lts::StateIndex> path_to(lts::StateIndex pair) const;
     [[nodiscard]] Monitor::Node node(lts::StateIndex pair) const { return nodes_ ? pairs_[pair][0] : 0; }
     [[nodiscard]] lts::StateView state(lts::StateIndex pair) const {
         return nodes_ ? pairs_[pair].subspan(1) : pairs_[pair];
     }
-    /// Returns the run along these pairs, which starts at the first one.
+    /// Returns the run along these pairs, which starts at the first of them.
     [[nodiscard]] Run run_along(const std::vector<lts::StateIndex>& pairs, bool by_taus_alone = false);
 
     [[nodiscard]] std::uint64_t states() const { return pairs_.size(); }
@@ -83,14 +84,15 @@ private:
     void record_block(const ParallelLevel::Block& block);
 
     lts::TransitionSystem& system_;
-    std::unique_ptr<lts::TransitionSystem> cycle_system_;  // with the taus of cycles; null: all taus are followed
+    // The system with only those taus that may lie on cycles. If it is null, all taus are followed.
+    std::unique_ptr<lts::TransitionSystem> cycle_system_;
     Monitor& monitor_;
     Budget& budget_;
     const bool nodes_;  // pairs begin with the monitor's node
     lts::StateStore pairs_;
     ParentIndex parents_;
     bool note_taus_;
-    BackTargets back_taus_;  // the entrances of all cycles of taus
+    BackTargets back_taus_;  // every cycle of taus contains one of them
     std::uint64_t expanded_ = 0;
     std::uint64_t transitions_ = 0;
     std::uint64_t depth_ = 0;
@@ -102,7 +104,7 @@ private:
     std::unique_ptr<ParallelLevel> wide_;
     bool one_thread_ = false;
     bool taus_alone_ = false;
-    bool ahead_ = false;                // several pairs may be expanded before the first one's targets are looked up
+    bool ahead_ = false;                // whether several pairs may be expanded before any target is looked up
     std::optional<Finding> forbidden_;  // the first forbidden event, stored until its level is finished
 };
 

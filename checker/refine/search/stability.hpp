@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The refusals of a state. Termination is autonomous in FDR's models (UCS 6.3, 9.2: P [] SKIP = P [> SKIP): a state is
-// stable if it has no tau and no tick. For refusals, a state with tick behaves as if a tau led from it to SKIP,
-// independently of its other offers. So it has the acceptance {✓}. After tick nothing is possible: Ω has the empty
-// acceptance.
+// Computes the refusals of a state. In FDR's models the environment cannot prevent termination (UCS 6.3, 9.2: P [] SKIP
+// = P [> SKIP), so a state is stable if it has no tau and no tick. For refusals, a state with tick behaves as if a tau
+// led from it to SKIP, independently of its other offers. So it has the acceptance {✓}. No event follows tick: Ω has
+// the empty acceptance.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace robochart::refine {
 struct Offer {
     bool tau = false;
     process::EventSet events;
-    bool branches = false;  ///< some event is offered more than once
+    bool branches = false;  ///< true if some event has several transitions
 
     [[nodiscard]] bool can_tick() const { return !events.empty() && events.front() == process::tick; }
     [[nodiscard]] bool is_empty() const { return !tau && events.empty(); }
 };
 
-/// The least set that the state may accept; no value if it is unstable.
+/// Returns the least set of events that the state may accept, or no value if the state is unstable.
 [[nodiscard]] inline std::optional<process::EventSet> acceptance(const Offer& offer) {
     if (offer.can_tick()) return process::EventSet{process::tick};
     if (offer.tau) return std::nullopt;

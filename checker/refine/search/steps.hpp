@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists the transitions of single states, for counterexamples and their replay, where speed does not matter.
+// Lists the transitions of single states for counterexamples and their replay, where speed does not matter.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@
 namespace robochart::refine {
 
 [[nodiscard]] std::vector<lts::Word> initial_of(lts::TransitionSystem& system);
-/// Every transition of the state, in the system's order.
+/// Returns every transition of the state, in the order of the system.
 [[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state);
 [[nodiscard]] std::vector<RunStep> steps_from(lts::TransitionSystem& system, lts::StateView state, Budget& budget);
-/// The offer of a state with these steps.
+/// Returns the offer of a state with these steps.
 [[nodiscard]] Offer offer_of(const std::vector<RunStep>& steps);
 
 }  // namespace robochart::refine

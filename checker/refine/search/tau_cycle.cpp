@@ -12,8 +12,9 @@ using lts::StateIndex;
 
 namespace {
 
-/// Follows edges from the entrances and returns the entrances to which a visited edge leads back. A cycle contains such
-/// an edge, and all its vertices are visited. So entrances that are not returned are not on a cycle.
+/// Follows edges from the entrances, and returns the entrances to which a visited edge leads back. A cycle that
+/// contains an entrance is visited completely, and one of its edges leads back. So it also contains an entrance that is
+/// returned.
 std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<StateIndex>& entrances) {
     std::vector<bool> met(graph.size, false);
     std::vector<StateIndex> waiting;
@@ -38,7 +39,7 @@ std::vector<StateIndex> entered_again(const GraphView& graph, const std::vector<
     return again.list();
 }
 
-/// The least vertex of a cyclic component among the vertices that the entrances reach.
+/// Returns the least vertex of a cyclic component among the vertices that the entrances reach.
 std::optional<StateIndex> least_in_cyclic_component(const GraphView& graph, const std::vector<StateIndex>& entrances) {
     StateIndex least = no_state;
     lts::strong_components(graph, entrances, [&](std::span<const StateIndex> members, bool cyclic) {
@@ -61,8 +62,8 @@ std::vector<StateIndex> BackTargets::list() const {
     return list;
 }
 
-/// Before the search, entrances are eliminated in rounds as long as this pays off. For most systems without divergence
-/// no entrance remains.
+/// Eliminates entrances in rounds as long as this pays off, and then searches from the others. For most systems without
+/// divergence no entrance remains.
 std::optional<StateIndex> least_on_cycle(const GraphView& graph, std::vector<StateIndex> entrances) {
     for (std::size_t before = 0; !entrances.empty();) {
         before = entrances.size();

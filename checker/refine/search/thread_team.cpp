@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::chrono::microseconds moment{50};
 
-/// Returns when the value has changed.
+/// Waits until the value differs from `old`.
 void await_change(const std::atomic<unsigned>& value, unsigned old) {
     using Clock = std::chrono::steady_clock;
     for (const Clock::time_point end = Clock::now() + moment; Clock::now() < end;)

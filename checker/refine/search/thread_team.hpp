@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A team of threads that repeatedly execute a task together. Between two tasks the threads first poll for a moment,
-// because waking a thread takes longer, and then sleep.
+// A team of threads that repeatedly execute a task together. Between two tasks a thread first polls for a moment and
+// then sleeps, because waking a sleeping thread takes longer.
 #pragma once
 
 #include <atomic>
@@ -20,9 +20,8 @@ public:
     ThreadTeam& operator=(const ThreadTeam&) = delete;
 
     [[nodiscard]] unsigned size() const { return helpers_.size(); }
-    /// Calls `work` with the number of every member; the caller itself is number 0. Returns when all members have
-    /// returned. All members then see the earlier writes of the other members. Throws the exception of the first member
-    /// that throws.
+    /// Calls `work` in every member with its number; the caller is number 0. Returns when all members have finished.
+    /// All members then see what the other members have written. Throws the exception of the first member that throws.
     void run(const std::function<void(unsigned member)>& work);
 
 private:
@@ -35,7 +34,7 @@ private:
     std::atomic<unsigned> busy_ = 0;
     std::atomic<bool> over_ = false;
     std::mutex mutex_;
-    std::exception_ptr error_;  ///< the first exception of this round; guarded by mutex_
+    std::exception_ptr error_;  ///< the first exception of the current task; guarded by mutex_
     diagnostics::Threads helpers_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of check.hpp. Each check is a search with a monitor. Determinism and `has trace` have separate files.
+// Implements the checks of check.hpp. Each check is a search with a monitor. Determinism and `has trace` have their own
+// files.
 #include "checker/refine/verdict/check.hpp"
 
 #include <fmt/format.h>
@@ -33,9 +34,9 @@ std::string known_so_far(const Statistics& size) {
                        size.divergence_open ? ", divergence aside" : "");
 }
 
-/// The search looks for cycles of taus when it has found all states. If a limit ends it before that, a second search
-/// decides whether there is a cycle among the first states. So a divergence can be found even in an infinite state
-/// space.
+/// How many states a second search visits to look for divergence. The first search looks for cycles of taus only when
+/// it has found all states. If a limit ends it before that, the second search looks for a cycle among these first
+/// states. So a divergence can be found even in an infinite state space.
 constexpr std::uint64_t first_states = 20'000;
 constexpr std::chrono::seconds for_first_states{1};
 
@@ -115,8 +116,8 @@ void set_failure(Verdict& verdict, Counterexample counterexample) {
     verdict.counterexample = std::move(counterexample);
 }
 
-/// Returns the acceptances or events that the specification allows after the same trace, for a refusal or a forbidden
-/// event.
+/// Returns what the specification allows after the same trace: its acceptances if the violation is a refusal, and its
+/// events if the violation is a forbidden event.
 std::vector<process::EventSet> required_after(NormalForm& specification, const Violation& violation) {
     std::vector<Event> trace = violation.run.trace();
     if (violation.kind == ViolationKind::divergence) return {};
@@ -134,8 +135,9 @@ Counterexample violation_counterexample(NormalForm& normal, const Confirmed& con
     return counterexample;
 }
 
-/// Converts a refinement to a query for a search by levels. No value if there is no such search, or if the normal form
-/// cannot be completed: it is too large, or a part that the search may never reach cannot be evaluated.
+/// Converts a refinement to a query for a search by levels. Returns no value if no such search is wanted. Also returns
+/// no value if the normal form cannot be completed, because it is too large or because a part of it that the search may
+/// never reach cannot be evaluated.
 std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model model, Search::Pairs pairs,
                                                   const Budget& budget) {
     if (budget.limits().by_levels == nullptr || pairs == Search::Pairs::antichain) return std::nullopt;
@@ -151,8 +153,8 @@ std::optional<LevelQuestion> refinement_by_levels(NormalForm& normal, Model mode
     }
 }
 
-/// Returns the first fault that the search finds. If the search ends early, records how far it has searched, provided
-/// that `levels_count`. If it ends at the limit of states, a cycle of taus among these states is a fault, too.
+/// Returns the first fault that the search finds. If a limit ends the search, records how far it has searched, provided
+/// that `levels_count` is true. If this is the limit of states, a cycle of taus among the states found is a fault, too.
 std::optional<Violation> first_fault(Search& search, lts::TransitionSystem& system, const Violation* known,
                                      bool levels_count, bool with_divergence, Budget& budget, Statistics& statistics) {
     try {
@@ -170,19 +172,19 @@ std::optional<Violation> first_fault(Search& search, lts::TransitionSystem& syst
     return with_divergence ? first_divergence(search) : std::nullopt;
 }
 
-/// Every process refines a process that diverges at once. Only the first step of the implementation is computed, in
-/// order to detect evaluation errors.
+/// Decides the refinement of a process that diverges at once: every process refines it. Only the first step of the
+/// implementation is computed, in order to detect evaluation errors.
 std::optional<Violation> refined_by(lts::TransitionSystem& implementation, Budget& budget) {
     (void)steps_from(implementation, initial_of(implementation), budget);
     return std::nullopt;
 }
 
-/// A refinement of a specification.
+/// Describes the refinement that is checked.
 struct RefinementQuestion {
     NormalForm& normal;
     Model model;
     Search::Pairs pairs;
-    bool may_diverge;  ///< whether a divergence is a violation and is not excluded
+    bool may_diverge;  ///< whether a divergence would be a violation and is not excluded
 };
 
 /// Returns the first fault of the implementation's runs with respect to the normal form.
@@ -205,7 +207,7 @@ std::optional<Violation> search_refinement(const RefinementQuestion& refinement,
     const Tally tally(search, statistics, &normal);
     if (spec_may_diverge && normal.diverges(normal.initial())) return refined_by(implementation, budget);
     const bool levels_count =
-        pairs == Search::Pairs::all;  // in an antichain a pair represents others that may be nearer
+        pairs == Search::Pairs::all;  // in an antichain, a pair represents other pairs with possibly shorter runs
     return first_fault(search, implementation, known, levels_count, with_divergence, budget, statistics);
 }
 
@@ -250,8 +252,8 @@ std::optional<Violation> search_states(lts::TransitionSystem& system, bool forbi
     return first_fault(search, system, known, forbid_deadlock, forbid_divergence, budget, statistics);
 }
 
-/// If the rules exclude divergence, the search looks only for the other violations. If it looks only for deadlocks,
-/// events do not matter, so all confluent steps may be followed.
+/// Searches for a deadlock, a divergence or both. If the rules exclude divergence, looks only for deadlocks. Deadlocks
+/// do not depend on events, so all confluent steps may then be followed.
 std::optional<Violation> find_bad_state(lts::TransitionSystem& system, bool forbid_deadlock, bool forbid_divergence,
                                         Budget& budget, Statistics& statistics) {
     const bool may_diverge = forbid_divergence && !is_tau_acyclic(system, budget);

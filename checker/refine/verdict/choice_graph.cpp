@@ -14,7 +14,7 @@ using process::EventSet;
 
 namespace {
 
-constexpr int most_nested = 100;  // choices in operands of choices; deeper ones are resolved, to limit the recursion
+constexpr int most_nested = 100;  // maximal nesting of choices in operands of choices; limits the recursion
 
 bool is_shorter(const EventSet& a, const EventSet& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
@@ -38,7 +38,7 @@ void sort_without_duplicates(std::vector<LazyGraph::Edge>& edges) {
                 edges.end());
 }
 
-/// Returns the minimal ones among the unions of one of `sets` and one of `others`.
+/// Forms the union of each of `sets` with each of `others`. Returns the minimal ones among these unions.
 std::vector<EventSet> unions(const std::vector<EventSet>& sets, const std::vector<EventSet>& others, Budget& budget) {
     std::vector<EventSet> result;
     for (const EventSet& one : sets)
@@ -69,7 +69,7 @@ ChoiceGraph::Form& ChoiceGraph::form_of(StateIndex state) {
     return forms_[state];
 }
 
-/// Counts the choices that are being examined.
+/// Counts, during its lifetime, one more choice that is being examined.
 class ChoiceGraph::Depth {
 public:
     explicit Depth(int& depth) : depth_(depth) { ++depth_; }
@@ -81,8 +81,9 @@ private:
     int& depth_;
 };
 
-/// Returns null for a state that is no choice, and for a choice that is resolved like any other state. If taus of its
-/// operands lead back to a choice, the choice is resolved, because the operands cannot be examined before it.
+/// Returns the data of a choice that is a single state (see choice_graph.hpp). Returns null if the state is no choice,
+/// or if the choice is resolved like any other state. A choice is resolved if taus of its operands lead back to it,
+/// because the operands cannot be examined before the choice itself.
 ChoiceGraph::Whole* ChoiceGraph::whole_choice(StateIndex state) {
     if (form_of(state) == Form::being_examined) form_of(state) = Form::resolved;
     if (form_of(state) == Form::unknown) examine(state);
@@ -127,8 +128,9 @@ std::vector<StateIndex> ChoiceGraph::tau_closure(StateIndex operand) {
     return members;
 }
 
-/// Rule 3 at the head of choice_graph.hpp. Whether an operand can tick does not follow from its minimal acceptances,
-/// because the empty acceptance of another of its states is a part of {tick}.
+/// Computes the acceptances of a choice by rule 3 at the head of choice_graph.hpp. The minimal acceptances of an
+/// operand do not show whether it can tick, because another of its states may have the empty acceptance, which is a
+/// part of {tick}.
 std::vector<EventSet> ChoiceGraph::choice_acceptances(const Whole& whole) {
     std::vector<EventSet> joint{{}};
     for (const std::vector<StateIndex>& members : whole.reached) {

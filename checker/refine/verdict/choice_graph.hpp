@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a specification, in which an external choice whose operands have taus is a single state. Its operands
-// resolve their taus independently of each other. So the taus of n operands with d states each lead to d^n states, but
-// all that refinement needs of them follows from the operands alone (UCS 9.2, the rules of []; Roscoe, The Theory and
-// Practice of Concurrency, 1998, 8.2 to 8.4, for the resulting equations in T, N and F):
+// Explores a specification so that an external choice whose operands have taus is a single state. The operands resolve
+// their taus independently of each other. So the taus of n operands with d states each lead to d^n states, but all that
+// refinement needs to know about these states follows from the operands alone (UCS 9.2, the rules of []; Roscoe, The
+// Theory and Practice of Concurrency, 1998, 8.2 to 8.4, for the resulting equations in T, N and F):
 //
 //   1. The states that taus reach from P1 [] ... [] Pn are the choices Q1 [] ... [] Qn in which taus lead from each Pi
 //      to Qi, because a tau of one operand changes only this operand.
@@ -29,10 +29,11 @@
 
 namespace robochart::refine {
 
-/// Returns the sets that contain no other one, sorted by size, then by events. Polls the budget.
+/// Returns the sets that contain no other of the given sets, sorted by size, then by events. Polls the budget.
 [[nodiscard]] std::vector<process::EventSet> minimal_sets(std::vector<process::EventSet> sets, Budget& budget);
 
-/// A graph with the traces, minimal acceptances and divergences of a LazyGraph after each trace, and fewer states.
+/// A graph that has fewer states than a LazyGraph, but the same traces, and the same minimal acceptances and
+/// divergences after each trace.
 class ChoiceGraph {
 public:
     using Edge = LazyGraph::Edge;
@@ -40,30 +41,31 @@ public:
     ChoiceGraph(lts::TransitionSystem& system, Budget& budget) : graph_(system, budget), budget_(budget) {}
 
     lts::StateIndex initial() { return graph_.initial(); }
-    /// The transitions of the state, ascending by event. For a whole choice they are the visible events and ticks of
-    /// all states that its operands reach by taus. Valid until the next call.
+    /// Returns the transitions of the state, ascending by event. For a whole choice, these are the visible events and
+    /// ticks of all states that its operands reach by taus. The result is valid until the next call.
     std::span<const Edge> edges(lts::StateIndex state);
-    /// The transitions with one event. Valid until the next call.
+    /// Returns the transitions with one event. The result is valid until the next call.
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
-    /// The minimal acceptances of the state, and for a whole choice those of all states that its taus reach. Empty if
-    /// none of them is stable.
+    /// Returns the minimal acceptances of the state. For a whole choice, they are those of all states that its taus
+    /// reach. The result is empty if none of these states is stable.
     std::vector<process::EventSet> acceptances(lts::StateIndex state);
-    /// The taus of the state; for a whole choice, taus to its operands. The state diverges iff an infinite path of
-    /// these transitions begins there. Valid until the next call.
+    /// Returns the taus of the state; for a whole choice, returns taus to its operands. The state diverges iff an
+    /// infinite path of these transitions begins in it. The result is valid until the next call.
     std::span<const Edge> taus_or_operands(lts::StateIndex state);
-    /// The number of states known so far.
+    /// Returns the number of states known so far.
     [[nodiscard]] std::size_t size() const { return graph_.size(); }
-    /// The packed state with a number.
+    /// Returns the packed state with this number.
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return graph_.state(index); }
 
 private:
-    /// A whole choice: one whose taus are not followed, so that it is a single state.
+    /// A whole choice is a choice that is a single state, because its taus are not followed.
     struct Whole {
-        std::vector<std::vector<lts::StateIndex>> reached;  ///< by operand: itself and the states that its taus reach
-        std::vector<Edge> operands;                         ///< taus to the operands
-        std::vector<Edge> edges;                            ///< sorted, without duplicates
+        /// By operand: the operand and the states that its taus reach.
+        std::vector<std::vector<lts::StateIndex>> reached;
+        std::vector<Edge> operands;  ///< taus to the operands
+        std::vector<Edge> edges;     ///< sorted, without duplicates
         std::optional<std::vector<process::EventSet>> acceptances;
-        int nesting = 1;  ///< the largest number of whole choices inside each other, this one included
+        int nesting = 1;  ///< how many whole choices are inside each other at most, including this one
     };
     enum class Form : std::uint8_t { unknown, being_examined, resolved, whole };
     class Depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Describes the states of a run for readers, and the offer of the last state.
+// Describes the states of a run for readers, and the events that the last state offers.
 #include "checker/refine/verdict/counterexample.hpp"
 
 #include "checker/refine/search/steps.hpp"

@@ -7,9 +7,9 @@
 
 namespace robochart::refine {
 
-/// Returns the violation with descriptions of its states. The caller fills in `required`.
+/// Returns the counterexample for a violation, with descriptions of its states. The caller must fill in `required`.
 [[nodiscard]] Counterexample make_counterexample(const Confirmed& confirmed);
-/// For nondeterminism: adds the run that accepts the event that the counterexample's run refuses.
+/// Adds a second run to a counterexample of determinism. This run accepts the event that the first run refuses.
 void tell_accepting(const Confirmed& accepting, Counterexample& counterexample);
 
 }  // namespace robochart::refine

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determinism by its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are no
-// trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. Decided in up to three steps:
-//   * if no visited state has a tau or two transitions with the same event, P is deterministic;
-//   * otherwise by FDR's method (Lazic's; UCS 10.5 and 20). A process P' resolves every choice of P by the first
+// Decides determinism by its definition (UCS 10.5): P is deterministic if it is divergence free [FD only] and there are
+// no trace s and event a such that s^<a> is a trace of P and P can refuse {a} after s. The decision takes up to three
+// steps:
+//   * If no visited state has a tau or two transitions with the same event, P is deterministic.
+//   * Otherwise FDR's method is used (Lazic's; UCS 10.5 and 20). A process P' resolves every choice of P by the first
 //     transition. It is a deterministic process whose nodes are single states of P, and P is deterministic iff P
 //     refines P'. The reason is as follows. Let s be a shortest trace after which P both accepts and refuses an event.
 //     Before the end of s, all stable states agree. So P' has a stable state after s. Another state of P after s
 //     contradicts it: it accepts an event that the state of P' refuses, or refuses an event that the state of P'
-//     accepts;
-//   * in F, if the resolution finds a divergence: in the normal form, every acceptance of every node contains all
-//     events that the node can perform. A divergent state contributes no acceptance.
+//     accepts.
+//   * In F, if the resolution finds a divergence, the normal form is used: P is deterministic iff every acceptance of
+//     every node contains all events that the node can perform. A divergent state contributes no acceptance.
 #include <algorithm>
 #include <stdexcept>
 
@@ -47,7 +48,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
         Event event;
     };
     std::vector<Arrival> arrivals{
-        {0, process::tau}};  // by node: how it was first reached; nodes are numbered in that order
+        {0, process::tau}};  // by node: how it was first reached, in the order of the nodes' numbers
     normal.initial();
     for (NormalForm::Node node = 0; node < arrivals.size(); ++node) {
         if (const std::optional<Event> event = refusable_event(normal, node)) {
@@ -63,7 +64,7 @@ std::optional<Ambiguity> first_ambiguity(NormalForm& normal) {
     return std::nullopt;
 }
 
-/// Returns the shortest run of the trace to a state that can refuse the event.
+/// Returns the shortest run with the trace of the ambiguity to a state that can refuse the event of the ambiguity.
 Violation refusing_run(lts::TransitionSystem& system, const Ambiguity& ambiguity, Budget& budget) {
     TraceMonitor monitor(ambiguity.trace, ambiguity.trace.size(), ambiguity.event);
     Search search(system, monitor, budget);
@@ -87,7 +88,7 @@ std::optional<Violation> divergence_of(lts::TransitionSystem& system, Budget& bu
     return first_divergence(search);
 }
 
-/// Counts and reports nodes while they are created, even if a limit ends the normalisation.
+/// Counts nodes while they are created and reports them, even if a limit ends the normalisation.
 class Normalising {
 public:
     Normalising(const NormalForm& normal, Budget& budget, Statistics& statistics)
@@ -126,8 +127,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The process P'. Its nodes are the states in which the first taus end. Termination comes before any other event
-/// (stability.hpp).
+/// The process P'. Its nodes are the states that are reached by following first taus as long as there are any.
+/// Termination comes before any other event (stability.hpp).
 class Resolution final : public Monitor {
 public:
     Resolution(lts::TransitionSystem& system, Budget& budget) : graph_(system, budget) {}
@@ -199,7 +200,7 @@ std::optional<Ambiguity> ambiguity_of(lts::TransitionSystem& system, Budget& bud
     }
 }
 
-/// Whether the rules exclude every choice between transitions with the same event, and every tau.
+/// Returns true if the rules exclude every tau, and every choice between transitions with the same event.
 bool is_choice_free(const lts::TransitionSystem& system, Budget& budget) {
     return budget.limits().reduction && system.excludes_choices(budget);
 }
@@ -217,7 +218,7 @@ std::optional<Violation> search_choice(lts::TransitionSystem& system, bool may_d
     return violation;
 }
 
-/// If a limit ends the search for the accepting run, the verdict is reported without it.
+/// Adds a run that accepts the event. If a limit ends the search for this run, the verdict is reported without it.
 void add_accepting_run(lts::TransitionSystem& system, const Violation& refusing, Budget& budget,
                        Counterexample& counterexample) {
     std::vector<Event> trace = refusing.run.trace();
@@ -245,7 +246,7 @@ std::optional<Violation> find_choice(lts::TransitionSystem& system, Model model,
         [&](lts::TransitionSystem& searched, Budget& own, Statistics& size, const Violation* known) {
             return search_choice(searched, may_diverge, own, size, known);
         },
-        // A state and its image under a symmetry may have resolutions with different choices.
+        // No symmetry may be used: a state and its image may have resolutions with different choices.
         [](const lts::EventPermutation&) { return false; }};
     return search_reduced(system, budget, statistics, question);
 }

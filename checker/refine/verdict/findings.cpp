@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes findings as a sequence of 64-bit numbers. Each list is preceded by its length.
+// Encodes findings as a sequence of 64-bit numbers. The length of each list comes before the list.
 #include "checker/refine/verdict/findings.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a search before its confirmation. It can be encoded as bytes, so that another run can use it.
+// Represents the result of a search before it is confirmed. The result can be encoded as bytes for use by another run
+// of the program.
 #pragma once
 
 #include <optional>
@@ -12,11 +13,11 @@
 
 namespace robochart::refine {
 
-/// The violation that the search claims to have found.
+/// A violation that the search has found and that is to be confirmed.
 struct Violation {
     ViolationKind kind = ViolationKind::trace;
     Run run;
-    Run loop;                             ///< divergence: taus from the run's last state back to it
+    Run loop;                             ///< divergence: taus from the run's last state back to this state
     std::optional<process::Event> event;  ///< nondeterminism: the event that is both accepted and refused
     bool shortest = true;                 ///< false if a limit has ended the search for a shorter run
 };
@@ -28,9 +29,9 @@ struct Findings {
 };
 
 /// Encodes the findings. Events are written as their indices in `named`, which must be ascending and contain all of
-/// them.
+/// these events.
 [[nodiscard]] std::string encode(const Findings&, const process::EventSet& named);
-/// Decodes findings; no value if the bytes are not findings with these events and states of `width` words.
+/// Decodes findings. Returns no value if the bytes are not findings with these events and states of `width` words.
 [[nodiscard]] std::optional<Findings> decode(std::string_view bytes, const process::EventSet& named, std::size_t width);
 
 }  // namespace robochart::refine

@@ -35,7 +35,7 @@ bool Indifference::holds_for(const lts::EventPermutation& exchange) {
     return whole_;
 }
 
-/// Nodes are numbered in the order of their discovery.
+/// Visits all nodes. They are numbered in the order of their discovery.
 bool Indifference::visit_nodes() {
     return process::unless_refused([this] {
         normal_->initial();

@@ -10,16 +10,17 @@
 
 namespace robochart::refine {
 
-/// Visits the whole normal form once, on first use.
+/// Answers questions about the normal form of a specification. The first question visits the whole normal form.
 class Indifference {
 public:
     Indifference(lts::TransitionSystem& specification, Model model, Budget& budget)
         : specification_(specification), model_(model), budget_(budget) {}
 
-    /// Whether two conditions hold for exchanged events. The events and their images lead from each node of the normal
-    /// form to the same node. Except in the traces model, the image of each acceptance of a node is also an acceptance
-    /// of the node. Then a state of an implementation violates a node if and only if its images do. Returns false if
-    /// there are more than 10,000 nodes, or after an evaluation error, which the search may never reach.
+    /// Returns true if two conditions hold for the exchanged events. First, an event and its image lead from each node
+    /// of the normal form to the same node. Second, except in the traces model, the image of each acceptance of a node
+    /// is also an acceptance of the node. Then a state of an implementation violates a node if and only if its images
+    /// do. Returns false if there are more than 10,000 nodes, or after an evaluation error, which the search may never
+    /// reach.
     bool holds_for(const lts::EventPermutation& exchange);
 
 private:
@@ -30,7 +31,7 @@ private:
     Model model_;
     Budget& budget_;
     std::optional<NormalForm> normal_;
-    bool whole_ = false;  // all nodes have been visited
+    bool whole_ = false;  // true after all nodes have been visited
 };
 
 }  // namespace robochart::refine

@@ -54,7 +54,7 @@ std::string hex_text(const std::string& text) {
     throw storage::BadFile(fmt::format("{}: {}", diagnostics::escape_for_display(path), why));
 }
 
-/// Returns a text in one line, truncated if it is long.
+/// Converts a text to one line and truncates it if it is long.
 std::string one_line(std::string text) {
     constexpr std::size_t longest = 2000;
     if (text.size() > longest) text.resize(longest);
@@ -63,15 +63,15 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// Whether this is the name of a search that is being removed (see remove_searches).
+/// Returns true if a search with this name is being removed (see remove_searches).
 bool is_finished(const std::string& name) {
     constexpr std::string_view prefix = "finished-search-";
     return name.size() == prefix.size() + search_digits && name.starts_with(prefix) &&
            name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 
-/// Returns a different text each time: 128 random bits. Does not use std::random_device, which calls a function that
-/// the C library has only since 2.36.
+/// Returns a different text each time: 128 random bits. It does not use std::random_device, because this calls a
+/// function that the C library has only since 2.36.
 std::string random_text() {
     std::array<std::uint64_t, 2> bits{};
     if (getrandom(bits.data(), sizeof bits, 0) != static_cast<ssize_t>(sizeof bits))
@@ -79,7 +79,7 @@ std::string random_text() {
     return fmt::format("{:016x}{:016x}", bits[0], bits[1]);
 }
 
-/// Whether the entry was left by a run that was killed while it wrote.
+/// Returns true if this entry was left by a run that was killed while it was writing.
 bool is_unfinished(const fs::directory_entry& entry) {
     std::error_code ignored;
     return diagnostics::is_unfinished(entry.path().filename().string()) &&
@@ -100,7 +100,7 @@ KeptSearch::KeptSearch(KeptSettings settings, LevelStrategy& ranks) : settings_(
     answers_.emplace(path("answers"), settings_.program, std::uint64_t{512} << 20U);
 }
 
-/// Locks the folder. No file is created in a folder that this run must not use.
+/// Locks the folder. If this run must not use the folder, creates no file in it.
 void KeptSearch::lock_folder() {
     std::error_code made, ignored;
     if (!settings_.resume) fs::create_directories(settings_.folder, made);
@@ -135,7 +135,8 @@ void KeptSearch::look_at_folder() const {
     if (code) throw_bad_file(settings_.folder, code.message());
 }
 
-/// The lock is removed first. If another machine has a file open that is removed, another file appears in the folder.
+/// Removes the folder. The lock file is removed first: if another machine has a removed file open, a file with another
+/// name appears in the folder.
 void KeptSearch::remove_folder() {
     std::error_code ignored;
     fs::remove_all(path("answers"), ignored);
@@ -145,7 +146,7 @@ void KeptSearch::remove_folder() {
     fs::remove(settings_.folder, ignored);  // removes the folder if it is empty
 }
 
-/// Keeps the files if they are needed to continue. Removes the folder if no assertion was ever begun.
+/// Keeps the files if a later run needs them to continue. Removes the folder if no assertion was ever begun.
 KeptSearch::~KeptSearch() {
     if (!asked_.empty() || !earlier_.empty() || !answers_) return;
     remove_folder();
@@ -189,7 +190,7 @@ void KeptSearch::read_questions() {
 
 void KeptSearch::write_questions() const {
     std::string text = fmt::format("{}\n{}\n", title, hex_text(settings_.program));
-    // The assertions of this run, followed by assertions that it has not reached yet.
+    // The assertions of this run come first; then those of an earlier run that this run has not reached yet.
     std::vector<Asked> all = asked_;
     if (earlier_.size() > all.size())
         all.insert(all.end(), earlier_.begin() + static_cast<std::ptrdiff_t>(all.size()), earlier_.end());
@@ -203,7 +204,7 @@ void KeptSearch::refuse_question(std::size_t place, const std::string& instead) 
                                                  diagnostics::escape_for_display(earlier_[place].text), instead));
 }
 
-/// Until an assertion is identified, the digest of its text is used.
+/// Begins an assertion. Until it is identified, the digest of its text is used.
 void KeptSearch::begin_question(const std::string& text) {
     Asked question{hex_text(digest_of(text)), one_line(text)};
     const std::size_t place = asked_.size();
@@ -216,8 +217,8 @@ void KeptSearch::begin_question(const std::string& text) {
     if (asked_.size() > earlier_.size()) write_questions();
 }
 
-/// An earlier run may have ended before it had identified the assertion. A check that begins again with wider rows
-/// identifies its assertion again.
+/// Identifies the current assertion. An earlier run may have ended before it had identified the assertion. If a check
+/// begins again with wider rows, it identifies its assertion again.
 void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& digest) {
     assert(!asked_.empty());
     Asked& question = asked_.back();
@@ -237,8 +238,8 @@ void KeptSearch::identify_question(const std::optional<diagnostics::Digest>& dig
                         diagnostics::escape_for_display(question.text)));
 }
 
-/// If the answer of a decided assertion could not be stored, its search is kept, because it is the only record of the
-/// answer.
+/// Ends an assertion. If it is decided but its answer could not be stored, its search is not removed, because the
+/// search is the only record of the answer.
 void KeptSearch::end_question(bool decided) {
     assert(!asked_.empty() && decided_ < asked_.size());
     if (decided) ++decided_;
@@ -249,7 +250,8 @@ void KeptSearch::end_question(bool decided) {
     folders_.clear();
 }
 
-/// First renames all searches, because a run that is killed must not leave only some of them.
+/// Removes the searches. Each of them is renamed before its files are removed: if the run is killed in between, the
+/// next run recognises what is left.
 void KeptSearch::remove_searches() {
     std::error_code ignored;
     for (const std::string& folder : folders_) {
@@ -269,7 +271,8 @@ void KeptSearch::remove_left_over() const {
     for (const fs::path& path : found) fs::remove_all(path, ignored);
 }
 
-/// Each search of an assertion has a folder with its number. An assertion has the same searches in every run.
+/// Describes the stores for a search and prepares its folder. Each search of an assertion has a number and its own
+/// folder. An assertion has the same searches in every run.
 RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width, const Budget& budget) {
     diagnostics::Hasher hasher;
     hasher.add(std::string_view("a search by levels"));
@@ -282,7 +285,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
         hasher.add(part);
     RowKeeping rows;
     rows.search = hasher.finish();
-    // Another rank may see a different folder.
+    // The path becomes absolute; nevertheless another rank may see another folder there.
     std::error_code ignored;
     rows.folder = fs::absolute(path("search-" + hex_text(rows.search).substr(0, search_digits)), ignored).string();
     if (::mkdir(rows.folder.c_str(), 0700) != 0 && errno != EEXIST)
@@ -290,7 +293,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
                                                diagnostics::escape_for_display(rows.folder), std::strerror(errno)));
     folders_.push_back(rows.folder);
     const std::string run = rows.folder + "/" + run_name;
-    // The lock is held until it is replaced, so that no rank of an earlier run begins in between.
+    // The lock is held until the file is replaced, so that no rank of an earlier run begins in between.
     const diagnostics::Descriptor earlier = storage::open_to_lock(run, false);
     if (!earlier.is_open() && errno != ENOENT) storage::cannot_open(run, errno);
     if (earlier.is_open())
@@ -307,7 +310,7 @@ RowKeeping KeptSearch::rows_of(const LevelQuestion& question, std::size_t width,
                                   diagnostics::escape_for_display(rows.folder)));
     rows.every = settings_.every;
     rows.disk = settings_.disk;
-    // Uses only a part of the remaining memory, because the program needs memory for other purposes.
+    // Uses only a part of the remaining memory, because the program needs memory for other purposes, too.
     const std::uint64_t resident = diagnostics::resident_bytes();
     const std::uint64_t most = budget.limits().memory_bytes;
     rows.most_bytes = settings_.most_bytes.value_or((most - std::min(most, resident)) / 8 * 7);

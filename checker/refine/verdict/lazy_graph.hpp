@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a system. A state gets a number and is expanded only when it is needed.
+// Explores a system on demand: a state gets a number and is expanded only when it is needed.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace robochart::refine {
 
-/// The states of a system explored on demand, with their transitions sorted by event.
+/// The states of a system that is explored on demand. Their transitions are sorted by event.
 class LazyGraph {
 public:
     explicit LazyGraph(lts::TransitionSystem& system, Budget& budget);
@@ -22,16 +22,17 @@ public:
         lts::StateIndex target;
     };
     lts::StateIndex initial();
-    /// The operands of a state that is an external choice (TransitionSystem::choice_operands).
+    /// Returns the operands of a state that is an external choice (TransitionSystem::choice_operands).
     std::vector<lts::StateIndex> choice_operands(lts::StateIndex state);
-    /// The transitions of the state, ascending by event. Expands the state if necessary. Valid until the next call.
+    /// Returns the transitions of the state, ascending by event. Expands the state if necessary. The result is valid
+    /// until the next call.
     std::span<const Edge> edges(lts::StateIndex state);
-    /// The transitions with one event. Valid until the next call.
+    /// Returns the transitions with one event. The result is valid until the next call.
     std::span<const Edge> edges(lts::StateIndex state, process::Event event);
     [[nodiscard]] Offer state_offer(lts::StateIndex state);
-    /// The number of states known so far.
+    /// Returns the number of states known so far.
     [[nodiscard]] std::size_t size() const { return states_.size(); }
-    /// The packed state with a number.
+    /// Returns the packed state with this number.
     [[nodiscard]] lts::StateView state(lts::StateIndex index) const { return states_[index]; }
 
 private:

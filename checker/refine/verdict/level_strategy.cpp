@@ -14,7 +14,7 @@
 namespace robochart::refine {
 namespace {
 
-/// Adds up the statistics of a search, even if it ends by an exception.
+/// Adds the statistics of a search when the search ends, even if it ends by an exception.
 class LevelTally {
 public:
     LevelTally(const LevelSearch& search, unsigned ranks, Statistics& statistics)
@@ -52,7 +52,8 @@ std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question) {
 
 namespace {
 
-/// The budget of a check for work on stored rows. Each poll charges many units of work, because a block has many rows.
+/// Polls the budget of a check during work on stored rows. Each poll charges many units of work, because a block has
+/// many rows.
 class StorageBudget final : public diagnostics::Pollable {
 public:
     explicit StorageBudget(Budget& budget) : budget_(budget) {}
@@ -67,7 +68,8 @@ private:
 
 using StoreFigures = DiskRowStore::Figures;
 
-/// `figures` receives the statistics of the store when it is destroyed.
+/// Searches with a store that is created for this search. When the store is destroyed, `figures` receives its
+/// statistics.
 std::optional<Violation> search_with_store(lts::TransitionSystem& system, const LevelQuestion& question,
                                            Exchange& exchange, Budget& budget, Statistics& statistics,
                                            StoreFigures& figures) {
@@ -86,8 +88,8 @@ std::optional<Violation> search_with_store(lts::TransitionSystem& system, const 
     return Violation{finding->kind, std::move(finding->run), std::move(finding->loop), {}};
 }
 
-/// Returns when no rank has open files. The folder may then be removed or used by the next search. The statistics are
-/// the maximum over all ranks.
+/// Waits until no rank has open files. The folder may then be removed or used by the next search. Records the maximum
+/// of the statistics over all ranks.
 void end_of_stores(Exchange& exchange, const StoreFigures& figures, Statistics& statistics) {
     const auto word = [](std::uint64_t figure) {
         return static_cast<lts::Word>(std::min<std::uint64_t>(figure, std::numeric_limits<lts::Word>::max()));
@@ -126,7 +128,7 @@ std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const Lev
     if (question.rows.folder.empty()) return search_with_store(system, question, exchange, budget, statistics, none);
     const auto& undisturbed = budget.limits().undisturbed;
     if (exchange.rank() != 0 || !undisturbed) return search_with_files(system, question, exchange, budget, statistics);
-    // Only the program of the first rank is killed if it continues after a limit.
+    // Only the first rank holds Limits::undisturbed: only its program is killed if it continues after a limit.
     UndisturbedExchange waiting(exchange, undisturbed, [&budget] { return budget.limit_reached(); });
     return search_with_files(system, question, waiting, budget, statistics);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches by levels (levels/level_search.hpp), which replace the ordinary search if there are several ranks or rows in
-// files. Limits::by_levels names the strategy. The query is data, so that it can be sent to other programs.
+// Defines searches by levels (levels/level_search.hpp). They replace the ordinary search if there are several ranks or
+// if rows are stored in files. Limits::by_levels selects the strategy. The query consists of data, so that it can be
+// sent to other programs.
 #pragma once
 
 #include <limits>
@@ -16,41 +17,43 @@
 
 namespace robochart::refine {
 
-/// The target of a search, and where it stores its rows.
+/// What a search looks for, and where it stores its rows.
 struct LevelQuestion {
     enum class Kind : std::uint8_t { states, deadlock, choice, refinement };
-    Kind kind = Kind::states;                          ///< `states`: the search has no target and visits every state
+    /// `states`: the search looks for nothing and visits every state
+    Kind kind = Kind::states;
     Model model = Model::traces;                       ///< for a refinement
     std::shared_ptr<const NormalTable> specification;  ///< for a refinement; otherwise null
-    bool divergence = false;  ///< if there is no such violation, the search looks for a cycle of taus
-    std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max();  ///< LevelSearch::first_violation
+    bool divergence = false;                           ///< whether the search then looks for a cycle of taus
+    std::uint64_t events_until = std::numeric_limits<std::uint64_t>::max();  ///< see LevelSearch::first_violation
     RowKeeping rows = {};
 
-    /// Whether rows begin with a node.
+    /// Returns true if rows begin with a node.
     [[nodiscard]] bool has_nodes() const { return kind == Kind::choice || kind == Kind::refinement; }
-    /// Number of words in a row, for a system of this width.
+    /// Returns the number of words in a row, for a system of this width.
     [[nodiscard]] std::size_t row_width(std::size_t state_width) const { return state_width + (has_nodes() ? 1 : 0); }
 };
 
 [[nodiscard]] std::unique_ptr<Monitor> monitor_of(const LevelQuestion& question);
 
-/// Runs the part of one rank in a search; collective. The statistics are added even if a limit ends the search. If a
-/// rank cannot create its row store, all ranks leave the search together (SharedWork). If rows are stored in files, the
-/// function returns when no rank has one of them open. The first rank holds Limits::undisturbed while it waits.
+/// Takes part in a search as one rank; all ranks must call this function. The statistics are added even if a limit ends
+/// the search. If a rank cannot create its row store, all ranks leave the search together (SharedWork). If rows are
+/// stored in files, the function returns when no rank has such a file open. The first rank holds Limits::undisturbed
+/// while it waits.
 std::optional<Violation> search_as_rank(lts::TransitionSystem& system, const LevelQuestion& question,
                                         Exchange& exchange, Budget& budget, Statistics& statistics);
 
-/// Returns the number of threads of a program that can search the system, at most `limit`. It is one if the system
+/// Returns how many threads of a program can search the system, at most `limit`. The result is one if the system
 /// supports only one thread.
 [[nodiscard]] unsigned threads_for(const lts::TransitionSystem& system, unsigned limit);
 
-/// Runs the part of one program in a search; collective over `programs`. The program's threads are ranks (as_ranks);
-/// the first is the caller's thread. Each thread has its own rows. The budget and the statistics are those of the first
-/// thread. The others have the same limits, without progress.
+/// Takes part in a search as one program; all ranks of `programs` must call this function. The program's threads are
+/// ranks (as_ranks); the first of them is the caller's thread. Each thread has its own rows. The first thread uses
+/// `budget` and `statistics`. The other threads have the same limits and report no progress.
 std::optional<Violation> search_by_threads(Exchange& programs, unsigned threads, lts::TransitionSystem& system,
                                            const LevelQuestion& question, Budget& budget, Statistics& statistics);
 
-/// The strategy of the searches by levels of a check.
+/// Determines how the searches by levels of a check are executed.
 class LevelStrategy {
 public:
     LevelStrategy() = default;
@@ -59,23 +62,23 @@ public:
     virtual ~LevelStrategy() = default;
     /// Announces the next assertion before anything is computed for it.
     virtual void begin_question(const std::string& /*text*/) {}
-    /// Identifies the assertion to which the following searches belong. The digest covers everything on which its
-    /// answer depends. No value if the digest is unknown, or if the states of the processes differ between runs.
+    /// Identifies the assertion to which the following searches belong. The digest covers everything on which the
+    /// answer depends. It has no value if it is unknown, or if the states of the processes differ between runs.
     virtual void identify_question(const std::optional<diagnostics::Digest>& /*digest*/) {}
-    /// `decided`: whether the assertion has an answer.
+    /// Ends the current assertion. `decided`: whether the assertion has an answer.
     virtual void end_question(bool /*decided*/) {}
     /// Called after the last assertion, unless some assertion was omitted.
     virtual void all_asked() {}
-    /// The cache for answers of searches of this kind, whose statistics differ from those of other searches. Null if
-    /// there is none.
+    /// Returns the cache for the answers of searches by levels, or null if there is none. These answers have a separate
+    /// cache, because their statistics differ from those of other searches.
     [[nodiscard]] virtual diagnostics::Cache* answers() { return nullptr; }
-    /// Returns the result of the search in the system. Throws LimitReached. If the system cannot be searched in this
-    /// way, LimitReached contains the reason.
+    /// Searches the system and returns the violation found. Throws LimitReached. If the system cannot be searched in
+    /// this way, the exception contains the reason.
     virtual std::optional<Violation> search(lts::TransitionSystem& system, const LevelQuestion& question,
                                             Budget& budget, Statistics& statistics) = 0;
 };
 
-/// Threads of this program as ranks.
+/// Uses the threads of this program as ranks.
 class ThreadRanks final : public LevelStrategy {
 public:
     explicit ThreadRanks(unsigned ranks) : ranks_(ranks) {}

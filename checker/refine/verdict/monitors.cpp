@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Defines refinement in each model by faults of single runs: UCS 10 (T), 11 (F), 12 (FD).
+// Defines refinement in each model by the faults of single runs: UCS 10 (T), 11 (F), 12 (FD).
 #include "checker/refine/verdict/monitors.hpp"
 
 #include <algorithm>
@@ -9,8 +9,8 @@ namespace robochart::refine {
 using process::Event;
 using process::EventSet;
 
-/// T: every trace must be a trace of the specification. FD: if the specification diverges, all later behaviour refines
-/// it.
+/// In T, every trace must be a trace of the specification. In FD, if the specification diverges, any later behaviour is
+/// allowed.
 Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
     const std::scoped_lock lock(*turn_);
     const std::optional<NormalForm::Node> next = specification_.node_after(node, event);
@@ -19,8 +19,8 @@ Monitor::Advance RefinementMonitor::advance(Node node, Event event) {
     return {Effect::follow, *next};
 }
 
-/// F: the acceptance of a stable state must include one of the specification's acceptances after the same trace. This
-/// is the inclusion of refusals: refusals are the subsets of an acceptance's complement.
+/// In F, the acceptance of a stable state must include one of the specification's acceptances after the same trace.
+/// This is equivalent to the inclusion of refusals, because refusals are the subsets of an acceptance's complement.
 std::optional<ViolationKind> refusal(const std::vector<EventSet>& acceptances, const Offer& offer) {
     if (offer.tau && !offer.can_tick()) return std::nullopt;
     const auto first = offer.events.begin();
@@ -36,7 +36,7 @@ std::optional<ViolationKind> RefinementMonitor::examine(Node node, const Offer& 
     return refusal(acceptances(node), offer);
 }
 
-/// The returned reference stays valid when this function is called again.
+/// Returns the acceptances of a node. The reference stays valid when this function is called again.
 const std::vector<EventSet>& RefinementMonitor::acceptances(Node node) {
     if (node >= acceptances_.size()) acceptances_.resize(std::max<std::size_t>(node + 1U, 2 * acceptances_.size()));
     if (acceptances_[node] == nullptr) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The monitors of the checks.
+// Defines the monitors of the checks.
 #pragma once
 
 #include <memory>
@@ -12,12 +12,12 @@
 
 namespace robochart::refine {
 
-/// In F and FD: returns the fault of a state with this offer if the specification has these acceptances. No value for
-/// an unstable state.
+/// In F and FD, returns the fault of a state with this offer if the specification has these acceptances. Returns no
+/// value for an unstable state.
 [[nodiscard]] std::optional<ViolationKind> refusal(const std::vector<process::EventSet>& acceptances,
                                                    const Offer& offer);
 
-/// specification [M= implementation. The nodes are those of the specification's normal form.
+/// Checks specification [M= implementation. Its nodes are the nodes of the specification's normal form.
 class RefinementMonitor final : public Monitor {
 public:
     RefinementMonitor(NormalForm& specification, Model model)
@@ -39,11 +39,11 @@ private:
 
     NormalForm& specification_;
     Model model_;
-    std::shared_ptr<std::mutex> turn_;  // the owner of this lock may use the specification
+    std::shared_ptr<std::mutex> turn_;  // the owner of this lock may use `normal_`
     std::vector<const std::vector<process::EventSet>*> acceptances_;
 };
 
-/// Observes only the reachable states. Used for deadlock (a state in which nothing is possible), and for divergence
+/// Observes only which states are reachable. It is used for deadlock (a state without transitions), and for divergence
 /// alone.
 class StateMonitor final : public Monitor {
 public:
@@ -67,8 +67,8 @@ public:
     [[nodiscard]] std::unique_ptr<Monitor> clone_for_thread() override { return std::make_unique<ChoiceMonitor>(); }
 };
 
-/// Follows runs along one trace and finds the end of its first `goal` events. With `refused`, finds an end that can
-/// refuse that event.
+/// Follows runs along a trace and finds a run with its first `goal` events. If `refused` is given, the run must end in
+/// a state that can refuse this event.
 class TraceMonitor final : public Monitor {
 public:
     TraceMonitor(const std::vector<process::Event>& trace, std::size_t goal,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normalises on demand. Everything is numbered in the order of requests by the search, so results are the same every
-// time.
+// Normalises on demand. Nodes and states are numbered in the order in which the search requests them, so results are
+// the same every time.
 #include "checker/refine/verdict/normal_form.hpp"
 
 #include <algorithm>
@@ -42,8 +42,8 @@ NormalForm::Node NormalForm::initial() {
 NormalForm::Node NormalForm::node_of(Members seeds) {
     close_under_tau(seeds);
     if (const auto known = ids_.find(seeds); known != ids_.end()) return known->second;
-    // The limit is checked before the node is entered, because another thread could otherwise use the number of a node
-    // that does not exist.
+    // The limit is checked before the node is entered. Otherwise another thread could use the number of a node that
+    // does not exist.
     budget_.states(nodes_.size());
     if (!may_grow_ && nodes_.size() > std::max(few_nodes, 2 * graph_.size()))
         throw SpecificationGrows("the specification's normal form is larger than the specification");
@@ -54,7 +54,7 @@ NormalForm::Node NormalForm::node_of(Members seeds) {
     return node;
 }
 
-/// Adds the states that taus reach, and sorts the states.
+/// Adds the states that taus reach, and sorts all states.
 void NormalForm::close_under_tau(Members& members) {
     ++closure_;
     const auto first_visit = [this](StateIndex state) {
@@ -132,8 +132,9 @@ bool NormalForm::diverges(Node node) {
     return *data.diverges;
 }
 
-/// Whether taus lead from the state into a tau cycle. All calls share one depth-first search. A finished state that has
-/// not reached the current path or a divergent state reaches only such states, so its answer is final.
+/// Returns true if taus lead from the state into a cycle of taus. All calls share one depth-first search. A state is
+/// finished when the search leaves it. If it has reached neither the current path nor a divergent state, it reaches
+/// only finished states of this kind, so its answer is final.
 bool NormalForm::state_diverges(StateIndex root) {
     enum : std::uint8_t { unvisited, on_path, finite, infinite };
     struct Frame {
@@ -147,7 +148,7 @@ bool NormalForm::state_diverges(StateIndex root) {
     if (status(root) != unvisited) return status(root) == infinite;
     std::vector<Frame> path{{root, 0}};
     status(root) = on_path;
-    bool found = false;  // everything on the path diverges
+    bool found = false;  // true if everything on the path diverges
     while (!path.empty()) {
         Frame& top = path.back();
         const std::span<const ChoiceGraph::Edge> taus = graph_.taus_or_operands(top.state);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The specification, normalised on demand. A node is a tau-closed set of states of the specification and represents its
-// behaviour after a trace (UCS 10.4.2, "normalisation"). A choice over taus is one state (choice_graph.hpp).
+// Normalises a specification on demand. A node is a tau-closed set of states of the specification and represents its
+// behaviour after a trace (UCS 10.4.2, "normalisation"). An external choice whose operands have taus is one state
+// (choice_graph.hpp).
 #pragma once
 
 #include <cstdint>
@@ -27,22 +28,23 @@ public:
     NormalForm(lts::TransitionSystem& specification, Budget& budget);
 
     Node initial();
-    /// Returns the node after one more visible event or tick. No value if the specification cannot perform it.
+    /// Returns the node after one more visible event or tick. Returns no value if the specification cannot perform the
+    /// event.
     std::optional<Node> node_after(Node node, process::Event event);
     /// Returns the events that the specification can perform in this node, ascending.
     process::EventSet initials(Node node);
     /// Returns the minimal acceptances of the node's states, sorted by size, then by events. Every stable behaviour in
-    /// this node accepts at least one of them. Empty if the node has no stable state.
+    /// this node accepts at least one of them. The result is empty if the node has no stable state.
     const std::vector<process::EventSet>& acceptances(Node node);
-    /// Whether the specification can perform taus forever in this node.
+    /// Returns true if the specification can perform taus forever in this node.
     bool diverges(Node node);
-    /// Whether all states of one node are states of the other.
+    /// Returns true if all states of `smaller` are states of `larger`.
     [[nodiscard]] bool includes(Node larger, Node smaller) const;
-    /// The specification's states in a node. The states that taus of a choice reach are not listed if the choice is
-    /// whole (choice_graph.hpp).
+    /// Returns the specification's states in a node. If a choice is whole (choice_graph.hpp), the states that its taus
+    /// reach are not listed.
     [[nodiscard]] std::vector<lts::StateView> states(Node node) const;
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
-    /// After this call, SpecificationGrows is thrown when there are far more nodes than states.
+    /// After this call, the object throws SpecificationGrows when there are far more nodes than states.
     void refuse_growth() { may_grow_ = false; }
 
 private:
@@ -70,10 +72,10 @@ private:
     Budget& budget_;
     std::unordered_map<Members, Node, Hash> ids_;
     std::deque<NodeData> nodes_;
-    std::vector<std::uint32_t> mark_;  // by state: the closure to which it was last added
+    std::vector<std::uint32_t> mark_;  // by state: the last closure to which it was added
     std::uint32_t closure_ = 0;
     bool may_grow_ = true;
-    std::vector<std::uint8_t> divergence_;  // by state: the answer of state_diverges, if known
+    std::vector<std::uint8_t> divergence_;  // by state: the result of state_diverges, if known
 };
 
 }  // namespace robochart::refine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A complete normal form as data, which ranks receive instead of the specification.
+// Stores a complete normal form as data, which ranks receive instead of the specification.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,12 @@
 
 namespace robochart::refine {
 
-/// Nodes are numbered breadth first, events ascending; node 0 is the initial one.
+/// Nodes are numbered breadth first, in ascending order of events. Node 0 is the initial node.
 struct NormalTable {
     struct Node {
         std::vector<std::pair<process::Event, Monitor::Node>> arcs;  ///< ascending by event
         std::vector<process::EventSet> acceptances;  ///< NormalForm::acceptances; empty in the traces model
-        bool diverges = false;  ///< only in the failures-divergences model; the behaviour afterwards is not stored
+        bool diverges = false;  ///< only in the failures-divergences model; later behaviour is not stored
     };
     std::vector<Node> nodes;
 };
@@ -26,13 +26,13 @@ struct NormalTable {
 /// The maximal number of nodes in a table, because each rank stores all of them.
 inline constexpr std::size_t most_table_nodes = 1'000'000;
 
-/// Returns the parts of the whole normal form that refinement in the model uses. No value if there are more than
-/// `most_nodes` nodes, or too many to be useful (see SpecificationGrows). Throws the exceptions of the specification,
-/// and LimitReached.
+/// Returns the parts of the whole normal form that refinement in the model uses. Returns no value if there are more
+/// than `most_nodes` nodes, or too many to be useful (see SpecificationGrows). Throws the exceptions of the
+/// specification, and LimitReached.
 [[nodiscard]] std::optional<NormalTable> table_of(NormalForm& normal, Model model,
                                                   std::size_t most_nodes = most_table_nodes);
 
-/// A monitor that gives the answers of RefinementMonitor from a table.
+/// Gives the same answers as RefinementMonitor, but from a table.
 class TableMonitor final : public Monitor {
 public:
     TableMonitor(std::shared_ptr<const NormalTable> table, Model model) : table_(std::move(table)), model_(model) {}

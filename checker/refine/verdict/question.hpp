@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common code of all checks: a budget, a clock, and limits that cause an inconclusive verdict.
+// Contains the common code of all checks: a budget, a clock, and limits that cause an inconclusive verdict.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 namespace robochart::refine {
 
 /// Runs the check. If a limit is reached or memory is exhausted, the verdict is inconclusive. Other exceptions are
-/// passed on. The limits also apply to long work inside the systems.
+/// passed on. The systems, too, poll the limits during long work.
 [[nodiscard]] Verdict decide(const std::vector<lts::TransitionSystem*>& systems, const Limits& limits,
                              const std::function<void(Budget&, Verdict&)>& question);
 
@@ -21,7 +21,7 @@ namespace robochart::refine {
 [[nodiscard]] std::optional<Violation> reuse_or_search(Earlier earlier, Verdict& verdict,
                                                        const std::function<std::optional<Violation>()>& search);
 
-/// Adds up the statistics of a search, even if it ends by an exception.
+/// Adds the statistics of a search when the search ends, even if it ends by an exception.
 class Tally {
 public:
     Tally(const Search& search, Statistics& statistics, const NormalForm* specification = nullptr)
@@ -36,10 +36,10 @@ private:
     const NormalForm* specification_;
 };
 
-/// Returns the shortest run of the first events of a trace. It must exist.
+/// Returns the shortest run with the first `length` events of a trace. This run must exist.
 [[nodiscard]] Run run_of_prefix(lts::TransitionSystem& system, const std::vector<process::Event>& trace,
                                 std::size_t length, Budget& budget);
-/// Returns the run to a finding. A forbidden event is its last step.
+/// Returns the violation with the run to a finding. If an event is forbidden, it is the last step of the run.
 [[nodiscard]] Violation violation_of(Search& search, lts::TransitionSystem& system, const Finding& finding);
 /// Returns the first divergence. Call it after a complete search that noted taus.
 [[nodiscard]] std::optional<Violation> first_divergence(Search& search);

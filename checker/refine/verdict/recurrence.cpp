@@ -20,7 +20,7 @@ bool is_in_goal(const process::EventSet& goal, process::Event event) {
     return std::ranges::binary_search(goal, event);
 }
 
-/// The sources of the transitions into each state.
+/// Finds, for each state, the sources of the transitions into it.
 class Backwards {
 public:
     explicit Backwards(const lts::Graph& graph) : first_(graph.size() + 1), sources_(graph.edge_count()) {
@@ -42,7 +42,7 @@ private:
     std::vector<StateIndex> sources_;
 };
 
-/// For each state, whether some run from it contains an event of the goal.
+/// Returns, for each state, whether some run from it contains an event of the goal.
 std::vector<bool> leading_to(const lts::Graph& graph, const process::EventSet& goal, Budget& budget) {
     std::vector<bool> marked(graph.size());
     std::vector<StateIndex> waiting;
@@ -67,7 +67,7 @@ std::vector<bool> leading_to(const lts::Graph& graph, const process::EventSet& g
 }
 
 /// Returns the states of a shortest run to this state, without the initial state. States are numbered in breadth-first
-/// order, so the first predecessor of a state is nearest.
+/// order, so the first predecessor found is on a shortest run.
 std::vector<StateIndex> way_to(const lts::Graph& graph, StateIndex last) {
     std::vector<StateIndex> parent(graph.size());
     std::vector<bool> known(graph.size());

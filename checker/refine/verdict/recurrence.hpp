@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides whether an event can always happen again: AG EF in computation tree logic (Clarke, Emerson and Sistla, TOPLAS
-// 8, 1986), for an event instead of a condition on states.
+// Decides whether an event can always happen again. This is AG EF of computation tree logic (Clarke, Emerson and
+// Sistla, TOPLAS 8, 1986), with an event in place of a condition on states.
 #pragma once
 
 #include "checker/refine/verdict/verdict.hpp"
 
 namespace robochart::refine {
 
-/// Whether from every reachable state some run leads to a state in which an event of `goal` can happen (`goal` is
-/// ascending and does not contain tau). Fails with a run to a state from which no run does (ViolationKind::no_return).
-/// This state is a nearest one among the searched states.
+/// Checks that from every reachable state some run leads to a state in which an event of `goal` can happen. `goal` must
+/// be ascending and must not contain tau. If the check fails, the counterexample is a run to a state from which no such
+/// run exists (ViolationKind::no_return). Among the searched states, this state is one of those nearest to the initial
+/// state.
 ///
 /// The algorithm explores all states, marks those in which an event of the goal is possible, and then marks backwards
-/// those that lead to marked states. Its time is linear in the number of states and transitions. With reduction, states
-/// from which a confluent tau is followed are left out. If every exchange of replicas maps the goal to itself, one
-/// state represents all its images. Both reductions preserve the answer: a state and its representative are branching
-/// bisimilar, or images of each other (docs/search.md), so they have runs to the same events, or to their images.
+/// the states that lead to marked states. It takes linear time in the number of states and transitions. With reduction,
+/// states from which a confluent tau is followed are left out. If every exchange of replicas maps the goal to itself,
+/// one state represents all its images. Both reductions preserve the answer: a state and its representative are
+/// branching bisimilar, or images of each other (docs/search.md), so they have runs to the same events, or to images of
+/// these events.
 ///
 /// About fairness: consider a Markov chain on the same finite set of states in which each transition has positive
 /// probability. In this chain the events happen infinitely often with probability 1 if and only if they always can

@@ -14,7 +14,7 @@
 namespace robochart::refine {
 namespace {
 
-/// Returns limits for the search for a shortest run, which reserve time to report the known result.
+/// Returns the limits for the search for a shortest run. They leave time to report the result that is already known.
 Limits leaving_time(Limits limits) {
     const auto now = std::chrono::steady_clock::now();
     if (limits.deadline) *limits.deadline = now + (std::max(*limits.deadline, now) - now) / 2;
@@ -55,7 +55,7 @@ private:
         statistics.distinguished = distinguished_;
     }
 
-    /// Searches the reduced form if it is given, and only one of several symmetric states.
+    /// Searches the reduced form, or the system if `reduced` is null. Of several symmetric states, searches only one.
     std::optional<Violation> search(const std::shared_ptr<lts::ReducedSystem>& reduced, Budget& budget,
                                     Statistics& statistics, const Violation* known) {
         const PollGuard taus_guard({reduced.get()}, budget);
@@ -101,16 +101,16 @@ private:
     const SearchQuestion& question_;
     std::optional<lts::Symmetry> symmetry_;
     std::size_t distinguished_ = 0;
-    bool followed_ = false;  // the last search has followed confluent steps
+    bool followed_ = false;  // whether the last search has followed confluent steps
 };
 
-/// Thrown to end a search whose question the symbolic stage has decided.
+/// Thrown to end a search after the symbolic stage has decided its question.
 struct Decided {
     Findings findings;
 };
 
-/// Lets the symbolic stage try the question when the search has taken some time. If the stage does not decide the
-/// question, the search continues.
+/// Searches the system. When the search has taken some time, the symbolic stage tries to decide the question. If it
+/// does not succeed, the search continues.
 std::optional<Violation> search_with_stage(lts::TransitionSystem& system, Budget& budget, Statistics& statistics,
                                            const SearchQuestion& question) {
     SymbolicStage* const stage = budget.limits().symbolic;

@@ -13,34 +13,34 @@
 
 namespace robochart::refine {
 
-/// A query about a system.
+/// A query about a system, with the facts about the query that the reductions need.
 struct SearchQuestion {
     /// Searches for a violation in a system. If `known` is given, it is a violation of the whole system, and the
-    /// function searches for a shortest one.
+    /// function searches for a shortest violation.
     std::function<std::optional<Violation>(lts::TransitionSystem&, Budget&, Statistics&, const Violation* known)>
         search;
-    /// Whether a state has the same answer as its images if automorphisms exchange these events. Called with exchanges
-    /// of at least two events.
+    /// Returns whether a state has the same answer as its images, if automorphisms exchange these events. It is called
+    /// with exchanges of at least two events.
     std::function<bool(const lts::EventPermutation&)> indifferent;
     /// Whether to search for a shortest run in the whole system after a run has been found in its reduced form.
     bool shortest = true;
-    /// The confluent steps that the search may follow. If these are steps with any event, the search looks only for
+    /// The confluent steps that the search may follow. If they are steps with any event, the search must only look for
     /// states without transitions.
     lts::Followed followed = lts::Followed::taus;
-    /// The same question for the symbolic stage. No value if the stage cannot decide this kind of question.
+    /// The same question for the symbolic stage. It has no value if the stage cannot decide this kind of question.
     std::optional<SymbolicQuestion> symbolic = std::nullopt;
 };
 
-/// Searches the reduced form of the system if the limits allow it and there is one, and otherwise the system itself.
-/// Returns the result. The statistics are those of that search. In both cases the violation is one of the system. It is
-/// a shortest one unless a limit ends the search for it.
+/// Searches the reduced form of the system if the limits allow it and a reduced form exists. Otherwise searches the
+/// system itself. The statistics are those of this search. The returned violation is always a violation of the system.
+/// It is a shortest one unless a limit ends the search for it.
 [[nodiscard]] std::optional<Violation> search_reduced(lts::TransitionSystem& system, Budget& budget,
                                                       Statistics& statistics, const SearchQuestion& question);
 
-/// Whether limits allow static proofs, and the rules of the system exclude cycles of taus.
+/// Returns true if the limits allow static proofs and the rules of the system exclude cycles of taus.
 [[nodiscard]] bool is_tau_acyclic(const lts::TransitionSystem& system, Budget& budget);
 
-/// Returns the number of steps of a run for which events are followed (Search::first_violation).
+/// Returns from which step on a run follows only taus (Search::first_violation).
 [[nodiscard]] std::uint64_t events_until(const Violation* known);
 
 }  // namespace robochart::refine

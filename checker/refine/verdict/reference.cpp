@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches for the run breadth first, in four stages. First it matches exactly the actions and the hidden events of
-// taus. Then it does the same with the run before the components were minimised. Then it matches only the actions,
-// which suffices for strongly bisimilar components. Finally it matches only the trace, because compressed components
-// may perform other taus.
+// Searches for the run in the reference, breadth first, in four stages. The first stage matches the actions and the
+// hidden events of taus exactly. The second does the same with the run as it was before the components were minimised.
+// The third matches only the actions, which suffices for strongly bisimilar components. The fourth matches only the
+// trace, because compressed components may perform other taus.
 #include "checker/refine/verdict/reference.hpp"
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace {
 using process::Event;
 using State = std::vector<lts::Word>;
 
-/// The time limit for the reference. Reaching it does not affect the verdict.
+/// The time limit for the search in the reference. Reaching it does not affect the verdict.
 constexpr std::chrono::seconds longest_replay{20};
-/// The time for finding the names of hidden events after the reference has reached its limit.
+/// After the reference has reached its limit: the time for finding the names of hidden events.
 constexpr std::chrono::seconds longest_naming{2};
 
 struct Moves {
@@ -35,7 +35,7 @@ Moves moves_of(lts::TransitionSystem& system, const State& state, Budget& budget
     return moves;
 }
 
-/// One action of a run; `revealed` has no value if any hidden event is allowed.
+/// One action of a run. `revealed` has no value if it may be any hidden event.
 struct Action {
     Event event;
     std::optional<Event> revealed = std::nullopt;
@@ -44,7 +44,7 @@ struct Action {
     }
 };
 
-/// Paths through a system whose nodes are states with an index into a sequence of actions.
+/// Searches for paths through a system. The nodes are states, each with an index into a sequence of actions.
 class Paths {
 public:
     Paths(lts::TransitionSystem& system, Budget& budget) : system_(system), budget_(budget) {}
@@ -100,7 +100,8 @@ std::vector<Action> actions_of(const Run& run) {
     return actions;
 }
 
-/// Without their hidden events, all taus are equal, so a long sequence of taus would match runs to most of the states.
+/// Adds the names of hidden events. Without them, all taus would be equal, so a long sequence of taus would match runs
+/// to most of the states.
 std::vector<Action> revealed_actions_of(const Run& run) {
     std::vector<Action> actions;
     for (const RunStep& step : run.steps) actions.push_back({step.event, step.revealed});
@@ -123,8 +124,8 @@ struct Lasso {
     Run loop;
 };
 
-/// Repeats the actions and hidden events of the loop until a round begins in the same state as an earlier one. A state
-/// of a machine represents several terms, so one round there may be several rounds here.
+/// Repeats the actions and hidden events of the loop until a round begins in the same state as an earlier round. A
+/// state of a machine represents several terms, so one round of the loop may correspond to several rounds of terms.
 std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state, const Run& loop, Budget& budget) {
     constexpr std::size_t most_rounds = 100;
     const std::vector<Action> actions = revealed_actions_of(loop);
@@ -146,7 +147,7 @@ std::optional<Lasso> rounds_of(lts::TransitionSystem& system, const State& state
     return std::nullopt;
 }
 
-/// Returns taus from the state back to itself, with the loop's hidden events if they are known.
+/// Returns a loop of taus from the state, with the hidden events of `like` if they are known.
 std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state, const Run& like, Budget& budget) {
     if (!like.steps.empty())
         if (auto found = rounds_of(system, state, like, budget)) return found;
@@ -163,7 +164,7 @@ std::optional<Lasso> tau_loop(lts::TransitionSystem& system, const State& state,
     return std::nullopt;
 }
 
-/// A predicate that is true for states of the reference with the same fault as the last state of the violation.
+/// Returns a predicate that is true for states of the reference with the same fault as the last state of the violation.
 std::function<bool(const State&, const Moves&)> as_bad_as(lts::TransitionSystem& system,
                                                           lts::TransitionSystem& reference, const Violation& violation,
                                                           Budget& budget) {
@@ -204,7 +205,7 @@ Limits share_of(const Limits& limits) {
     return until(limits, limits.deadline ? std::min(*limits.deadline, end) : end);
 }
 
-/// Searches for violations of a system in its reference.
+/// Searches the reference for a violation that was found in the system.
 class Comparison {
 public:
     Comparison(lts::TransitionSystem& system, lts::TransitionSystem& reference, const Violation& violation,
@@ -217,7 +218,7 @@ public:
 
     /// Matches the actions and the hidden events of taus.
     std::optional<Violation> with_names() { return found(find(revealed_actions_of(violation_.run), false)); }
-    /// Matches the actions, or only the trace.
+    /// Matches the actions; if this fails, matches only the trace.
     std::optional<Violation> without_names() {
         std::optional<Run> run = find(actions_of(violation_.run), false);
         if (!run) run = find(trace_of(violation_.run), true);
@@ -246,8 +247,8 @@ private:
     Paths paths_;
 };
 
-/// A violation in the system before minimisation. Both members are null if there is no such system, or if the run was
-/// not found in it. Hidden steps then have the names that the minimised components give.
+/// The violation in the system before minimisation, where hidden steps have the names from before the minimisation.
+/// Both members are null if there is no such system, or if the run was not found in it.
 struct FinerForm {
     std::shared_ptr<lts::FinerSystem> system;
     std::optional<Violation> violation;
@@ -260,8 +261,8 @@ FinerForm finer_form(lts::TransitionSystem& system, const Violation& violation, 
     return form;
 }
 
-/// The names of hidden events in minimised components may be wrong, and a search that ignores the names may find
-/// another run. So the names are corrected before such a search.
+/// Finds the violation in the reference. The names of hidden events in minimised components may be wrong, and a search
+/// that ignores the names may find another run. So such a search is only made after a search with corrected names.
 Violation found_in_reference(lts::TransitionSystem& system, lts::TransitionSystem& reference,
                              const Violation& violation, FinerForm& finer, Budget& budget) {
     Comparison comparison(system, reference, violation, budget);
@@ -273,7 +274,7 @@ Violation found_in_reference(lts::TransitionSystem& system, lts::TransitionSyste
     return std::move(*again);
 }
 
-/// Returns the violation that is reported if the reference has not found one in time.
+/// Returns the violation that is reported if the search in the reference takes too long.
 Confirmed confirmed_by_system(lts::TransitionSystem& system, const Violation& violation, FinerForm finer,
                               const Limits& limits, const Judge& judge) {
     Budget own(limits);

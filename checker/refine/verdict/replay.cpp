@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements the definitions naively: sets of whole states, closed under tau, event by event.
+// Replays violations by the plain definitions: sets of whole states are closed under tau and advance event by event.
 #include "checker/refine/verdict/replay.hpp"
 
 #include <fmt/format.h>
@@ -44,14 +44,14 @@ void confirm_run(lts::TransitionSystem& system, const Run& run, Budget& budget) 
     confirm_steps(system, run, budget);
 }
 
-/// The transitions of one state, by definition.
+/// What one state can do: its taus and events.
 struct Conduct {
     bool tau = false;
     std::set<Event> events;
 
     [[nodiscard]] bool is_stable() const { return !tau && !events.contains(process::tick); }
-    /// Whether the state can refuse everything outside `accepted`: a stable state accepts everything that it offers; a
-    /// state that can terminate accepts only tick.
+    /// Returns true if the state can refuse everything outside `accepted`. A stable state accepts everything that it
+    /// offers. A state that can terminate accepts only tick.
     [[nodiscard]] bool can_settle_for(const EventSet& accepted) const {
         if (events.contains(process::tick)) return std::ranges::find(accepted, process::tick) != accepted.end();
         return is_stable() && std::ranges::all_of(events, [&](Event event) {
@@ -74,9 +74,9 @@ Conduct conduct_of(lts::TransitionSystem& system, const State& state, Budget& bu
     return conduct;
 }
 
-/// All states in which a system can be after a trace. An external choice with taus is stored as the powersets of its
-/// operands: P [] Q performs what P or Q performs, settles for what both settle for, terminates if P or Q does, and
-/// diverges if P or Q does. A choice to which taus of its own operands lead is a state like any other.
+/// Contains all states in which a system can be after a trace. An external choice with taus is stored as the powersets
+/// of its operands. P [] Q performs what P or Q performs, can settle for a set if both can, terminates if P or Q does,
+/// and diverges if P or Q does. If taus of a choice's own operands lead to the choice, it is stored as a single state.
 class Powerset {
 public:
     /// Thrown if there are more states than the limit.
@@ -118,7 +118,7 @@ public:
     }
 
 private:
-    /// Creates the powerset of one operand of a choice. This choice is the last element of `open`.
+    /// Creates the powerset of one operand of a choice. The last element of `open` is this choice.
     Powerset(lts::TransitionSystem& system, Budget& budget, std::size_t most, std::vector<State> open, State operand)
         : system_(system), budget_(budget), most_(most), open_(std::move(open)) {
         add_closure({std::move(operand)});
@@ -135,8 +135,9 @@ private:
         for (std::vector<Powerset>& operands : choices_)
             for (Powerset& operand : operands) operand.add_targets(event, targets);
     }
-    /// Removes states without a tau, and then states whose taus all lead to removed states. This ends when no state
-    /// remains, or when every remaining state has a tau to a remaining state.
+    /// Returns true if the states can perform taus forever. Removes states without a tau, and then states whose taus
+    /// all lead to removed states. At the end, either no state remains, or every remaining state has a tau to a
+    /// remaining state.
     bool has_endless_taus() {
         std::map<State, std::size_t> taus_left;
         std::map<State, std::vector<State>> sources;
@@ -157,7 +158,7 @@ private:
         }
         return removed < states_.size();
     }
-    /// Adds the states and those that taus reach.
+    /// Adds these states and all states that taus reach from them.
     void add_closure(const std::set<State>& seeds) {
         std::set<State> known = seeds;
         std::vector<State> work(seeds.begin(), seeds.end());
@@ -190,8 +191,8 @@ private:
     Budget& budget_;
     std::size_t most_;
     std::set<State> states_;                      ///< closed under taus, except those to choices
-    std::vector<std::vector<Powerset>> choices_;  ///< the operands of the other states
-    std::vector<State> open_;                     ///< the choices to whose operands these states belong
+    std::vector<std::vector<Powerset>> choices_;  ///< by choice: its operands
+    std::vector<State> open_;                     ///< the choices that contain these states as operands
 };
 
 void confirm_loop(lts::TransitionSystem& system, const Violation& violation, Budget& budget) {
@@ -269,8 +270,8 @@ void confirm_missing_trace(lts::TransitionSystem& system, const std::vector<Even
     const std::vector<Event> prefix = run.trace();
     require_claim(prefix.size() < trace.size() && std::equal(prefix.begin(), prefix.end(), trace.begin()),
                   "the run is not a beginning of the trace");
-    // A single run cannot show that no other run continues. If there are too many runs to check, the result of the
-    // search is not confirmed, as for a refinement that holds.
+    // One run does not show that no other run performs the next event, so all runs are followed. If there are too many,
+    // the result of the search is not confirmed, as for a refinement that holds.
     constexpr std::size_t most_states = 2'000;
     try {
         Powerset states(system, budget, most_states);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counterexamples are reported only after a replay. The replay repeats the run step by step and checks the violation
-// against a plain powerset of the specification along its trace. The replay is slow and close to the definitions. It
-// does not use data of the search. A mismatch is an internal error and throws std::logic_error.
+// Replays counterexamples before they are reported. A replay repeats the run step by step and checks the violation
+// against a plain powerset of the specification along the trace of the run. It is slow and close to the definitions,
+// and uses no data of the search. A mismatch is an internal error and throws std::logic_error.
 #pragma once
 
 #include "checker/refine/search/budget.hpp"
@@ -15,7 +15,7 @@ void confirm_refinement_violation(lts::TransitionSystem& specification, lts::Tra
                                   const Violation&, Budget&);
 /// Confirms deadlock, divergence or nondeterminism of one system.
 void confirm_property_violation(lts::TransitionSystem&, const Violation&, Budget&);
-/// Confirms that the run performs the first events of the trace, and that the system cannot perform all of it.
+/// Confirms that the run performs the first events of the trace, and that the system cannot perform the whole trace.
 void confirm_missing_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, const Run& run, Budget&);
 /// Confirms that the run performs exactly the trace.
 void confirm_trace(lts::TransitionSystem&, const std::vector<process::Event>& trace, const Run& run, Budget&);

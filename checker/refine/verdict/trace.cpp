@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides `has trace` by searches along one trace. The searches use the reduced form if it is given. `not P :[has trace
-// [T]]: t` is equivalent to a refinement: P refines the process with all traces except t.
+// Decides `has trace` by searches along one trace. The searches use the reduced form if there is one. `not P :[has
+// trace [T]]: t` is equivalent to a refinement: P refines the process with all traces except t.
 #include <algorithm>
 #include <string>
 
@@ -16,15 +16,15 @@ namespace {
 
 using process::Event;
 
-/// Whether the symmetry maps runs along the trace to runs along the trace.
+/// Returns true if the symmetry maps runs along the trace to runs along the trace.
 bool fixes(const lts::EventPermutation& exchange, const std::vector<Event>& trace) {
     return std::ranges::none_of(exchange, [&](const auto& moved) {
         return moved.first != moved.second && std::ranges::find(trace, moved.first) != trace.end();
     });
 }
 
-/// Returns the result of `search` as a run of the system. The reduced form has the same traces, and the same refusals
-/// and divergences along them, so `search` may search it for any of these.
+/// Returns the result of `search` as a run of the system. `search` may get the reduced form instead of the system,
+/// because both have the same traces, and the same refusals and divergences along them.
 std::optional<Violation> search_along(
     lts::TransitionSystem& system, const std::vector<Event>& trace, Budget& budget, Statistics& statistics,
     bool shortest,
@@ -36,7 +36,7 @@ std::optional<Violation> search_along(
     return search_reduced(system, budget, statistics, question);
 }
 
-/// A run of the trace's first events, and the maximal number of its events that some run performs.
+/// A run with the first events of the trace, and how many of its events a run can perform at most.
 struct Reached {
     std::optional<Violation> violation;
     std::size_t furthest = 0;
@@ -57,7 +57,7 @@ Reached find_trace_end(lts::TransitionSystem& system, const std::vector<Event>& 
     return reached;
 }
 
-/// Follows every run along the trace. Records the first of its events that some state on the way can refuse.
+/// Follows every run along the trace. Records the first event of the trace that a state on the way can refuse.
 class RefusalsAlong final : public Monitor {
 public:
     explicit RefusalsAlong(const std::vector<Event>& trace) : trace_(trace) {}
@@ -100,9 +100,9 @@ Doubts doubts_along(lts::TransitionSystem& system, const std::vector<Event>& tra
     return doubts;
 }
 
-/// FDR's manual does not define `has trace` in the failures models. If the system cannot perform the trace, or if it
-/// neither refuses nor diverges along the trace, the answer is that of the traces model. Otherwise the answer is
-/// undefined, and the verdict is inconclusive.
+/// Makes the verdict inconclusive if the answer is undefined. FDR's manual does not define `has trace` in the failures
+/// models. If the system cannot perform the trace, or if it neither refuses nor diverges along the trace, the answer is
+/// that of the traces model. Otherwise the answer is undefined.
 void doubt_trace(lts::TransitionSystem& system, const std::vector<Event>& trace, Model model, Budget& budget,
                  Verdict& verdict) {
     const std::string open = "; what that means for 'has trace' outside the traces model is not defined: use [T]";

@@ -13,8 +13,8 @@ namespace {
 
 using State = std::vector<lts::Word>;
 
-/// A run of the system in parallel with a run of its reduced form. At each moment the state of the system is the image,
-/// under the current automorphism, of a state that the reduced form visits or passes through.
+/// Constructs a run of the system in parallel with a run of its reduced form. The state of the system is always the
+/// image of a state that the reduced form visits or passes through, under the current automorphism.
 class Unfolding {
 public:
     Unfolding(lts::TransitionSystem& system, const Reduction& reduction)
@@ -32,13 +32,13 @@ public:
             set_shown_state(step.state);
         }
     }
-    /// Returns the run and starts another one at its end.
+    /// Returns the run and begins another one at its end.
     Run take_run() {
         Run result = std::move(run_);
         run_ = {result.last_state(), {}};
         return result;
     }
-    /// Repeats the run, each time with its next image, until it returns to its first state.
+    /// Repeats the run under its automorphism until it returns to its first state.
     void close_loop() {
         const State first = run_.initial;
         const std::size_t length = run_.steps.size();
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] std::vector<State> followed_path(const State& state) const {
         return reduction_.steps == nullptr ? std::vector<State>{} : reduction_.steps->followed_path(state);
     }
-    /// Whether the reduced form shows steps without their events.
+    /// Returns true if the reduced form shows steps without their events.
     [[nodiscard]] bool has_no_events() const {
         return reduction_.steps != nullptr && reduction_.steps->followed() == lts::Followed::steps;
     }
@@ -68,7 +68,7 @@ private:
         return reduction_.symmetry == nullptr ? event : reduction_.symmetry->orbit_representative(event);
     }
 
-    /// Returns the step of the system from the current state that the reduced form shows as this step.
+    /// Returns the step of the system that the reduced form shows as this step.
     [[nodiscard]] RunStep step_behind(const RunStep& shown) const {
         for (RunStep& step : steps_from(system_, shown_)) {
             const bool same_event = step.event == shown.event && step.revealed == shown.revealed;
@@ -79,7 +79,8 @@ private:
         throw std::logic_error("a step of the reduced system cannot be taken");
     }
 
-    /// Returns the step of the system from the end of the run. Without an event, the step may have any event.
+    /// Returns the step of the system from the end of the run to `target`. If `event` has no value, the step may have
+    /// any event.
     [[nodiscard]] RunStep step_to(const State& target, std::optional<lts::Event> event) const {
         for (RunStep& step : steps_from(system_, run_.last_state()))
             if (step.state == target && (!event || orbit_of(step.event) == orbit_of(*event))) return std::move(step);
@@ -98,7 +99,7 @@ private:
         for (const State& next : followed_path(shown_)) go_to(next, event);
     }
 
-    /// Sets the state of the reduced form. The current state of the run is an image of it.
+    /// Sets the state of the reduced form, of which the current state of the run is an image.
     void set_shown_state(State state) {
         shown_ = std::move(state);
         if (reduction_.symmetry != nullptr)
@@ -112,19 +113,20 @@ private:
     lts::Symmetry::Permutation permutation_;
 };
 
-/// A run of the finer system along a run of the minimised one. Both are in bisimilar states after each step, so the
-/// finer system can take the next step. If it can take several, the one with the shown name comes first.
+/// Constructs a run of the finer system along a run of the minimised system. After each step both systems are in
+/// bisimilar states, so the finer system can take the next step. If it can take several steps, prefers the one with the
+/// displayed name.
 class FinerRun {
 public:
     FinerRun(lts::FinerSystem& finer, Budget& budget)
         : finer_(finer), budget_(budget), run_{initial_of(finer), {}}, minimised_(finer.minimised_width()) {}
 
-    /// Returns whether there is such a run.
+    /// Returns true if such a run exists.
     bool follow_run(const Run& shown) {
         return std::ranges::all_of(shown.steps, [&](const RunStep& step) { return follow_step(step); });
     }
     [[nodiscard]] bool is_at(const State& minimised) { return represents(run_.last_state(), minimised); }
-    /// Returns the run and starts another one at its end.
+    /// Returns the run and begins another one at its end.
     Run take_run() {
         Run result = std::move(run_);
         run_ = {result.last_state(), {}};
@@ -153,8 +155,9 @@ private:
     State minimised_;
 };
 
-/// Repeats the loop until a round begins in the first state of an earlier round. Adds the rounds before that one to
-/// `run`. A state of the minimised system represents several states, so the loop may close after several rounds.
+/// Repeats the loop until a round begins in the first state of an earlier round. Adds the rounds before that earlier
+/// round to `run`. A state of the minimised system represents several states, so the loop may close only after several
+/// rounds.
 std::optional<Run> finer_loop(FinerRun& finer, const Run& shown, Run& run) {
     std::vector<Run> rounds;
     for (;;) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts runs of a system's reduced or minimised forms to runs of the system. For reduced forms it inserts the
-// confluent steps that were followed, and moves every replica back to its place (docs/search.md, "Confluent taus",
-// "Symmetry").
+// confluent steps that were followed, and restores the original place of every replica (docs/search.md, "Confluent
+// taus", "Symmetry").
 #pragma once
 
 #include <optional>
@@ -14,19 +14,20 @@
 
 namespace robochart::refine {
 
-/// The reductions of a system; a null member means that the reduction was not applied. Steps are followed before states
-/// are replaced by their symmetric representatives.
+/// The reductions that were applied to a system. A null member means that this reduction was not applied. Steps are
+/// followed before states are replaced by their symmetric representatives.
 struct Reduction {
     lts::ReducedSystem* steps = nullptr;
     lts::Symmetry* symmetry = nullptr;
 };
 
-/// Converts a violation that was found in the reduced form to a violation of the system.
+/// Converts a violation of the reduced form to a violation of the system.
 [[nodiscard]] Violation unfold_violation(lts::TransitionSystem& system, const Reduction& reduction,
                                          const Violation& shown);
 
-/// Converts a violation of a minimised system to one of the system before its minimisation, with the names of hidden
-/// events there. No value if the finer system does not have the run, which is an error of the minimisation.
+/// Converts a violation of a minimised system to a violation of the system before its minimisation, with the names of
+/// hidden events there. Returns no value if the finer system does not have the run, which would be an error of the
+/// minimisation.
 [[nodiscard]] std::optional<Violation> refine_violation(lts::FinerSystem& finer, const Violation& shown,
                                                         Budget& budget);
 

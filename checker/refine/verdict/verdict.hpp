@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of an assertion, and the run that violates it.
+// Defines the result of an assertion, and the run that violates it.
 #pragma once
 
 #include <optional>
@@ -23,33 +23,33 @@ enum class Outcome { holds, fails, inconclusive };
 struct Step {
     process::Event event = process::tau;
     process::Event revealed = process::tau;  ///< the hidden event of a tau, if known
-    std::string state;                       ///< describe() of the state reached
+    std::string state;                       ///< describe() of the state after the step
 };
 
 /// A run that violates an assertion, and its fault.
 struct Counterexample {
     ViolationKind kind = ViolationKind::trace;
-    std::vector<Step> steps;  ///< run of the implementation, including taus
+    std::vector<Step> steps;  ///< run of the implementation, which includes taus
     std::string initial;      ///< describe() of the initial state
-    /// For refusal, deadlock and nondeterminism: the least acceptance of the last state. It contains only ✓ if the
-    /// state can terminate.
+    /// For refusal, deadlock and nondeterminism: the least acceptance of the last state. If the state can terminate,
+    /// this contains only ✓.
     std::vector<process::Event> offered;
-    /// For a refusal: the minimal acceptances of the specification, empty if it has no stable state. For a forbidden
-    /// event: one set, the events that the specification allowed.
+    /// For a refusal: the minimal acceptances of the specification; there are none if it has no stable state. For a
+    /// forbidden event: one set with the events that the specification allows.
     std::vector<process::EventSet> required;
-    std::vector<Step> loop;               ///< divergence: the tau loop
-    std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the forbidden one
-    /// For nondeterminism: another run with the same events, followed by the event that this run refuses. Empty if a
-    /// limit ended the search for it.
+    std::vector<Step> loop;               ///< divergence: the loop of taus
+    std::optional<process::Event> event;  ///< nondeterminism: the event; trace: the forbidden event
+    /// For nondeterminism: another run with the same events, followed by the event that this run refuses. It is empty
+    /// if a limit ended the search for it.
     std::vector<Step> accepting;
     std::string accepting_initial;  ///< describe() of its initial state
-    /// The states after the steps, preceded by the initial state, and the states of the loop and of the accepting run.
-    /// Empty if states are not terms.
+    /// The terms of the states: of the initial state and the states after the steps, of the loop, and of the accepting
+    /// run. They are empty if states are not terms.
     std::vector<process::TermId> terms, loop_terms, accepting_terms;
-    /// Whether the run was replayed by the operational semantics of terms. Otherwise it was replayed only by the
-    /// compiled rules, because there were too many terms or none.
+    /// True if the operational semantics of terms has replayed the run. Otherwise only the compiled rules have replayed
+    /// it, because there were too many terms or none.
     bool replayed_by_terms = false;
-    /// Whether the run is known to be a shortest one. False if a limit ended the search for a shorter run
+    /// True if the run is known to be a shortest one. False if a limit ended the search for a shorter run
     /// (docs/search.md, "Confluent taus").
     bool shortest = true;
 };
@@ -57,11 +57,12 @@ struct Counterexample {
 /// The result of an assertion, with its counterexample and the size of the search.
 struct Verdict {
     Outcome outcome = Outcome::inconclusive;
-    std::string reason;                            ///< inconclusive: the limit, or the evaluation error
-    std::optional<Counterexample> counterexample;  ///< present iff the assertion fails (for has trace: iff the trace is
-                                                   ///< impossible)
+    /// Inconclusive: the limit that was reached, or the evaluation error.
+    std::string reason;
+    /// Present iff the assertion fails; for `has trace`, present iff the trace is impossible.
+    std::optional<Counterexample> counterexample;
     Statistics statistics;
-    bool known = false;  ///< the answer and the statistics are those of an earlier search of the same systems
+    bool known = false;  ///< whether answer and statistics are from an earlier search of the same systems
 };
 
 }  // namespace robochart::refine
