@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluation. See code.hpp.
+// Evaluates compiled expressions. See code.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -15,8 +15,8 @@ namespace {
 template <class Value>
 class Elimination {
 public:
-    /// The right sides are transformed together with the rows. With `keep_shares`, the data for later right sides are
-    /// stored.
+    /// Eliminates unknowns. The right sides are transformed together with the rows. With `keep_shares`, the data for
+    /// later right sides are stored.
     Elimination(const System<Value>& system, const Policy& policy, std::vector<std::vector<Value>>& right_sides,
                 bool keep_shares, const EliminationLimit& limit)
         : limit_(limit),
