@@ -333,7 +333,7 @@ public:
         segment_ = at().next + reading;
         advance();
     }
-    /// Returns the outputs so far, without those that were removed.
+    /// The outputs so far, without those that were removed.
     std::vector<process::Event> writes;
 
 private:

@@ -7,7 +7,7 @@
 
 namespace robochart {
 
-/// A text of at most `longest` characters, terminated by zero; further characters are dropped.
+/// A text of at most `longest` characters, terminated by zero. Further characters are dropped.
 template <std::size_t longest>
 class String {
 public:
