@@ -191,7 +191,7 @@ void name_model_places(std::string& reason, std::vector<Cycle>& cycles, const cs
     for (Cycle& cycle : cycles) cycle.state = in_words(cycle.state);
 }
 
-/// Replaces definitions like the function above, in the parts of a result that concern the model, not the code.
+/// Does the same in the parts of a result that concern the model, not the code.
 void name_model_places(Result& result, const csp_emit::Provenance& provenance,
                        const diagnostics::SourceManager& sources) {
     for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})

@@ -97,7 +97,7 @@ private:
                                    [this](const DroppedInput& drop) { return drops_after(drop); });
     }
 
-    /// After `dispatch` of an event, the events that it drops have no effect before time passes.
+    /// Checks that the events that a dispatched event drops have no effect before time passes.
     bool drops_after(const DroppedInput& drop) {
         event_ = drop.event;
         reading_ = 1;

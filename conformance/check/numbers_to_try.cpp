@@ -94,7 +94,7 @@ public:
 
     std::vector<TriedRegion> choose() {
         add_points();
-        add_all_neighbours();  // of simple numbers first
+        add_all_neighbours();  // neighbours of simple numbers come first
         for (TriedRegion& region : regions_)
             if (region.boundary) add_random(region);
         add_all_neighbours();

@@ -24,7 +24,7 @@ namespace robochart::conformance {
 
 namespace {
 
-constexpr std::size_t random_values = 16;  ///< of each region
+constexpr std::size_t random_values = 16;  ///< number of random values of each region
 constexpr std::size_t most_cycles = 20'000;
 
 /// The numbers of a run: for each tracked type, the value that replaces each explored value.

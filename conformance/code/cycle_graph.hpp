@@ -138,7 +138,7 @@ private:
     mutable std::deque<CycleResult> shown_;  ///< results of path_to_image; a deque, so that references stay valid
 
     // The following members describe the run in progress.
-    std::vector<Answer> answers_;  ///< to the reads on the run's path, in their order
+    std::vector<Answer> answers_;  ///< answers to the reads on the run's path, in their order
     std::size_t answered_ = 0;
     std::uint32_t current_ = 0;  ///< number of the current segment
     std::uint32_t first_write_ = 0;

@@ -130,7 +130,7 @@ void extend_carriers(ir::Instantiation& instantiation, const ir::System& system,
             auto lists = lists_up_to(ir::carrier_values(system, instantiation, element, most), longest, most);
             if (lists) instantiation.representatives[type] = std::move(*lists);
         } catch (const std::length_error&) {
-            continue;  // there are too many elements alone
+            continue;  // the elements are too many
         }
     }
 }

@@ -67,7 +67,7 @@ private:
     static constexpr std::uint32_t unknown = 0xffffffffU;
     static constexpr std::uint32_t hears_all = 0;
     std::vector<std::uint32_t> component_of_;  ///< for each state: an index of `heard_`, or unknown
-    std::deque<std::vector<bool>> heard_;      ///< the first element contains all registers
+    std::deque<std::vector<bool>> heard_;      ///< the first element: all registers can be heard
     std::unordered_map<ModelState, bool> goes_on_;
     std::vector<ModelRole> roles_;
     std::vector<bool> role_known_;

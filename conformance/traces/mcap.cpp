@@ -90,7 +90,7 @@ private:
     enum class Encoding { plain, cdr };
     struct Channel {
         std::string topic;
-        std::optional<Encoding> encoding;  ///< of a log
+        std::optional<Encoding> encoding;  ///< the encoding of a log
     };
 
     static constexpr std::uint64_t code_schema = 3, code_channel = 4, code_message = 5, code_chunk = 6,

@@ -106,7 +106,8 @@ std::string ExpressionWriter::fitting(ir::TypeId type, const std::string& value)
     return has_lists(generation_.system, type) ? fmt::format("fit<Types>({})", value) : value;
 }
 
-/// For RoboSim: returns whether the register of an event is full, or its value. A register that nothing fills is empty.
+/// Returns the text of a RoboSim variable that is an event's register: whether the register is full, or its value. A
+/// register that nothing fills is empty.
 std::string ExpressionWriter::register_text(const EventUse& use, ir::VariableId id) const {
     const Component& component = generation_.component;
     const ir::Variable& variable = unit_.machine->variables[id.index];

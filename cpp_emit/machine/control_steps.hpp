@@ -27,7 +27,8 @@ public:
     [[nodiscard]] std::string arrive_statement(ir::NodeId);
     /// Returns the statement that continues a transition after the exits.
     [[nodiscard]] const std::string& proceed_statement(const ir::Transition&);
-    /// Writes the code after a node's entry action. The text `end` ends the code that contains it.
+    /// Writes the code after a node's entry action. `end` is the statement that leaves this code: "return;" or
+    /// "break;".
     void write_settling(ir::NodeId, CodeWriter&, const char* end);
     /// Writes the code with which control enters an initial node and, if its transition has no condition, moves on to
     /// the target.

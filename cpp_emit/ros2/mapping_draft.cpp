@@ -105,7 +105,8 @@ std::optional<Proposal> DraftWriter::velocity(const Element& element) const {
     return forward || turn ? std::optional(result) : std::nullopt;
 }
 
-/// Returns a message with the fields of a record: all of them, or those that the record has if both have the same name.
+/// Returns a message with the fields of a record: all of them or, if message and record have the same name, those that
+/// the record has.
 std::optional<Proposal> DraftWriter::shape(const Element& element, const ModelValue& value) const {
     const ir::Type& type = generation_.system.type(value.type);
     std::vector<Scalar> scalars;

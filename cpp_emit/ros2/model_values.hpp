@@ -18,7 +18,7 @@ enum class ScalarKind { truth, nat, integer, real, enumeration };
 /// A part of a value of the model that a message carries: "a0.x", "value.position.x".
 struct Scalar {
     ScalarKind kind = ScalarKind::real;
-    ir::TypeId type;      ///< of the scalar or, for a list, of an item
+    ir::TypeId type;      ///< type of the scalar or, for a list, of an item
     std::string place;    ///< C++ expression relative to the value's root
     std::string reading;  ///< for messages to the user: "speed", "value.x"
     bool list = false;    ///< a sequence of such scalars, which an array carries

@@ -89,7 +89,7 @@ struct Silence {
     const ApiEvent* event = nullptr;
     std::string seconds;  ///< C++ text
     std::size_t topic = 0;
-    std::string member;  ///< of the node: "watch_lost"
+    std::string member;  ///< member of the node: "watch_lost"
 };
 
 /// The topic on which the state of a machine is published.

@@ -1,6 +1,6 @@
-// Sequences and sets as values of fixed size. They use no heap, and equal values have equal bytes. If a list is given
-// more items than its capacity, it keeps those that fit and records the overflow (`overflowed`). Delivered with the
-// generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares sequences and sets as values of fixed size. They use no heap, and equal values have equal bytes. If a list
+// is given more items than its capacity, it keeps those that fit and records the overflow (`overflowed`). Delivered
+// with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_COMPOSED_HPP
 #define ROBOCHART_COMPOSED_HPP
 

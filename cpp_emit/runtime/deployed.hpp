@@ -1,5 +1,5 @@
-// Values of inputs for code over the types of deployment: numbers that the explorer sets (explore_abi.h, rc_deployed).
-// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Stores values of inputs for code over the types of deployment: numbers that the explorer sets (explore_abi.h,
+// rc_deployed). Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_DEPLOYED_HPP
 #define ROBOCHART_DEPLOYED_HPP
 

@@ -1,7 +1,7 @@
-// Numbers over finite carriers: the types with which the generated code is explored and checked. Arithmetic is that of
-// the model's semantics. Reals are integers in units of 1/scale. A result outside the carrier is replaced by the first
-// operand. Quotients and products of reals are rounded down. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares numbers over finite carriers: the types with which the generated code is explored and checked. Arithmetic is
+// that of the model's semantics. Reals are integers in units of 1/scale. A result outside the carrier is replaced by
+// the first operand. Quotients and products of reals are rounded down. Delivered with the generated code. Copyright:
+// see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_FINITE_HPP
 #define ROBOCHART_FINITE_HPP
 

@@ -1,5 +1,5 @@
-// The layout of a generated State as data: for printing, hashing, logs and tools. Delivered with the generated code;
-// the controller does not need it. Copyright: see LICENSE (Apache-2.0).
+// Describes the layout of a generated State as data: for printing, hashing, logs and tools. Delivered with the
+// generated code; the controller does not need it. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_LAYOUT_HPP
 #define ROBOCHART_LAYOUT_HPP
 

@@ -1,7 +1,7 @@
-// Vectors and matrices of fixed size. They are trivially copyable, and equal values have equal bytes. Arithmetic is
-// that of the model, entry by entry. Products are row times column, and sums are computed from the left. Delivered with
-// the generated code; robochart/eigen.hpp converts them to Eigen's fixed-size types. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares vectors and matrices of fixed size. They are trivially copyable, and equal values have equal bytes.
+// Arithmetic is that of the model, entry by entry. Products are row times column, and sums are computed from the left.
+// Delivered with the generated code; robochart/eigen.hpp converts them to Eigen's fixed-size types. Copyright: see
+// LICENSE (Apache-2.0).
 #ifndef ROBOCHART_MATRIX_HPP
 #define ROBOCHART_MATRIX_HPP
 

@@ -1,6 +1,6 @@
-// A runtime monitor for a controller. It follows the controller's inputs and outputs in the normal form of its model,
-// and reports the first event that the model does not allow. It consists of a state number and dense tables; it uses no
-// heap and no exceptions. Delivered with generated monitors. Copyright: see LICENSE (Apache-2.0).
+// Implements a runtime monitor for a controller. It follows the controller's inputs and outputs in the normal form of
+// its model, and reports the first event that the model does not allow. It consists of a state number and dense tables;
+// it uses no heap and no exceptions. Delivered with generated monitors. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_MONITOR_HPP
 #define ROBOCHART_MONITOR_HPP
 

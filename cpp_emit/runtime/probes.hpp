@@ -1,7 +1,7 @@
-// Inputs that notice when the code reads them. With them, the exploration need not try the values of a register that a
-// cycle does not read. They replace Signal and Message of runtime.hpp if ROBOCHART_PROBES is defined. They have their
-// own namespace, so that other sources of the same program keep theirs. Delivered with the generated code. Copyright:
-// see LICENSE (Apache-2.0).
+// Declares inputs that notice when the code reads them. With them, the exploration need not try the values of a
+// register that a cycle does not read. They replace Signal and Message of runtime.hpp if ROBOCHART_PROBES is defined.
+// They have their own namespace, so that other sources of the same program keep theirs. Delivered with the generated
+// code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_PROBES_HPP
 #define ROBOCHART_PROBES_HPP
 

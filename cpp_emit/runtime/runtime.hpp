@@ -1,5 +1,5 @@
-// The common parts of all generated controllers: results, input registers, the types of deployment, time. They use no
-// heap, no exceptions and no statics. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares the common parts of all generated controllers: results, input registers, the types of deployment, time. They
+// use no heap, no exceptions and no statics. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_RUNTIME_HPP
 #define ROBOCHART_RUNTIME_HPP
 

@@ -1,5 +1,5 @@
-// Strings as values of fixed size. They use no heap, and equal texts have equal bytes. Delivered with the generated
-// code. Copyright: see LICENSE (Apache-2.0).
+// Declares strings as values of fixed size. They use no heap, and equal texts have equal bytes. Delivered with the
+// generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TEXT_HPP
 #define ROBOCHART_TEXT_HPP
 

@@ -1,5 +1,5 @@
-// The timer of a clock, which counts the time since its reset, in time units. Delivered with the generated code.
-// Copyright: see LICENSE (Apache-2.0).
+// Declares the timer of a clock, which counts the time since its reset, in time units. Delivered with the generated
+// code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TIMER_HPP
 #define ROBOCHART_TIMER_HPP
 

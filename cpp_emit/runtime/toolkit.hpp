@@ -1,6 +1,6 @@
-// Conversions between types; pairs; functions and relations as sets of pairs; the functions of the toolkit libraries.
-// All work on values of fixed size. A result outside a function's precondition is a default-constructed value.
-// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares conversions between types, pairs, functions and relations as sets of pairs, and the functions of the toolkit
+// libraries. All work on values of fixed size. A result outside a function's precondition is a default-constructed
+// value. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TOOLKIT_HPP
 #define ROBOCHART_TOOLKIT_HPP
 

@@ -1,6 +1,6 @@
-// The trace hook of generated controllers, which receives the events of a cycle as text of a log (docs/traces.md), and
-// the transitions taken. Included only by code that uses it. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares the trace hook of generated controllers, which receives the events of a cycle as text of a log
+// (docs/traces.md), and the transitions taken. Included only by code that uses it. Delivered with the generated code.
+// Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACE_HPP
 #define ROBOCHART_TRACE_HPP
 

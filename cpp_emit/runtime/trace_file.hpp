@@ -1,5 +1,5 @@
-// A tracer that writes a log for `robochart-verify conform --traces` and counts transitions. It is for hosts with
-// files. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares a tracer that writes a log for `robochart-verify conform --traces` and counts transitions. It is for hosts
+// with files. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACE_FILE_HPP
 #define ROBOCHART_TRACE_FILE_HPP
 

@@ -1,9 +1,9 @@
-// Tracked numbers record how they were computed, so that an exploration can give an answer for all values. A tracked
-// number is either known, or a linear form of the parts of one input value. Every comparison of a form is recorded,
-// because the explorer has to try values with each answer. Every use other than a comparison or a copy is recorded as a
-// loss. Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). The parts of a sequence are
-// its size and the least and greatest numbers of windows (tracked_sequences.hpp). Delivered with the generated code.
-// Copyright: see LICENSE (Apache-2.0).
+// Declares tracked numbers. They record how they were computed, so that an exploration can give an answer for all
+// values. A tracked number is either known, or a linear form of the parts of one input value. Every comparison of a
+// form is recorded, because the explorer has to try values with each answer. Every use other than a comparison or a
+// copy is recorded as a loss. Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). The
+// parts of a sequence are its size and the least and greatest numbers of windows (tracked_sequences.hpp). Delivered
+// with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACKED_HPP
 #define ROBOCHART_TRACKED_HPP
 

@@ -1,7 +1,7 @@
-// Sequences of tracked numbers. The code may copy a sequence, and read its size and the least and greatest numbers of
-// windows. Each of these is a part of the input value, like the numbers of a record (tracked.hpp). Code that reads a
-// sequence in another way does not compile, or causes a loss. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares sequences of tracked numbers. The code may copy a sequence, and read its size and the least and greatest
+// numbers of windows. Each of these is a part of the input value, like the numbers of a record (tracked.hpp). Code that
+// reads a sequence in another way does not compile, or causes a loss. Delivered with the generated code. Copyright: see
+// LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACKED_SEQUENCES_HPP
 #define ROBOCHART_TRACKED_SEQUENCES_HPP
 

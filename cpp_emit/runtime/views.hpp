@@ -1,6 +1,6 @@
-// Views of sequences and sets. What `ran`, `extract`, `filter`, `union` and similar functions select is visited in
-// place, and no collection is built. So the number of elements has no limit, and a fold over a window of a long
-// sequence reads only the items of the window. The order of a visit is not specified. Delivered with the generated
+// Declares views of sequences and sets. What `ran`, `extract`, `filter`, `union` and similar functions select is
+// visited in place, and no collection is built. So the number of elements has no limit, and a fold over a window of a
+// long sequence reads only the items of the window. The order of a visit is not specified. Delivered with the generated
 // code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_VIEWS_HPP
 #define ROBOCHART_VIEWS_HPP

@@ -182,7 +182,7 @@ void Channels::emit_buffer(const Channel& channel) {
     context_.emission.model.modules.push_back(std::move(module));
 }
 
-/// R12: "Platform input: [RP__e] true -> true."
+/// Emits the module of the platform. R12: "Platform input: [RP__e] true -> true."
 /// R13: "Typed platform input: one command per value, so values are uniform."
 void Channels::emit_platform() {
     prism::Module module;

@@ -98,7 +98,8 @@ private:
         chart_.steps.push_back(std::move(step));
     }
 
-    /// R7: "Chains through a junction after a trigger are composed." Removes the junctions that become unreachable.
+    /// Composes chains. R7: "Chains through a junction after a trigger are composed." Removes the junctions that become
+    /// unreachable.
     void compose_chains() {
         std::vector<Step> done;
         for (Step& step : chart_.steps)

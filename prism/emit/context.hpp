@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data that all parts of one emission share: the module, the model under construction, and its names.
+// Declares the data that all parts of one emission share: the module, the model under construction, and its names.
 #pragma once
 
 #include <cstdint>

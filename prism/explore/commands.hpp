@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of a model as code, and their effects in a state.
+// Compiles the commands of a model to code, and computes their effects in a state.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,7 @@ private:
     std::vector<std::uint32_t> chosen_;            ///< the chosen command of each part
     Distribution all_;                             ///< the single choice of a dtmc
     std::vector<NumberTable::Id> counts_;          ///< the numbers 0, 1, 2, ...
-    std::uint64_t combinations_ = 0;               ///< in this state
+    std::uint64_t combinations_ = 0;               ///< number of combinations in this state
     LeftOut left_out_;
 };
 

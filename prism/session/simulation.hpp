@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statistical model checking: evaluates a property on random paths, without exploring the state space.
+// Implements statistical model checking: evaluates a property on random paths, without exploring the state space.
 #pragma once
 
 #include "prism/checks/checked.hpp"

@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::size_t size() const { return states_.size() + 1; }
     /// Returns the state for the values of a sample, or `none` if there is no such state.
     [[nodiscard]] std::size_t find_state(const std::vector<double>& sample) const;
-    /// "searching 3 of 10, way 50 to 100 cm".
+    /// Returns a text such as "searching 3 of 10, way 50 to 100 cm".
     [[nodiscard]] std::string state_text(std::size_t state) const;
     /// Returns the class of a measure in a state. Returns no value for the start state, or if the scenario does not
     /// distinguish the measure.

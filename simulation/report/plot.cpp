@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    /// The band of all trials is drawn only for a single series, because several bands would hide each other.
+    /// True for a single series. The bands of several series, each of all trials, would hide each other.
     [[nodiscard]] bool shows_full_band() const { return chart_.series.size() == 1; }
 
     [[nodiscard]] std::vector<LegendEntry> legend_entries() const {

@@ -20,7 +20,7 @@ enum class Dimension { number, share, length, area, time, angle, speed, turn_rat
 
 struct Unit {
     Dimension dimension = Dimension::number;
-    double factor = 1;  ///< to the internal unit
+    double factor = 1;  ///< factor to the internal unit
 };
 
 /// Returns the unit with this name, such as "cm", "s", "cm/s" or "%"; no value for other words.

@@ -180,7 +180,7 @@ struct Formula {
     double time = 0;
     std::vector<Formula> parts;
 
-    /// False for a condition on an instant.
+    /// True for a condition on a trial, false for a condition on an instant.
     [[nodiscard]] bool of_trial() const;
 };
 

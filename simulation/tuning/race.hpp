@@ -2,7 +2,7 @@
 // Finds the parameter values that do best in noisy trials, by iterated racing (López-Ibáñez et al., "The irace
 // package", 2016). In each iteration, candidates are drawn near the best ones so far. All run on the same seeds, and
 // candidates that are significantly worse than the best are eliminated. The race is elitist: an elite can be eliminated
-// only after the others have run on as many seeds.
+// only after the other candidates have run on the same number of seeds.
 #pragma once
 
 #include <functional>

@@ -134,7 +134,7 @@ private:
     std::vector<double> step_x_, step_y_;             ///< displacement of the next physics step
     std::vector<double> turn_cos_, turn_sin_, turn_;  ///< rotation in a physics step; angle in a control step
     std::vector<double> listed_x_, listed_y_;         ///< positions when the pairs were listed
-    std::vector<Pair> pairs_;                         ///< that may touch before the next update, in ascending order
+    std::vector<Pair> pairs_;                         ///< pairs that may touch before the next update, ascending
     Cells cells_;
 };
 

@@ -63,7 +63,7 @@ struct Real {
     static py::object to(double value) { return py::float_(value); }
 };
 
-/// Converts a value of a given type, which is its number, from 0.
+/// Converts a value of a given type, which is represented by its number, from 0.
 template <class T>
 struct Given {
     using Type = T;

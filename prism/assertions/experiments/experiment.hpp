@@ -33,7 +33,7 @@ struct Row {
     /// One result, or two for a question over all schedulers: the least and the greatest value. Empty if there is an
     /// error.
     std::vector<prism::Result> results;
-    std::optional<Path> path = {};  ///< if one was requested
+    std::optional<Path> path = {};  ///< the requested path, if any
     std::string error;              ///< the reason why the question cannot be evaluated; "" if there is no error
     std::uint64_t states = 0, transitions = 0;
     double seconds = 0;

@@ -45,7 +45,8 @@ public:
     /// Throws NotExpressed, because random paths would depend on a scheduler.
     [[nodiscard]] Unexplored unexplored_model(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
-    /// The number of states that were compared with the process for refinement checks; 0 if they were not compared.
+    /// Returns the number of states that were compared with the process for refinement checks; 0 if they were not
+    /// compared.
     [[nodiscard]] std::uint64_t compared_state_count() const;
 
 private:

@@ -131,8 +131,8 @@ ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& st
     throw_absent("state", machine + "::" + state);
 }
 
-/// The direction is that of the component that declares the event. For the platform, `in` means into the software, so
-/// out of the platform.
+/// Returns the index of an event. Its direction is that of the component that declares it. For the platform, `in` means
+/// into the software, so out of the platform.
 std::size_t ProcessNames::observed_event(const std::string& path, const std::string& direction, bool valued) {
     const std::string name = last_of(path);
     const ir::Event* event = nullptr;

@@ -13,7 +13,7 @@ namespace robochart::probability {
 
 /// A value that is read from the states of a process, and becomes a variable of the PRISM model.
 struct Observable {
-    std::string name;       ///< in PRISM
+    std::string name;       ///< name in PRISM
     std::string component;  ///< the component of the machine, in the CSP semantics
     std::string variable;   ///< "" if a state is read
     std::string state;      ///< the path of the state
@@ -23,7 +23,7 @@ struct Observable {
 
 /// A constant of the model, with the machine that uses it.
 struct ConstantHere {
-    std::string name;  ///< in PRISM
+    std::string name;  ///< name in PRISM
     const Seat* seat = nullptr;
     ir::ConstantId id;
     bool real = false;

@@ -46,7 +46,7 @@ bool is_parallel(process::Op op) {
     return op == process::Op::parallel || op == process::Op::alphabetised;
 }
 
-/// True for operators whose components are in the operands, or at least in the first operand.
+/// True for operators whose operands (or at least the first one) contain the components of the process.
 bool is_around(process::Op op) {
     return op == process::Op::hide || op == process::Op::rename || op == process::Op::prioritise ||
            op == process::Op::prioritise_order || op == process::Op::sequential || op == process::Op::exception ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A probabilistic assertion in PRISM's language, as data.
+// Declares a probabilistic assertion in PRISM's language, as data.
 #pragma once
 
 #include <optional>

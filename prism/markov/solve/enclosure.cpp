@@ -26,7 +26,7 @@ Enclosure sum(double left, double right) {
     return {error >= 0 ? rounded : next_below(rounded), error <= 0 ? rounded : next_above(rounded)};
 }
 
-/// 0 * infinity is 0, because an infinite bound is the limit of finite ones.
+/// Returns an enclosure of the product. 0 * infinity is 0, because an infinite bound is the limit of finite ones.
 Enclosure product(double left, double right) {
     if (left == 0 || right == 0) return {0, 0};
     const double rounded = left * right;
