@@ -67,7 +67,7 @@ std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprP
     return cspm::print(cspm::Script{form.decls});
 }
 
-/// Combines the search up to its limit with random walks. If the model was not compiled as a whole, the walks follow it
+/// Adds random walks to a search that ended at its limit. If the model was not compiled as a whole, the walks follow it
 /// as terms.
 Result combine_with_walks(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled,
                           const cspm::ExprPtr& process, const Interface& interface, const rc_interface& code,

@@ -107,8 +107,8 @@ private:
         visit_values(system_, root, [&](const ir::Expr& expr) { check_size(where, expr.type, expr.span); });
     }
 
-    /// Checks the capacity of a set, which needs a place for every possible element. Sets of unbounded types need not
-    /// have one (StepResult::capacity).
+    /// Checks that a set has a place for every possible element. Sets of unbounded types need not have so many places,
+    /// because generated code detects their overflow (StepResult::capacity).
     void check_size(const std::string& where, ir::TypeId id, Span span) {
         if (exceeds_largest_set(system_, inst_, id) && !has_lists(system_, id))
             diagnostics_.report(rules::too_large, span,

@@ -87,7 +87,7 @@ private:
     const Generation& generation_;
     const ClassApi& api_;
     std::string text_;
-    std::map<std::string, std::string> topics_;  ///< topic -> message that is published; "": the node receives
+    std::map<std::string, std::string> topics_;  ///< by topic: the published message; "" if the node receives
 };
 
 /// Returns the message for `move(lv, av)`: at most one number for each of the two velocities of a robot on wheels.

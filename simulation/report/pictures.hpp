@@ -31,7 +31,7 @@ namespace robochart::simulation {
                                     const std::string& prefix);
 
 /// Writes a table `t,id,x,y,theta,state` with a header line, in seconds, centimetres and radians. If there are several
-/// machines, each has a column with the name `state:` followed by the machine.
+/// machines, each has a column whose name is `state:` followed by the machine's name.
 [[nodiscard]] std::string positions_csv(const std::vector<Frame>&, const Machines&);
 
 }  // namespace robochart::simulation

@@ -50,7 +50,7 @@ public:
     [[nodiscard]] virtual std::string summary_lines() const = 0;
 };
 
-/// The stop of a controller that could not continue.
+/// A controller that could not continue, and the cause.
 struct Stop {
     std::size_t robot = 0;
     double time = 0;

@@ -61,7 +61,7 @@ private:
         forget_places(row);
     }
 
-    /// Adds an entry to the row whose positions are stored.
+    /// Adds an entry to the row whose positions are stored in `place_`.
     void add(std::uint32_t unknown, std::uint32_t to, const Value& factor) {
         Row& row = rows_[unknown];
         if (place_[to] == nowhere) {

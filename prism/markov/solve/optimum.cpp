@@ -142,7 +142,7 @@ private:
         return true;
     }
 
-    /// Sweeps, and tries a proof at growing intervals and when the sweeps make no progress.
+    /// Runs sweeps. Tries a proof at growing intervals, and when the sweeps make no progress.
     bool sweep_up_to(std::uint64_t most) {
         std::uint64_t next_proof = sweeps_ + 8;
         std::uint64_t failures = 0;
