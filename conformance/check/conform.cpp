@@ -441,7 +441,7 @@ std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentR
     return numbers ? "the model does not only copy its numbers and compare them with constants" : "";
 }
 
-/// For each output and argument, the index of its tracked type.
+/// Returns, for each output and argument, the index of its tracked type.
 OutputTypes tracked_output_types(const ValueSearch& search) {
     OutputTypes result;
     for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(search.component)) {
@@ -456,7 +456,7 @@ OutputTypes tracked_output_types(const ValueSearch& search) {
     return result;
 }
 
-/// For each output, the arguments of tracked types. Empty if there are no such arguments.
+/// Returns, for each output, the arguments of tracked types. Empty if there are no such arguments.
 Represented tracked_arguments(const OutputTypes& types) {
     Represented result;
     bool found = false;

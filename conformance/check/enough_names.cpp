@@ -20,7 +20,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// For each output, whether each argument has a represented type.
+/// Returns, for each output, whether each argument has a represented type.
 std::vector<std::vector<bool>> represented_arguments(const ir::System& system, const Representatives& few,
                                                      const cpp_emit::Component& component) {
     std::vector<std::vector<bool>> result;

@@ -151,7 +151,8 @@ Code::Root Code::operation(const Expr& expr) {
     return add(node, expr.span);
 }
 
-/// Comparisons of a variable with a constant have special operations because most guards consist of them.
+/// Compiles a comparison. Comparisons of a variable with a constant have special operations, because most guards
+/// consist of them.
 Code::Root Code::comparison(const Expr& expr) {
     Node node;
     node.type = Type::boolean;

@@ -16,7 +16,7 @@ namespace robochart::simulation {
 [[nodiscard]] Scenario read_scenario(const diagnostics::SourceManager&, diagnostics::SourceId,
                                      diagnostics::Diagnostics&, durations::Unit declared = {});
 
-/// Places the robots as at the start of a trial. Reports robots that do not fit.
+/// Returns the world at the start of a trial, with its robots. Reports robots that do not fit.
 [[nodiscard]] std::optional<World> start(const Scenario&, std::uint32_t trial, diagnostics::Diagnostics&);
 
 /// Reports features that only the built-in world has (RC-M15). The adapters of other simulators call this function.

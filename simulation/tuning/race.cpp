@@ -26,7 +26,7 @@ std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, 
     return blocks;
 }
 
-/// For each candidate, the sum of its ranks or of its costs.
+/// Returns, for each candidate, the sum of its ranks or of its costs.
 std::vector<double> sum_by_candidate(const std::vector<statistics::Block>& blocks, bool by_ranks) {
     std::vector<double> sums(blocks.front().size());
     for (const statistics::Block& block : blocks) {

@@ -265,8 +265,7 @@ private:
 
     void push_loop(markov::State state) { finish_choice(2, false, {{state, number_value(1)}}); }
 
-    /// Adds a choice between choices of equal probability: one step, which takes no time, to an intermediate state for
-    /// each choice.
+    /// Adds one step, which takes no time. It leads to an intermediate state for each choice, with equal probabilities.
     void add_uniform_choice(markov::State state, const std::vector<Choice>& choices) {
         std::vector<std::pair<markov::State, std::uint32_t>> branches;
         const std::uint32_t share = number_value(Rational(1) / choices.size());
