@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::size_t max_state_bytes = 64U << 10U;
 
-/// Whether the exploration interface can be written. Reports an error if it is required and cannot be written.
+/// Returns whether the exploration interface can be written. Reports an error if it is required and cannot be written.
 bool check_explorable(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     if (generation.options.tracked_scale > 0) return true;  // its numbers have no carriers
@@ -90,7 +90,7 @@ std::string Generation::round_test() const {
 
 namespace {
 
-/// Reports a state of more than max_state_bytes, with its largest list and the option for it.
+/// Reports a state of more than max_state_bytes, with its largest list and the option that limits this list.
 void report_large_state(const Generation& generation, diagnostics::Diagnostics& diagnostics) {
     const Component& component = generation.component;
     const auto size_of = [&](const StoredVariable& stored) {
@@ -109,7 +109,7 @@ void report_large_state(const Generation& generation, diagnostics::Diagnostics& 
                        {component.name, text});
 }
 
-/// The options with the capacities of the mapping. If both give one, the greater one is used.
+/// Returns the options with the capacities of the mapping. If both give a capacity, the greater one is used.
 Options with_mapped_capacities(const Options& options) {
     Options result = options;
     if (options.mapping == nullptr) return result;
@@ -187,7 +187,7 @@ Emission emit(const ir::System& system, const ir::Instantiation& inst, const ir:
 std::vector<ViolationPlace> violation_places(const ir::System& system, const ir::Instantiation& inst,
                                              const ir::ComponentRef& ref, const Options& options) {
     std::vector<ViolationPlace> places;
-    diagnostics::Diagnostics ignored;  // reported by `emit`
+    diagnostics::Diagnostics ignored;  // `emit` reports the same findings
     const std::optional<Component> component = resolve_component(system, inst, ref, ignored);
     if (!component) return places;
     Mutation mutation(options.fault, options.fault_site);

@@ -21,7 +21,8 @@ bool only_explored(const std::string& path) {
            path == "main.cpp" || path == "CMakeLists.txt";
 }
 
-/// The start of a comment in a file with this name; "" if a line above its text would change its meaning.
+/// Returns the start of a comment in a file with this name. Returns "" if a line above the file's text would change its
+/// meaning.
 std::string_view comment_mark(std::string_view path) {
     if (path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h")) return "// ";
     if (path.ends_with(".py") || path.ends_with(".cmake") || path.ends_with(".yaml") || path.ends_with(".txt"))
@@ -82,7 +83,7 @@ public:
     }
 
 private:
-    /// Adds a file. The name of the element appears in comments, and in text if the file is XML.
+    /// Adds a file. The name of the element appears in comments and, if the file is XML, in text.
     void add_file(const std::string& path, const std::string& text) {
         const bool xml = text.ends_with(".xml") || text.ends_with(".argos");
         keys_["ELEMENT"] = xml ? diagnostics::xml_text(element_) : diagnostics::comment_text(element_);
@@ -99,7 +100,7 @@ private:
         return text;
     }
 
-    /// Defines the texts about the messages that the node uses.
+    /// Defines the texts that depend on the node: its package, its names, its messages.
     void message_keys() {
         keys_["PACKAGE"] = node_->package;
         keys_["NODE"] = node_->node;

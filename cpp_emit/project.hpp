@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes projects around the classes of one component, one for each target, with everything needed to build it. The
+// Writes the project for a target: the classes of one component with everything that is needed to build them. The
 // constant parts are texts in cpp_emit/projects, in which names between @ signs are replaced. Private to this
 // component.
 #pragma once
@@ -12,17 +12,17 @@
 
 namespace robochart::cpp_emit {
 
-/// A text of cpp_emit/projects by its name, such as "enki/main.cpp".
+/// Returns a text of cpp_emit/projects by its name, such as "enki/main.cpp".
 [[nodiscard]] std::string project_template(std::string_view path);
 
-/// The files of the project of Options::target. `controller` contains the files of the classes with their
+/// Returns the files of the project of Options::target. `controller` contains the files of the classes with their
 /// CMakeLists.txt and main.cpp. Rejects by name constructs that the target does not support.
 [[nodiscard]] std::vector<OutputFile> project_files(const Generation&, const Core&, const ClassApi&,
                                                     const std::vector<OutputFile>& controller,
                                                     diagnostics::Diagnostics&);
 
-/// The file with the class that the author of a robot completes, which connects sensors to events and operations to
-/// actuators.
+/// Returns the file with the class that the author of a robot completes. The class connects sensors to events, and
+/// operations to actuators.
 [[nodiscard]] OutputFile robot_file(const Generation&, const Core&, const ClassApi&, const std::string& act);
 
 }  // namespace robochart::cpp_emit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes robot.hpp of the projects for simulators. A model does not define the sources of its events and the effects of
-// its operations, so the author completes this file. As generated, it raises no events and prints the controller's
+// Writes robot.hpp of the projects for simulators. A model does not define where its events come from and what its
+// operations do, so the author completes this file. As generated, it raises no events and prints the controller's
 // outputs.
 #include <fmt/format.h>
 

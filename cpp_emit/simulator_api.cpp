@@ -47,19 +47,19 @@ Carried carried_kind(ir::TypeKind kind) {
     return Carried::enumeration;
 }
 
-/// The full name of a type: "nat", "Zone", "pack::Zone".
+/// Returns the full name of a type: "nat", "Zone", "pack::Zone".
 std::string full_name(const std::string& package, const std::string& name) {
     return package.empty() ? name : package + "::" + name;
 }
 
-/// The encoding of a value in a port, for types without parts. A number is given in the model's units, a boolean as 0
-/// or 1, a literal by its index.
+/// Returns the encoding of a value in a port, for types without parts. A number is given in the model's units, a
+/// boolean as 0 or 1, a literal by its index.
 double carried_value(const ir::Instantiation& inst, Carried kind, const ir::Value& value) {
     const auto number = static_cast<double>(value.number);
     return kind == Carried::real ? number / static_cast<double>(inst.scale) : number;
 }
 
-/// A port with the data for the emitted text.
+/// A port, with the data for the emitted text.
 struct Channel {
     Port port;
     std::string exported;  ///< name in the interface
@@ -262,7 +262,8 @@ private:
         out_.line(fmt::format("bool {}({}) noexcept {{ return false; }}", call.method, parameters));
     }
 
-    /// Functions without a definition return the default of their type (semantics 3.13).
+    /// Writes the method for a function. Functions without a definition return the default of their type (semantics
+    /// 3.13).
     void function_method(const FunctionHook& hook) {
         const ir::Function& function = generation_.system.functions[hook.id.index];
         std::vector<std::string> parameters;
@@ -351,7 +352,7 @@ private:
         out_.close();
     }
 
-    /// The prefix of the members of a part's machine: "", "stm0.".
+    /// Returns the prefix of the members of a part's machine: "", "stm0.".
     [[nodiscard]] std::string member_prefix(std::size_t part) const {
         const std::string& tag = generation_.component.parts[part].tag;
         return tag.empty() ? "" : tag + ".";
@@ -437,7 +438,8 @@ std::vector<DriveConstant> constants_of(const Component& component, const ir::Sy
     return result;
 }
 
-/// Reports values that a port cannot carry: an rc_value holds only numbers.
+/// Reports values that a port cannot carry, because an rc_value can contain only numbers. Returns true if there are
+/// none.
 bool carries_numbers(const Component& component, const ir::System& system, diagnostics::Diagnostics& diagnostics) {
     const std::size_t before = diagnostics.error_count();
     const auto check = [&](ir::TypeId id, const std::string& name) {

@@ -13,7 +13,7 @@
 
 namespace robochart::cpp_emit {
 
-/// The kind of a value in the interface, which decides between the members `real` and `whole` of rc_value.
+/// The kind of a value in the interface. It decides which member of rc_value is used: `real` or `whole`.
 enum class Carried { boolean, whole, real, enumeration };
 
 /// An input or output of the controller, as in the tables of the interface.
@@ -54,7 +54,7 @@ struct DriveEmission {
     std::uint32_t fault_sites = 0;         ///< number of places to which the requested fault applies
 };
 
-/// Emits the controller of one component. Like emit(), rejects constructs without a translation to C++ by name.
+/// Emits the controller of one component. Like emit(), rejects constructs that have no translation to C++ by name.
 [[nodiscard]] DriveEmission emit_drive(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                                        const Options&, diagnostics::Diagnostics&);
 

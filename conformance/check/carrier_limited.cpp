@@ -9,7 +9,7 @@
 namespace robochart::conformance {
 namespace {
 
-/// Keeps the successors until all of them are known.
+/// Collects the successors until all of them are known.
 class Successors final : public lts::SuccessorSink {
 public:
     void add(lts::Event event, lts::StateView target, lts::Event revealed) override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model that is explored up to the point at which one of its values leaves its carrier.
+// Limits a model to the states that are reachable before one of its values leaves its carrier.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace robochart::conformance {
 
-/// If a value leaves its carrier while the steps of a state are evaluated, these steps are unknown. In this system,
-/// such a state only lets time pass, forever. So a search for the steps that the model can perform before time passes
-/// does not report a problem in such a state.
+/// A transition system that hides errors of carriers. If a value leaves its carrier while the steps of a state are
+/// evaluated, these steps are unknown. In this system, such a state only lets time pass, forever. So a search for the
+/// steps that the model can perform before time passes reports no problem in such a state.
 class CarrierLimited final : public lts::TransitionSystem {
 public:
-    /// The system must outlive the object. `tock` is its event for the passing of time.
+    /// The system must outlive the object. `tock` is the system's event for the passing of time.
     CarrierLimited(lts::TransitionSystem& model, lts::Event tock) : model_(model), tock_(tock) {}
 
-    /// Whether the steps of a state were unknown when its successors were computed.
+    /// Returns whether the steps of a state were unknown when its successors were computed.
     [[nodiscard]] bool is_unknown(lts::StateView state) const { return unknown_.contains(key_of(state)); }
 
     [[nodiscard]] std::size_t width() const override { return model_.width(); }
     void initial(std::span<lts::Word> state) override { model_.initial(state); }
-    /// Throws an evaluation error if its cause is not that a value leaves its carrier.
+    /// Throws an evaluation error, unless its cause is a value that leaves its carrier.
     void successors(lts::StateView state, lts::SuccessorSink& sink) override;
     [[nodiscard]] const lts::EventTable& events() const override { return model_.events(); }
     void set_budget(diagnostics::Pollable& budget) override { model_.set_budget(budget); }

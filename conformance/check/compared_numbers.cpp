@@ -29,7 +29,7 @@ public:
         return system_.type(expr.type).kind == ir::TypeKind::real;
     }
 
-    /// Recursion depth: the depth of the expression.
+    /// Computes a real. Recursion depth: the depth of the expression.
     [[nodiscard]] std::optional<Real> real(const ir::Expr& expr) const {
         if (expr.kind == ir::ExprKind::real) return nearest_double(ir::to_string(expr.decimal));
         if (expr.kind == ir::ExprKind::cast || !is_real(expr)) {
@@ -60,7 +60,7 @@ private:
         return std::nullopt;
     }
 
-    /// A constant, or a number of the value.
+    /// Returns a constant, or a number of the value.
     [[nodiscard]] std::optional<std::int64_t> part(const ir::Expr& expr) const {
         ir::NumberPart part{{}, system_.type(expr.type).kind};
         if (const auto found = comparison_.constants.find(&expr); found != comparison_.constants.end())

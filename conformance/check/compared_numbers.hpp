@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A comparison of the model, computed as the code computes it on the robot, for reports.
+// Computes the two sides of a comparison of the model as the code on the robot computes them, for reports.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace robochart::conformance {
 
-/// The numbers that the code compares.
+/// The two numbers that the code compares.
 struct ComparedNumbers {
     std::string left;
     std::string right;
     bool answer = false;
 };
 
-/// The comparison, computed for a value of its type. No value if the comparison contains operations other than sums,
-/// differences and multiples.
+/// Computes the sides of the comparison for a value of its type. Returns no value if the comparison contains operations
+/// other than sums, differences and multiples.
 [[nodiscard]] std::optional<ComparedNumbers> compare_on_robot(const ir::System& system,
                                                               const ir::ModelComparison& comparison,
                                                               const NumberSpace& space, const TriedValue& value);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole check: script of the model, generated code, shared object, and the comparison (docs/conformance.md).
+// Runs the whole check: emits the script of the model, generates code, builds the shared object, and compares
+// (docs/conformance.md).
 #include "conformance/check/conform.hpp"
 
 #include <fmt/format.h>
@@ -59,15 +60,15 @@ std::unique_ptr<SharedObject> build_code(const cpp_emit::Emission& emission, con
     return SharedObject::build(emission.files, sources, build_options, error);
 }
 
-/// The text of the normal form's definition, for FDR and for readers; the check does not depend on it.
+/// Returns the text of the normal form's definition, for FDR and for readers; the check does not depend on it.
 std::string normal_form_text(const csp_emit::Emission& script, const cspm::ExprPtr& process, const Alphabet& alphabet,
                              std::uint32_t cycle_length) {
     const NormalFormScript form = normal_form(script.definitions, process, alphabet, cycle_length, Reading::any_order);
     return cspm::print(cspm::Script{form.decls});
 }
 
-/// Combines the search up to its limit with random walks. The walks follow the model term by term if it was not
-/// compiled as a whole.
+/// Adds random walks to a search that ended at its limit. If the model was not compiled as a whole, the walks follow it
+/// as terms.
 Result combine_with_walks(Result bounded, cspm::Session& session, lts::TransitionSystem* compiled,
                           const cspm::ExprPtr& process, const Interface& interface, const rc_interface& code,
                           const Options& options) {
@@ -89,7 +90,7 @@ Result combine_with_walks(Result bounded, cspm::Session& session, lts::Transitio
     return result;
 }
 
-/// If walks may follow, the search does not use all of the remaining time.
+/// Returns limits for the search. If walks may follow, the search uses only a part of the remaining time.
 refine::Limits limits_of_search(const Options& options) {
     refine::Limits limits = options.limits;
     const auto now = std::chrono::steady_clock::now();
@@ -113,11 +114,11 @@ void try_partial_readings(Result& result, lts::TransitionSystem& model, cspm::Se
     result = std::move(partial);
 }
 
-/// The text of an evaluation error.
+/// Returns the text of an evaluation error.
 using FailureText = std::function<std::string(const cspm::EvaluationError&)>;
 
-/// If a value of the model leaves its carrier, the model is not searched. Instead, random walks follow it, each until a
-/// value leaves its carrier.
+/// Checks a process. If a value of the model leaves its carrier, the model is not searched. Instead, random walks
+/// follow it, each until a value leaves its carrier.
 Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const Interface& interface,
                      const rc_interface& code, const Options& options, const EventPlaces& places,
                      const FailureText& failure_text) {
@@ -138,7 +139,7 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
         result.reason = failure_text(error);
     }
     const bool interrupted = options.limits.interrupted && options.limits.interrupted();
-    // The other searches do not know the filter of dropped inputs.
+    // The other searches do not support dropped inputs.
     if (result.outcome != Outcome::inconclusive || interrupted || !interface.drops.empty()) return result;
     if (interface.robosim) {
         if (options.walks.cycles > 0) result.reason += "; no random walks follow, because the component is in RoboSim";
@@ -150,7 +151,7 @@ Result check_process(cspm::Session& session, const cspm::ExprPtr& process, const
     return combine_with_walks(std::move(result), session, model.get(), process, interface, code, options);
 }
 
-/// If a limit ended the check, reports the inputs whose values cause the large number of cycles.
+/// Reports the inputs whose values cause the large number of cycles, if a limit ended the check.
 void report_large_inputs(Result& result, const Interface& interface) {
     constexpr double many = 100;
     constexpr std::size_t most = 3;
@@ -175,8 +176,8 @@ void report_large_inputs(Result& result, const Interface& interface) {
     if (!parts.empty()) result.reason += "; --range makes carriers smaller";
 }
 
-/// Replaces definitions of the script by elements of the model after ", at " and at the end of cycles. Definitions that
-/// correspond to no element of the model are removed.
+/// Replaces definitions of the script by elements of the model after ", at " and at the end of cycles. Removes
+/// definitions that correspond to no element of the model.
 void name_model_places(std::string& reason, std::vector<Cycle>& cycles, const csp_emit::Provenance& provenance,
                        const diagnostics::SourceManager& sources) {
     const auto in_words = [&](const std::string& state) {
@@ -190,7 +191,7 @@ void name_model_places(std::string& reason, std::vector<Cycle>& cycles, const cs
     for (Cycle& cycle : cycles) cycle.state = in_words(cycle.state);
 }
 
-/// Replaces definitions in this way in the parts of a result that concern the model, not the code.
+/// Does the same in the parts of a result that concern the model, not the code.
 void name_model_places(Result& result, const csp_emit::Provenance& provenance,
                        const diagnostics::SourceManager& sources) {
     for (std::optional<Aside>* const aside : {&result.register_cycles, &result.deadlines})
@@ -199,7 +200,8 @@ void name_model_places(Result& result, const csp_emit::Provenance& provenance,
         name_model_places(result.reason, result.cycles, provenance, sources);
 }
 
-/// For each output, the arguments whose explored values represent all values. Empty if there are no such arguments.
+/// For each output, whether the explored values of each argument represent all values. Empty if this is true for no
+/// argument.
 using Represented = std::vector<std::vector<bool>>;
 
 /// Decides the claims about cycles, if the model can be run in cycles.
@@ -222,7 +224,8 @@ void add_cycle_claims(Result& result, cspm::Session& session, const cspm::ExprPt
     }
 }
 
-/// The explored values represent all values only if the model does not choose between values.
+/// Makes the result inconclusive if the model chooses between values. The explored values then do not represent all
+/// values.
 void refuse_choices(Result& result, cspm::Session& session, const cspm::ExprPtr& process, const Alphabet& alphabet,
                     const Represented& represented, const Options& options) {
     if (represented.empty() || result.outcome != Outcome::conforms) return;
@@ -250,8 +253,8 @@ Interface interface_of_model(const ir::System& system, const ir::Instantiation& 
     return interface;
 }
 
-/// `sources` contains the texts of the model. If it is null, outcomes that the model causes are not explained in its
-/// terms.
+/// Checks code against a script. `sources` contains the texts of the model. If it is null, outcomes that the model
+/// causes are not explained with its names and places.
 Result judge_script(const csp_emit::Emission& script, const ir::System& system, const ir::Instantiation& instantiation,
                     const ir::ComponentRef& component, const rc_interface& code, const Represented& represented,
                     const Options& options, const diagnostics::SourceManager* sources, const EventPlaces& places) {
@@ -311,8 +314,8 @@ cpp_emit::Options generator_options(const TimedModel& timed, const Options& opti
     return generator;
 }
 
-/// The reason why code can be generated for the component, but has too many values to be explored. Other limits of the
-/// generator are its errors.
+/// Returns the reason if code can be generated for the component, but has too many values to be explored. Other limits
+/// of the generator are reported as its errors.
 std::optional<std::string> reason_not_explored(const ir::System& system, const ir::Instantiation& instantiation,
                                                const ir::ComponentRef& component) {
     diagnostics::Diagnostics apart;  // discarded, because the generator reports the same findings
@@ -379,7 +382,7 @@ Result judge_few_values(const TimedModel& timed, const ir::ComponentRef& compone
     return result;
 }
 
-/// Completes a result for the least number of names: if it is not the result for all values, finds out how many names
+/// Completes a result for the least number of names. If it is not the result for all values, finds out how many names
 /// are needed, and repeats the check with them. A difference found with the least number is a real difference.
 Result decide_for_all(Result least, const TimedModel& timed, const ir::ComponentRef& component,
                       const cpp_emit::Component& resolved, const Options& options) {
@@ -406,7 +409,7 @@ struct ValueSearch {
     ir::ValueModel model;
 };
 
-/// No value if the component has data that need carriers, or no numbers at its boundary.
+/// Returns no value if the component has data that need carriers, or if its inputs and outputs contain no numbers.
 std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::ComponentRef& component) {
     diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
     auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
@@ -423,8 +426,8 @@ std::optional<ValueSearch> value_search(const RenamedSystem& model, const ir::Co
     return ValueSearch{std::move(*resolved), std::move(machines), std::move(types), std::move(*values)};
 }
 
-/// The reason why a component for which value_search has no value needs carriers; "" if no input or output consists of
-/// numbers.
+/// Returns the reason why value_search has no value for a component: its data need carriers. Returns "" if no input or
+/// output consists of numbers.
 std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentRef& component) {
     diagnostics::Diagnostics apart;  // discarded, because the emitter reports the same findings
     const auto resolved = cpp_emit::resolve_component(model.system, model.instantiation, component, apart);
@@ -438,7 +441,7 @@ std::string reason_for_carriers(const RenamedSystem& model, const ir::ComponentR
     return numbers ? "the model does not only copy its numbers and compare them with constants" : "";
 }
 
-/// For each output and argument, the index of its tracked type.
+/// Returns, for each output and argument, the index of its tracked type.
 OutputTypes tracked_output_types(const ValueSearch& search) {
     OutputTypes result;
     for (const cpp_emit::Output& output : cpp_emit::exploration_outputs(search.component)) {
@@ -453,7 +456,7 @@ OutputTypes tracked_output_types(const ValueSearch& search) {
     return result;
 }
 
-/// For each output, the arguments of tracked types. Empty if there are no such arguments.
+/// Returns, for each output, the arguments of tracked types. Empty if there are no such arguments.
 Represented tracked_arguments(const OutputTypes& types) {
     Represented result;
     bool found = false;
@@ -465,8 +468,8 @@ Represented tracked_arguments(const OutputTypes& types) {
     return found ? result : Represented();
 }
 
-/// The comparisons of the code that divide a region of the model's values. No value if a comparison is not a form of
-/// whole numbers or of real numbers.
+/// Returns the comparisons of the code that divide a region of the model's values. Returns no value if a comparison is
+/// not a form of whole numbers or of real numbers.
 std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, const ir::ValueModel& model) {
     const auto cuts = code.comparisons(model.scale);
     if (!cuts) return std::nullopt;
@@ -475,7 +478,7 @@ std::optional<std::vector<ir::Cut>> undivided_cuts(const TrackedCode& code, cons
     return result;
 }
 
-/// If a search for all values does not decide, a search in the carriers follows. So the search for all values makes no
+/// Returns the options for all values. If this search does not decide, a search in the carriers follows. So it makes no
 /// random walks, and uses only half of the remaining time.
 Options options_for_all_values(const Options& options) {
     Options result = options;
@@ -486,7 +489,7 @@ Options options_for_all_values(const Options& options) {
     return result;
 }
 
-/// The normal form of the model itself, for readers; "" if its carriers are too large.
+/// Returns the normal form of the model itself, for readers; "" if its carriers are too large.
 std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef& component, const Options& options) {
     if (reason_not_explored(timed.model.system, timed.model.instantiation, component)) return "";
     diagnostics::Diagnostics apart;
@@ -504,7 +507,7 @@ std::string concrete_normal_form(const TimedModel& timed, const ir::ComponentRef
     }
 }
 
-/// Repeats the check, with the new comparisons of the code as further cuts, until there are no new ones.
+/// Repeats the check until the code makes no new comparisons. The new comparisons of each round become further cuts.
 ForAllValues divide_until_decided(const TimedModel& timed, const ir::ComponentRef& component, ValueSearch search,
                                   const rc_interface& code, const Options& options, const EventPlaces& places) {
     constexpr int most_rounds = 8;
@@ -612,7 +615,8 @@ ForAllValues conform_for_all_values(const TimedModel& timed, const ir::Component
     }
 }
 
-/// The model in which lists that the machines build have carriers of their own; no value if there are no such lists.
+/// Returns the model in which lists that the machines build have their own carriers, or no value if there are no such
+/// lists.
 std::optional<TimedModel> with_longer_lists(const TimedModel& timed) {
     TimedModel result{timed.model, {}, timed.sources, timed.sound};
     RenamedSystem& model = result.model;
@@ -666,7 +670,7 @@ Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& compon
     if (all.result && !differs) return std::move(*all.result);
     const std::optional<TimedModel> longer = with_longer_lists(timed);
     Result result = conform_in_carriers(longer ? *longer : timed, component, options, diagnostics);
-    // A difference that also occurs with values of the carriers is reported with their numbers. A difference that
+    // If a difference also occurs with values of the carriers, the report shows it with those values. A difference that
     // occurs only beyond the carriers is a difference, too.
     if (differs && result.outcome != Outcome::differs) return std::move(*all.result);
     if (result.represented.empty()) {
@@ -680,8 +684,8 @@ Result conform_robochart(const TimedModel& timed, const ir::ComponentRef& compon
     return result;
 }
 
-/// Decides the claims about cycles that compare values in the carriers, if the conformance was decided for other
-/// values.
+/// Decides claims about cycles that compare values. They are decided in the carriers if the conformance was decided for
+/// other values.
 void decide_claims_in_carriers(Result& result, const TimedModel& timed, const ir::ComponentRef& component,
                                const Options& options) {
     if (options.claims == nullptr || options.numbers == Numbers::carriers) return;

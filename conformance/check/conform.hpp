@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks whether the generated code refines the model, NF_c(M) [FD= L(G), by exploring the compiled code over all
-// inputs (docs/conformance.md; the relation is RoboTool's NormalForm with its three simulation assumptions).
+// inputs (docs/conformance.md). NF_c(M) is RoboTool's NormalForm with its three simulation assumptions.
 #pragma once
 
 #include <optional>
@@ -26,19 +26,19 @@ struct TimedModel {
     RenamedSystem model;
     csp_emit::Emission script;
     diagnostics::SourceManager* sources = nullptr;  ///< must outlive the object
-    bool sound = false;                             ///< true if there are no errors; otherwise nothing is generated
+    bool sound = false;                             ///< true if there are no errors; otherwise no code is generated
 };
 
-/// Reports findings to the diagnostics.
+/// Emits the timed semantics. Reports findings to the diagnostics.
 [[nodiscard]] TimedModel timed_model(const ir::System&, const ir::Instantiation&, diagnostics::SourceManager&,
                                      diagnostics::Diagnostics&);
 
-/// The answer of a search for all values.
+/// The answer of a check for all values.
 struct ForAllValues {
-    std::optional<Result> result;  ///< no value: the search did not decide
-    std::string reason;            ///< why it did not decide; "": nothing to report
-    /// True if the code computes with values that the model only copies or compares with constants, or if the code
-    /// compares these values with other constants than the model.
+    std::optional<Result> result;  ///< no value: not decided
+    std::string reason;            ///< why the check did not decide; "": nothing to report
+    /// True if the code computes with values that the model only copies or compares with constants. Also true if the
+    /// code compares these values with constants that the model does not use.
     bool code_tests_values = false;
 };
 /// Checks code with tracked numbers (cpp_emit::Options::tracked_scale) for all values of ideal numbers
@@ -49,7 +49,8 @@ struct ForAllValues {
 /// Generates, compiles, explores and checks one component.
 [[nodiscard]] Result conform(const TimedModel&, const ir::ComponentRef& component, const Options&,
                              diagnostics::Diagnostics&);
-/// Checks one component if no other component of the model is checked, so that the timed semantics need not be shared.
+/// Checks one component when no other component of the model is checked, so that the timed semantics need not be
+/// shared.
 [[nodiscard]] Result conform(const ir::System&, const ir::Instantiation&, const ir::ComponentRef& component,
                              const Options&, diagnostics::SourceManager&, diagnostics::Diagnostics&);
 

@@ -34,7 +34,7 @@ struct Witness {
 
 void add_step(Witness& run, const Alphabet& alphabet, const refine::Step& step, std::uint32_t& tocks,
               std::uint32_t cycle_length) {
-    // hidden writes are reported too
+    // Hidden writes are reported too.
     const process::Event event = step.event == process::tau ? step.revealed : step.event;
     if (event == process::tau) return;
     const CycleRole role = alphabet.cycle_role(event);
@@ -98,8 +98,8 @@ std::string expected_text(const refine::Counterexample& found, const Alphabet& a
     return text.empty() ? "nothing" : text;
 }
 
-/// The event of the code that the model does not allow. L(G) offers one event at a time, except for reads. If the model
-/// requires another event, the search stops before the code's event, at the refusal.
+/// Returns the event of the code that the model does not allow. L(G) offers one event at a time, except for reads. If
+/// the model requires another event, the search stops before the code's event, at the refusal.
 std::optional<process::Event> forbidden_event(const refine::Counterexample& found) {
     if (found.kind == refine::ViolationKind::refusal && found.offered.size() == 1) return found.offered.front();
     if (found.kind == refine::ViolationKind::trace && !found.steps.empty()) return found.steps.back().event;
@@ -156,8 +156,8 @@ void report_difference(Result& result, const refine::Counterexample& found, cons
     result.raw = std::move(run.raw);
 }
 
-/// Checks the relation. NF_c(M) of a schedulable M has no divergence, so divergences of the code are searched
-/// separately.
+/// Checks the relation. For tick-tock, divergences of the code are searched separately: NF_c(M) of a schedulable M has
+/// no divergence, so the code must have none.
 refine::Verdict check_relation(lts::TransitionSystem& specification, CodeSystem& code, const Alphabet& alphabet,
                                const refine::Limits& limits, Relation relation) {
     if (relation == Relation::failures_divergences)
@@ -215,8 +215,9 @@ std::string_view meaning_of(const Aside& aside) {
     return "";
 }
 
-/// The first search checks two things together: whether M can be run in cycles, and whether it can be run in cycles
-/// that make each output once and miss no deadline. It ends at the first violation; the next search checks the rest.
+/// Checks schedulability. The first search checks two things together: whether M can be run in cycles, and whether it
+/// can be run in cycles that make each output once and miss no deadline. It ends at the first violation. The next
+/// search then checks the rest.
 Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length,
                             const refine::Limits& limits) {
     Result result;
@@ -254,7 +255,7 @@ Result check_schedulability(ModelGraph& model, const Alphabet& alphabet, std::ui
 
 namespace {
 
-/// The comparison of the code with the specification.
+/// Compares the code with the specification.
 Result compare(ModelGraph& model, lts::TransitionSystem& specification, const Alphabet& alphabet,
                const rc_interface& compiled, std::uint32_t cycle_length, const refine::Limits& limits,
                Relation relation, const EventPlaces& places) {
@@ -289,8 +290,8 @@ Result refined_by(ModelGraph& model, const Alphabet& alphabet, const rc_interfac
 
 namespace {
 
-/// With more valuations of the inputs than this, a search that reads registers on demand is faster than one that tries
-/// all valuations.
+/// The number of valuations of the inputs up to which trying all of them is fast. For more valuations, a search that
+/// reads registers on demand is faster.
 constexpr double few_valuations = 128;
 
 }  // namespace
@@ -308,7 +309,7 @@ bool on_demand(InputSearch inputs, const Interface& interface, const rc_interfac
     return code.probe != nullptr && many_valuations(interface);
 }
 
-/// Throws NotProbed if another search has to decide.
+/// Checks with reading on demand. Throws NotProbed if another search has to decide.
 Result judged_on_demand(ModelGraph& graph, const Alphabet& alphabet, const rc_interface& code,
                         std::uint32_t cycle_length, const refine::Limits& limits, const EventPlaces& places) {
     Result result;
@@ -331,8 +332,9 @@ Result judged_on_demand(ModelGraph& graph, const Alphabet& alphabet, const rc_in
 
 namespace {
 
-/// RoboSim: the component itself is the specification. It may stop time in a cycle that it cannot end; code reports
-/// this as a missed deadline. No cycle writes an output twice, because the component cannot either.
+/// Checks RoboSim code, whose specification is the component itself. The component may stop time in a cycle that it
+/// cannot end; code reports this as a missed deadline. No cycle writes an output twice, because the component cannot
+/// either.
 Result judge_registers(ModelGraph& model, const Alphabet& alphabet, const rc_interface& code,
                        std::uint32_t cycle_length, const refine::Limits& limits, Relation relation,
                        const EventPlaces& places) {

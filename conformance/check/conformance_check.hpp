@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? Results are given in control
-// cycles.
+// Implements the two checks of docs/conformance.md: is NF_c(M) schedulable, and does L(G) refine it? Runs in the
+// results are divided into control cycles.
 #pragma once
 
 #include "conformance/check/places_in_state.hpp"
@@ -22,19 +22,19 @@ namespace robochart::conformance {
                                 const refine::Limits&, Relation = Relation::failures_divergences,
                                 const EventPlaces& = {});
 
-/// True if the inputs have so many valuations that reading on demand is faster than trying all of them.
+/// True if there are so many valuations of the inputs that reading on demand is faster than trying all of them.
 [[nodiscard]] bool many_valuations(const Interface&);
 
-/// Completes a result with a run of NF_c(M) that shows that M cannot be run in cycles; `model` is M's graph.
+/// Completes a result with a run of NF_c(M) which shows that M cannot be run in cycles. `model` is the graph of M.
 void report_not_schedulable(Result&, const refine::Counterexample& found, ModelGraph& model, const Alphabet&,
                             std::uint32_t cycle_length, const refine::Limits&);
-/// A further property that fails, with a run of NF_c(M) whose last event marks the violation.
+/// Describes the violation of a further property, with a run of NF_c(M) whose last event marks the violation.
 [[nodiscard]] Aside found_aside(const diagnostics::Rule&, std::string reason, const refine::Counterexample& found,
                                 const Alphabet&, std::uint32_t cycle_length);
 
-/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the interface of the code, to which the caller has
-/// added carriers and, in `component`, the CSP prefix of M's events. `events` is the event table of the model.
-/// Components with many valuations of their inputs are searched by reading on demand, unless the relation is tick-tock.
+/// Checks schedulability, then NF_c(M) [FD= L(code). `interface` is the interface of the code. The caller must have
+/// added carriers to it and, in `component`, the CSP prefix of M's events. `events` is the event table of the model. If
+/// the inputs of the component have many valuations, the search reads on demand, unless the relation is tick-tock.
 [[nodiscard]] Result judge_component(lts::TransitionSystem& model, process::EventTable& events,
                                      const Interface& interface, const rc_interface& code, std::uint32_t cycle_length,
                                      const refine::Limits&, Relation = Relation::failures_divergences,

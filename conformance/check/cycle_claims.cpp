@@ -108,7 +108,8 @@ private:
 /// Determines which facts of a claim hold in a state.
 using FactsOf = std::function<std::vector<FactValue>(lts::StateView)>;
 
-/// For the model: evaluates facts with the active states of the definitions that the model executes in a state.
+/// Returns the facts of the model. They are evaluated with the active states of the definitions that the model executes
+/// in a state.
 FactsOf facts_of_model(const CheckedClaim& claim, const ClaimedModel& claimed, const CycleSystem& system) {
     return [&](lts::StateView state) {
         std::vector<FactValue> result;
@@ -131,7 +132,7 @@ FactsOf facts_of_model(const CheckedClaim& claim, const ClaimedModel& claimed, c
     };
 }
 
-/// "Operating_Held": the place of a state in the code.
+/// Returns the place of a state in the code, such as "Operating_Held".
 std::string place_of(const ir::Node& node) {
     std::string result;
     for (std::size_t at = 0; at < node.path.size(); ++at) {
@@ -142,7 +143,7 @@ std::string place_of(const ir::Node& node) {
     return result;
 }
 
-/// For the code of a single machine: evaluates facts with the place in which the machine rests.
+/// Evaluates facts for the code of a single machine, with the place in which the machine rests.
 class PlacesOfCode {
 public:
     PlacesOfCode(const CheckedClaim& claim, const ClaimedModel& claimed) {
@@ -193,7 +194,7 @@ private:
 
 // ---------------------------------------------------------------- the search
 
-/// The state of the monitor, and the inputs that have been read so far for a cycle that has not begun yet.
+/// The state of the monitor, and the inputs that have been read for a cycle that has not begun yet.
 struct Followed {
     MonitorState monitor;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> read;  ///< registers with their readings, ascending
@@ -215,7 +216,7 @@ public:
     std::vector<Move> moves;
 };
 
-/// The product of a system and a monitor, breadth first.
+/// Searches the product of a system and a monitor, breadth first.
 class Product {
 public:
     Product(lts::TransitionSystem& system, const CheckedClaim& claim, const Alphabet& alphabet,
@@ -291,7 +292,7 @@ private:
             monitor_.observe(followed.monitor, event);
     }
 
-    /// The events of the claim among the inputs of a cycle, without inputs that a declared order drops.
+    /// Returns the events of the claim among the inputs of a cycle, without inputs that a declared order drops.
     [[nodiscard]] std::vector<Occurrence> raised_events(
         const std::vector<std::pair<std::uint32_t, std::uint32_t>>& read) const {
         std::vector<bool> raised(alphabet_.interface().inputs.size());
@@ -341,7 +342,7 @@ private:
         }
     }
 
-    /// The run to a node, and the event after it.
+    /// Stores the run to a node, and the event after it, in the result.
     void tell(CycleAnswer& result, std::size_t at, process::Event last, std::optional<std::int64_t> unit) const {
         std::vector<process::Event> events{last};
         for (std::size_t node = at; nodes_[node].from != none; node = nodes_[node].from)
@@ -405,7 +406,7 @@ private:
     bool asked_ = false;
 };
 
-/// Runs a search. If the search reaches a limit or cannot decide, the answer is inconclusive.
+/// Runs a search. If it reaches a limit or cannot decide, the answer is inconclusive.
 template <class Search>
 CycleAnswer answer(const Search& search) {
     CycleAnswer result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims about control cycles (docs/claims.md, "Claims about one cycle"), for the model run in cycles, NF_c(M), and for
-// the code, L(G). A monitor for the claim follows all runs of both. A claim about cycles is a safety property: if it
-// fails, a finite run shows this. So a breadth-first search of the product with the monitor decides the claim.
+// Decides claims about control cycles (docs/claims.md, "Claims about one cycle"), for the model run in cycles, NF_c(M),
+// and for the code, L(G). A monitor for the claim follows all runs of both. A claim about cycles is a safety property:
+// if it fails, a finite run shows this. So a breadth-first search of the product with the monitor decides the claim.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ namespace robochart::conformance {
 struct CycleClaims {
     std::vector<claims::CheckedClaim> claims;
     std::optional<std::int64_t> unit;  ///< nanoseconds of a time unit, if declared
-    bool carriers = true;  ///< events have all values of the carriers; false: only a few values that represent all
+    bool carriers = true;  ///< events have all values of the carriers; false: a few values, which represent all
 };
 
 /// The model that the claims are about.
@@ -31,7 +31,7 @@ struct ClaimedModel {
     const csp_emit::Provenance& provenance;
 };
 
-/// True if a condition reads values of events. Such a claim is decided for the values of the carriers.
+/// True if a condition of the claim reads values of events. Such a claim is decided for the values of the carriers.
 [[nodiscard]] bool reads_values(const claims::CheckedClaim& claim);
 
 /// Decides the claims for the model in cycles and for the code. An inconclusive answer contains the reason.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// See cycle_schedule.hpp. A place is a state of M in a cycle with the inputs that M has received in it. Consider two
-// places with the same state of M. If one of them has received only a subset of the inputs of the other, and has made
-// at least its outputs, it can do everything that the other can; only the first place is kept. In a place that waits
-// for inputs that it has not received, time may pass, because their registers may be empty.
+// See cycle_schedule.hpp. A place is a state of M in a cycle, with the inputs that M has received in this cycle.
+// Consider two places with the same state of M. Suppose that the first has received only a subset of the inputs of the
+// second, and has made at least its outputs. Then the first can do everything that the second can, so only the first is
+// stored. In a place that waits for inputs that it has not received, time may pass, because their registers may be
+// empty.
 #include "conformance/check/cycle_schedule.hpp"
 
 #include <fmt/format.h>
@@ -25,16 +26,16 @@ using Kind = ModelRole::Kind;
 constexpr ModelState no_state = 0xffffffffU;
 constexpr std::uint32_t nowhere = 0xffffffffU;
 
-/// Registers, or outputs, in ascending order.
+/// Indices of registers or of outputs, ascending.
 using Numbers = std::vector<std::uint32_t>;
 
 struct Place {
     ModelState model = 0;
-    std::uint32_t left = 0;  ///< tocks to the end of the cycle; 0: before the first
+    std::uint32_t left = 0;  ///< tocks until the end of the cycle; 0 before the first one
     std::uint32_t received = 0;
-    std::uint32_t made = 0;  ///< outputs, until one was made twice in a cycle
+    std::uint32_t made = 0;  ///< the set of outputs made, until one was made twice in a cycle
     std::uint32_t from = nowhere;
-    ModelEdge edge;  ///< that led here
+    ModelEdge edge;  ///< the edge that led here
 };
 
 class Schedule {
@@ -92,7 +93,7 @@ private:
         return intern(more);
     }
 
-    /// Ignores inputs that M has received and cannot receive again before time passes.
+    /// Removes inputs that M has received and cannot receive again before time passes.
     std::uint32_t narrowed(std::uint32_t received, ModelState model) {
         if (received == 0 || model == no_state) return 0;
         const std::vector<bool>& hears = model_.heard_inputs(model);
@@ -259,7 +260,7 @@ private:
         if (kind == Kind::output) steps.push_back({edge.role.write, edge.role.write, describe(target)});
     }
 
-    /// A run of NF_c(M) to this place, in which the registers of all inputs that M does not receive are empty.
+    /// Returns a run of NF_c(M) to this place, in which the registers of all inputs that M does not receive are empty.
     [[nodiscard]] std::vector<refine::Step> steps_to(std::uint32_t place) const {
         std::vector<std::uint32_t> way;
         for (std::uint32_t at = place; at != nowhere; at = places_[at].from) way.push_back(at);
@@ -274,7 +275,7 @@ private:
         return steps;
     }
 
-    /// The readings of the cycle that begins at this place of the way.
+    /// Adds the readings of the cycle that begins at this place of the path.
     void add_reads(std::vector<refine::Step>& steps, const std::vector<std::uint32_t>& way, std::size_t begin) const {
         std::vector<std::uint32_t> readings(alphabet_.interface().inputs.size(), 0);
         for (std::size_t i = begin + 1; i < way.size(); ++i) {
@@ -292,7 +293,7 @@ private:
         report_not_schedulable(result, found, model_, alphabet_, cycle_length_, limits_);
     }
 
-    /// A place, and an output that M makes there a second time.
+    /// A place, and an output that M makes for the second time there.
     struct Found {
         std::uint32_t place = nowhere;
         ModelEdge edge;
@@ -309,7 +310,7 @@ private:
         return found_aside(rule, words + state, run, alphabet_, cycle_length_);
     }
 
-    /// The last event of such a run, which no process performs.
+    /// Returns the event that marks the end of such a run. No process performs it.
     [[nodiscard]] process::Event mark() const { return alphabet_.events().intern("model.repeats"); }
 
     ModelGraph& model_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See dispatch_equivalence.hpp. Other events are raised together with the dispatched event, because dispatch must
-// ignore them.
+// See dispatch_equivalence.hpp. Other events are raised together with the dispatched event, to check that dispatch
+// ignores them.
 #include "conformance/check/dispatch_equivalence.hpp"
 #include "conformance/check/standstill.hpp"
 
@@ -29,14 +29,14 @@ const char* result_text(rc_result result) {
     return place < words.size() ? words[place] : "an unknown result";
 }
 
-/// A state and the calls made since.
+/// A state and the calls that have been made from it.
 struct Run {
     Bytes state;
     CycleLog log;
     rc_result result = RC_QUIESCENT;
 };
 
-/// A call as the watchdog makes it.
+/// The arguments of a call for the watchdog.
 struct Call {
     const rc_interface* code;
     Run* run;
@@ -61,7 +61,7 @@ rc_result call_pass(void* arguments) {
 
 struct ApiComparison {
     std::uint64_t compared = 0;
-    std::uint32_t image = 0;  ///< image in which they differ
+    std::uint32_t image = 0;  ///< the image in which they differ
     std::optional<ApiDifference> difference;
 };
 
@@ -70,7 +70,7 @@ public:
     Comparison(const rc_interface& code, const ExploredCode& system, const Alphabet& alphabet,
                const refine::Limits& limits)
         : code_(code), system_(system), alphabet_(alphabet), budget_(limits) {
-        // an output that the cycle never makes is a difference of the event API
+        // One more record is reserved, because an output that the cycle never makes is a difference of the event API.
         for (Run* run : {&cycle_, &dispatched_, &again_, &whole_}) run->log.reserve(system.most_writes() + 1);
     }
 
@@ -97,7 +97,7 @@ private:
                                    [this](const DroppedInput& drop) { return drops_after(drop); });
     }
 
-    /// After `dispatch` of an event, the events that it drops have no effect before time passes.
+    /// Checks that the events that a dispatched event drops have no effect before time passes.
     bool drops_after(const DroppedInput& drop) {
         event_ = drop.event;
         reading_ = 1;
@@ -130,7 +130,7 @@ private:
         return true;
     }
 
-    /// Only the register of the event is present for `step`, and all are present for `dispatch`.
+    /// Raises only the register of the event for `step`, and all registers for `dispatch`.
     void raise_all(std::uint32_t reading) {
         const std::vector<Register>& inputs = alphabet_.interface().inputs;
         alone_.assign(inputs.size(), {0, 0});
@@ -156,7 +156,7 @@ private:
         return true;
     }
 
-    /// Uses the answers in cycle_.log.
+    /// Compares with the answers in cycle_.log.
     bool with_answers() {
         run_from_state(call_step, cycle_, alone_);
         take_answers(dispatched_);
@@ -171,7 +171,8 @@ private:
         return check_same_effect(whole_) && (event_ != code_.events || passes_alone());
     }
 
-    /// After a dispatch no transition is enabled: another attempt to take transitions without events has no effect.
+    /// Checks that no transition is enabled after a dispatch: another attempt to take transitions without events must
+    /// have no effect.
     bool is_quiescent() {
         again_.state = dispatched_.state;
         again_.log.given = 0;
@@ -189,8 +190,8 @@ private:
                check_promise(cycle_.state == other.state, other, "another state");
     }
 
-    /// After the machine has begun, a cycle without inputs is one call. Before that, the cycle begins the machine or
-    /// has no effect.
+    /// Compares one call without events with a cycle without inputs. Before the machine has begun, the cycle begins it
+    /// or has no effect.
     bool passes_alone() {
         take_answers(whole_);
         whole_.state = from_;
@@ -283,8 +284,8 @@ private:
     refine::Budget budget_;
     ApiComparison found_;
     Bytes from_;
-    std::uint32_t event_ = 0;    ///< code_.events: no event
-    std::uint32_t reading_ = 0;  ///< reading of the event; 0: none
+    std::uint32_t event_ = 0;    ///< code_.events if there is no event
+    std::uint32_t reading_ = 0;  ///< reading of the event; 0 if there is none
     bool passed_ = false;        ///< only `pass` is compared
     bool endless_ = false;
     Registers alone_, raised_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tries increasing numbers of names. The conditions are those of Lazić 1999 (a specification that is normalised,
-// without tests for equality) and, for specifications that choose between values, a number of values that exceeds by
-// one the number of values that are live at the same time.
+// without tests for equality). If the specification chooses between values, the number of names must exceed the number
+// of values that are live at the same time by one.
 #include "conformance/check/enough_names.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// For each output, whether each argument has a represented type.
+/// Returns, for each output, whether each argument has a represented type.
 std::vector<std::vector<bool>> represented_arguments(const ir::System& system, const Representatives& few,
                                                      const cpp_emit::Component& component) {
     std::vector<std::vector<bool>> result;
@@ -31,7 +31,7 @@ std::vector<std::vector<bool>> represented_arguments(const ir::System& system, c
     return result;
 }
 
-/// Whether each type has more names than are live after any trace.
+/// Returns whether each type has more names than are live after any trace.
 bool names_suffice(CyclicModel& model, const Representatives& few, const refine::Limits& limits) {
     const std::vector<std::size_t> live = most_live_names(model, few, limits);
     bool enough = true;

@@ -17,15 +17,15 @@ namespace robochart::conformance {
 /// The largest number of names that is tried.
 inline constexpr std::size_t most_names = 8;
 
-/// A number of names that represent all values, or the reason why there is none.
+/// A number of names that represent all values, or the reason why no such number was found.
 struct EnoughNames {
     std::optional<std::size_t> names;  ///< no value: not decided, or more than `most_names`
-    std::string reason;                ///< if `names` has no value
+    std::string reason;                ///< why `names` has no value
 };
 
 /// Finds the least number of names, at least `least_names`, that satisfies one of two conditions: NF_c(M) does not
-/// choose between values, or more names exist than are live after any trace. Limits and failures of the evaluation are
-/// reported as a reason.
+/// choose between values, or there are more names than names that are live after any trace. If a limit is reached or
+/// the evaluation fails, the result contains the reason.
 [[nodiscard]] EnoughNames enough_names(const RenamedSystem&, const ir::ComponentRef&, const cpp_emit::Component&,
                                        const Options&, diagnostics::SourceManager&);
 

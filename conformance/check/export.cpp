@@ -16,7 +16,8 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Declares the channel for errors of the code, which no normal form performs; "" if the graph has no such event.
+/// Declares the channel for errors of the code, which no normal form performs. Returns "" if the graph has no such
+/// event.
 std::string fault_channel(const lts::Graph& graph, const process::EventTable& events) {
     for (lts::StateIndex state = 0; state < graph.size(); ++state)
         for (const lts::Edge& edge : graph.edges(state))

@@ -9,7 +9,7 @@
 
 namespace robochart::conformance {
 
-/// The data of the check of one controller.
+/// The code of one controller and the data of its check.
 struct CheckedCode {
     const csp_emit::Emission& script;
     const cspm::ExprPtr& process;  ///< M

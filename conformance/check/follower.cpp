@@ -65,8 +65,8 @@ Mismatch Follower::make_mismatch(Node node, std::string reason) {
     return {Outcome::differs, std::move(reason), describe_allowed(node), nullptr};
 }
 
-/// Whether the node allows a state that offers only this event or nothing, or has no stable state. Acceptances are
-/// minimal.
+/// Returns whether the node allows a state that offers only this event or nothing, or has no stable state. Minimal
+/// acceptances decide this.
 bool Follower::may_refuse(Node node, std::optional<process::Event> but) {
     const auto& acceptances = form_.acceptances(node);
     const auto fits = [&](const process::EventSet& acceptance) {
@@ -96,8 +96,8 @@ bool Follower::is_unknown(Node node) const {
            });
 }
 
-/// If the model cannot be run in cycles, the check ends at the first sign of this. The behaviour of the code after that
-/// point is not an error of the code.
+/// Ends the check when there is a sign that the model cannot be run in cycles. What the code does after that point is
+/// not an error of the code.
 std::optional<Mismatch> Follower::model_stops(Node node) {
     if (is_unknown(node)) return Mismatch{Outcome::inconclusive, "the steps of the model are unknown", "", nullptr};
     if (form_.diverges(node)) return Mismatch{Outcome::not_schedulable, endless_model, "", &rules::endless_steps};
@@ -110,7 +110,7 @@ std::optional<Mismatch> Follower::model_stops(Node node) {
     return std::nullopt;
 }
 
-/// Whether an infinite sequence of outputs is possible before time passes.
+/// Returns whether an infinite sequence of outputs is possible before time passes.
 bool Follower::has_endless_run(Node from) {
     std::unordered_map<Node, bool> open;  // whether the node is on the path; never iterated
     struct Place {

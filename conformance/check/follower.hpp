@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NF_c(M), determinised on the fly, follows the code event by event: for random walks, and for the search over partial
-// readings.
+// Follows the code event by event in NF_c(M), which is determinised on the fly. Random walks and the search over
+// partial readings use this.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ struct Mismatch {
     Outcome outcome = Outcome::differs;
     std::string reason;
     std::string expected;
-    const diagnostics::Rule* rule = nullptr;  ///< only for the outcome not_schedulable
+    const diagnostics::Rule* rule = nullptr;  ///< only if the outcome is not_schedulable
 };
 
 class Follower {
@@ -35,18 +35,20 @@ public:
     [[nodiscard]] std::size_t node_count() const { return form_.size(); }
     [[nodiscard]] const NormalFormSystem& system() const { return system_; }
 
-    /// L(G) offers only this event (or, with `read`, all readings of a register). NF_c(M) must allow it, and must not
-    /// require others. Returns no value and advances `node` if this holds.
+    /// Follows an event that L(G) offers without an alternative (or, with `read`, one of all readings of a register).
+    /// NF_c(M) must allow the event, and must not require other events. Then the function advances `node` and returns
+    /// no value.
     [[nodiscard]] std::optional<Mismatch> follow_event(Node& node, process::Event event, bool read);
     /// Follows the end of a cycle, after its writes. If `cut` is true, the code made more outputs than the log can
-    /// hold, and the outputs that are not in the log are not checked.
+    /// contain, and the missing outputs are not checked.
     [[nodiscard]] std::optional<Mismatch> finish_cycle(Node& node, rc_result outcome, bool cut);
-    /// Whether the code has terminated in the cycle that was finished last.
+    /// Returns whether the code has terminated in the cycle that was finished last.
     [[nodiscard]] bool has_terminated() const { return over_; }
-    /// With Frame::unread: a register whose reading affects the model in this node; no value if there is none.
+    /// With Frame::unread: returns a register whose reading affects the model in this node, or no value if there is
+    /// none.
     [[nodiscard]] std::optional<std::uint32_t> asked_register(Node node);
-    /// Sets a function that is true for those states of the model whose steps are unknown. If the model may be in such
-    /// a state, the result is a mismatch with the outcome `inconclusive`.
+    /// Sets a function that returns true for states of the model whose steps are unknown. If the model may be in such a
+    /// state, the result is a mismatch with the outcome `inconclusive`.
     void end_where(std::function<bool(lts::StateView)> unknown) { unknown_ = std::move(unknown); }
 
 private:

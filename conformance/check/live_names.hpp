@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts the values that NF_c(M) holds and may still write. If a component only passes values on, one value more than
-// this number is needed to represent all values (docs/conformance.md, "Few values for all").
+// Counts the values that NF_c(M) stores and may still write. If a component only passes values on, this number plus one
+// is enough to represent all values (docs/conformance.md, "Few values for all").
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 
 namespace robochart::conformance {
 
-/// For each represented type, the largest number of its names that are live after a trace of NF_c(M), together with the
-/// values of the type in the register that is read next. Considers only traces in which each register is read with
-/// names that are not live. A name is live after a trace if NF_c(M), from some state that it may have reached, can
+/// Returns, for each represented type, the largest number of names that are live after a trace of NF_c(M), plus the
+/// number of values of the type in the register that is read next. Considers only traces in which each register is read
+/// with names that are not live. A name is live after a trace if NF_c(M), from some state that it may have reached, can
 /// write the name before it reads a register that contains this name. The model must have been instantiated with the
 /// given representatives. Throws diagnostics::LimitReached.
 [[nodiscard]] std::vector<std::size_t> most_live_names(CyclicModel&, const Representatives&, const refine::Limits&);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there for any readings of the
-// others.
+// See missed_events.hpp. An event is lost in a cycle if its register makes no difference there, for any readings of the
+// other registers.
 #include "conformance/check/missed_events.hpp"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ private:
         if (std::ranges::find(all.places, place.element) == all.places.end()) all.places.push_back(place.element);
     }
 
-    /// The images to which a cycle in this image may lead.
+    /// Returns the images to which a cycle in this image may lead.
     const std::vector<std::uint32_t>& next_images(std::uint32_t image) {
         const auto known = behind_.find(image);
         if (known != behind_.end()) return known->second;
@@ -79,7 +79,7 @@ private:
         result.push_back(std::move(found));
     }
 
-    /// The maximal number of consecutive cycles that begin in these images; no value if it is unbounded.
+    /// Returns the maximal number of consecutive cycles that begin in these images, or no value if it is unbounded.
     std::optional<std::uint64_t> longest_run(const Missed& all) {
         struct Visit {
             std::uint32_t image = 0;

@@ -12,7 +12,7 @@
 
 namespace robochart::conformance {
 
-/// The events that may be raised in their register without effect. `code` must have been explored completely.
+/// Returns the events that may be raised in their register without effect. `code` must have been explored completely.
 [[nodiscard]] std::vector<MissedEvent> missed_events(const ExploredCode& code, const Alphabet&, const EventPlaces&);
 
 }  // namespace robochart::conformance

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::chrono::seconds longest_explanation{10};
 
-/// The actions of a run as the frame shows them: reports of writes are visible or hidden.
+/// Returns the actions of a run as the frame shows them: reports of writes are visible or hidden.
 refine::Run run_of_frame(const Frame& frame, const std::vector<refine::Step>& steps, const Alphabet& alphabet) {
     refine::Run run;
     for (const refine::Step& step : steps) {
@@ -34,7 +34,7 @@ refine::Run run_of_frame(const Frame& frame, const std::vector<refine::Step>& st
     return run;
 }
 
-/// Follows hidden steps of M that are not outputs, always the first of each state. Ends if there is no such step or a
+/// Follows hidden steps of M that are not outputs, always the first one in a state. Ends if there is no such step or a
 /// state repeats.
 void follow_hidden_steps(NormalFormSystem& system, const Alphabet& alphabet, refine::Run& run, refine::Budget& budget) {
     const auto silent = [&](const refine::RunStep& step) {
@@ -49,7 +49,7 @@ void follow_hidden_steps(NormalFormSystem& system, const Alphabet& alphabet, ref
     }
 }
 
-/// Converts a run of NF_c(M) to a counterexample of M: the behaviour of M in this run.
+/// Converts a run of NF_c(M) to a counterexample of M, which contains the behaviour of M in this run.
 class RunOfModel {
 public:
     RunOfModel(ModelGraph& graph, const NormalFormSystem& normal_form, const Alphabet& alphabet)
@@ -128,7 +128,7 @@ std::optional<refine::Violation> find_violation(NormalFormSystem& normal_form, c
             follow_hidden_steps(normal_form, alphabet, result->run, budget);
     } catch (const process::Interrupted&) {
     } catch (const std::logic_error&) {
-        // The normal form did not reproduce the run, so no run is displayed. The verdict does not depend on this.
+        // If the normal form does not reproduce the run, no run is displayed. The verdict does not depend on this.
     }
     normal_form.set_budget(diagnostics::unlimited);
     return result;

@@ -25,8 +25,8 @@ namespace {
 __extension__ using Wide = __int128;
 __extension__ using WideUnsigned = unsigned __int128;
 
-/// A sum of whole numbers times powers of two, exact from the least to the greatest double: a fixed-point number that
-/// is wide enough for all of them (Kulisch, Computer Arithmetic and Validity, 2008, chapter 8).
+/// A sum of products of whole numbers and powers of two, exact from the least to the greatest double. It is a
+/// fixed-point number that is wide enough for all of them (Kulisch, Computer Arithmetic and Validity, 2008, chapter 8).
 class ExactSum {
 public:
     /// Adds factor * number, in two halves that fit: the factor has less than 90 bits.
@@ -81,7 +81,7 @@ double as_double(const TriedNumber& number) {
     return std::bit_cast<double>(number.bits);
 }
 
-/// Zero is represented by the positive zero.
+/// Returns the number itself. Both zeros become the positive zero.
 TriedNumber itself(double number) {
     return {std::bit_cast<std::int64_t>(number + 0.0), std::nullopt};
 }
@@ -94,7 +94,7 @@ public:
 
     std::vector<TriedRegion> choose() {
         add_points();
-        add_all_neighbours();  // of simple numbers first
+        add_all_neighbours();  // neighbours of simple numbers come first
         for (TriedRegion& region : regions_)
             if (region.boundary) add_random(region);
         add_all_neighbours();
@@ -124,8 +124,8 @@ private:
         }
     }
 
-    /// Adds a value to its region, unless the code's number is already in use, because each number of the code
-    /// represents only one number of the model.
+    /// Adds a value to its region, unless the code's number is already in use. Each number of the code represents only
+    /// one number of the model.
     void add(TriedValue value) {
         budget_.poll();
         for (std::size_t p = 0; p < value.size(); ++p) {
@@ -168,8 +168,8 @@ private:
         return next.has_value();
     }
 
-    /// Numbers between two explored values of the region are in the region, which is convex. Numbers far from them may
-    /// be in another region, and are not used then.
+    /// Adds random numbers. Numbers between two explored values of the region are in the region, because it is convex.
+    /// Numbers far from them may be in another region, and are then not used.
     void add_random(TriedRegion& region) {
         const std::vector<std::size_t> places = region.places;
         const std::size_t most = region.values.size() + random_;
@@ -184,7 +184,7 @@ private:
         }
     }
 
-    /// On the line between the values, where all parts are whole numbers of units.
+    /// Returns a value on the line between two values, with parts that are whole numbers of units.
     [[nodiscard]] TriedValue decimal_between(const Numbers& from, const Numbers& to) {
         std::int64_t steps = 0;
         for (std::size_t p = 0; p < from.size(); ++p) steps = std::gcd(steps, to[p] - from[p]);
@@ -204,7 +204,7 @@ private:
         return value;
     }
 
-    /// At a distance of 2^-30 to 2^30 in each part.
+    /// Returns a value at a distance of 2^-30 to 2^30 in each part.
     [[nodiscard]] TriedValue distant(const Numbers& from) {
         TriedValue value;
         for (std::size_t p = 0; p < from.size(); ++p) {
@@ -227,7 +227,7 @@ private:
         return bits;
     }
     [[nodiscard]] std::uint64_t draw() { return diagnostics::splitmix64(seed_); }
-    /// In [0, 1), a multiple of 2^-53.
+    /// Draws a multiple of 2^-53 in [0, 1).
     [[nodiscard]] double uniform() { return std::ldexp(static_cast<double>(draw() >> 11U), -53); }
 
     const NumberSpace& space_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breadth-first search over the normalised specification: a node represents the states after a trace. Nodes are
-// numbered in the order of their discovery.
+// Searches the normalised specification breadth-first. A node represents the states after a trace. Nodes are numbered
+// in the order of their discovery.
 #include "conformance/check/open_choice.hpp"
 
 #include <fmt/format.h>

@@ -13,12 +13,12 @@
 
 namespace robochart::conformance {
 
-/// Two outputs, either of which the model may make after the same trace.
+/// Two outputs that are both possible after the same trace of the model.
 struct OpenChoice {
     std::string one, other;
 };
 
-/// The reason why the explored values do not represent all values: the model chooses between values.
+/// Explains why the explored values do not represent all values: the model chooses between values.
 [[nodiscard]] std::string reason_of(const OpenChoice&);
 
 /// Finds the first trace of the normal form after which two writes are possible that differ only in represented

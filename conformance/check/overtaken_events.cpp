@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // See overtaken_events.hpp. Outputs show which event came first. Suppose that the event alone causes outputs A, and
-// another event causes B. If both are raised and the outputs of the cycle begin with B and not with A, the other event
-// came first. If the cycle without any input causes outputs N, and the cycle with the event alone causes N and then
-// more outputs, transitions without trigger came first. Cycles that make no outputs, or pass probabilistic junctions,
-// do not show the order.
+// another event alone causes B. If both are raised and the outputs of the cycle begin with B and not with A, the other
+// event came first. Suppose that the cycle without any input causes outputs N. If the cycle with the event alone causes
+// N and then more outputs, transitions without trigger came first. Cycles that make no outputs, or pass probabilistic
+// junctions, do not show the order.
 #include "conformance/check/overtaken_events.hpp"
 
 #include <algorithm>
@@ -82,7 +82,7 @@ private:
         return found;
     }
 
-    /// The readings to try: the least and the greatest value represent all values.
+    /// Returns the readings to try: the least and the greatest value represent all values.
     [[nodiscard]] std::set<std::uint32_t> extreme_readings(std::size_t event) const {
         return {1U, alphabet_.interface().inputs[event].reading_count() - 1};
     }

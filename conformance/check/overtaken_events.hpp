@@ -12,7 +12,7 @@
 
 namespace robochart::conformance {
 
-/// Results are in the order of the registers. `code` must have been explored completely.
+/// Returns the events in the order of their registers. `code` must have been explored completely.
 [[nodiscard]] std::vector<OvertakenEvent> overtaken_events(const ExploredCode& code, const Alphabet&,
                                                            const EventPlaces&);
 

@@ -23,7 +23,7 @@ namespace {
 using Node = Follower::Node;
 
 constexpr std::uint32_t not_read = 0xffffffffU;
-using Readings = std::vector<std::uint32_t>;  ///< for one cycle: a reading or not_read for each register
+using Readings = std::vector<std::uint32_t>;  ///< for each register, its reading in one cycle, or not_read
 
 Frame frame_with_unread() {
     Frame frame;
@@ -75,7 +75,7 @@ private:
         std::uint32_t image = 0;
         Node node = 0;
         std::size_t from = 0;
-        Readings readings;  ///< readings of the cycle that led here
+        Readings readings;  ///< readings of the cycle that led to this position
         const CycleResult* result = nullptr;
     };
     /// The last cycle of a path, in which code and model may differ.
@@ -94,8 +94,8 @@ private:
         budget_.states(positions_.size());
     }
 
-    /// A register whose readings all lead to the same tree makes no difference to the code. Recursion depth: the number
-    /// of registers.
+    /// Tries the readings of a register. If all readings lead to the same tree, the register makes no difference to the
+    /// code. Recursion depth: the number of registers.
     void visit_tree(std::uint32_t node, std::size_t level, Readings& readings) {
         if (found_) return;
         if (level == inputs_) {
@@ -127,7 +127,7 @@ private:
         readings[*register_index] = not_read;
     }
 
-    /// Follows the cycle in the model. Returns the register on which the model depends; no value if the cycle is
+    /// Follows the cycle in the model. Returns the register on which the model depends, or no value if the cycle is
     /// complete.
     std::optional<std::uint32_t> check_cycle(const CycleResult& result, const Readings& readings) {
         budget_.charge();
@@ -193,7 +193,7 @@ private:
         set_model_run(result, found_->rule, trace_to(found_way_));
     }
 
-    /// The reads and writes of a cycle.
+    /// Returns the reads and writes of a cycle.
     [[nodiscard]] std::vector<process::Event> cycle_events(const Readings& readings, const CycleResult& result) const {
         std::vector<process::Event> events;
         for (std::uint32_t i = 0; i < inputs_; ++i)
@@ -202,8 +202,8 @@ private:
         return events;
     }
 
-    /// The trace of code and model up to their difference. A register is treated as empty if neither the code nor the
-    /// model depends on it.
+    /// Returns the trace of code and model up to their difference. A register is treated as empty if neither the code
+    /// nor the model depends on it.
     std::vector<process::Event> trace_to(const Last& last) const {
         std::vector<std::size_t> way;
         for (std::size_t at = last.from; at != 0; at = positions_[at].from) way.push_back(at);

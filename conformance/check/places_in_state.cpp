@@ -5,7 +5,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// The value of a member in the text of a state; members of operations follow those of their machines.
+/// Returns the value of a member in the text of a state. Members of operations follow those of their machines.
 std::string_view value_in(std::string_view state, const std::string& member) {
     const std::string prefix = member + "=";
     for (std::size_t at = state.find(prefix); at != std::string_view::npos; at = state.find(prefix, at + 1)) {

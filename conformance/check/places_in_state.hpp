@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places of machines (cpp_emit/plan/options.hpp) in a printed state of the code.
+// Finds the places of machines (cpp_emit/plan/options.hpp) in a printed state of the code.
 #pragma once
 
 #include <set>
@@ -12,7 +12,7 @@
 
 namespace robochart::conformance {
 
-/// The places in which a controller's machines may miss events or take them late, as determined by the generator.
+/// The places in which machines of a controller may miss events or take them late, as the generator determined them.
 using EventPlaces = std::vector<cpp_emit::EventPlace>;
 
 class PlacesInState {
@@ -20,9 +20,10 @@ public:
     /// `places` must outlive the object.
     explicit PlacesInState(const EventPlaces& places);
 
-    /// The places of the machines in a state, in the order of the members. `state` is the text of CodeSystem::print.
+    /// Returns the places of the machines in a state, in the order of the members. `state` is the text of
+    /// CodeSystem::print.
     [[nodiscard]] std::vector<const cpp_emit::EventPlace*> find_places(std::string_view state) const;
-    /// The number of events that the platform raises.
+    /// Returns the number of events that the platform raises.
     [[nodiscard]] std::size_t event_count() const { return events_; }
 
 private:

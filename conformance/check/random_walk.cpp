@@ -22,7 +22,7 @@ namespace robochart::conformance {
 namespace {
 
 using Node = Follower::Node;
-/// Readings of one cycle, by register: 0: absent; otherwise 1 + the value.
+/// The readings of one cycle, by register: 0 for absent, otherwise 1 + the index of the value.
 using Readings = std::vector<std::uint32_t>;
 using Bytes = std::vector<unsigned char>;
 
@@ -42,7 +42,8 @@ public:
           cycle_length_(std::max(1U, cycle_length)),
           follower_(model, alphabet, cycle_length, limits) {}
 
-    /// The steps of the model are unknown where a value leaves its carrier. The system must be that of the model graph.
+    /// Tells the follower that the steps of the model are unknown where a value leaves its carrier. The system must be
+    /// that of the model graph.
     void end_where_unknown(const CarrierLimited& model) {
         follower_.end_where([&model](lts::StateView state) { return model.is_unknown(state); });
     }
@@ -53,8 +54,8 @@ public:
         return position;
     }
 
-    /// Executes one cycle. Returns no value if code and model agree, or if the code has terminated. Appends to `agreed`
-    /// the common events before the tocks.
+    /// Executes one cycle. Returns no value if code and model agree, or if the code has terminated. Appends the common
+    /// events before the tocks to `agreed`.
     std::optional<Mismatch> run_cycle(Position& at, const Readings& readings, Cycle* reported = nullptr,
                                       std::vector<process::Event>* agreed = nullptr) {
         std::vector<rc_register> registers;
@@ -97,11 +98,11 @@ private:
     Follower follower_;
 };
 
-/// A position with new coverage, from which walks continue.
+/// A position at which a walk covered something new. Other walks continue from it.
 struct Find {
     Position position;
     std::size_t from = 0;
-    std::vector<Readings> way;  ///< since `from`
+    std::vector<Readings> way;  ///< readings since `from`
     std::uint32_t used = 0;
 };
 
@@ -145,7 +146,7 @@ private:
         return bound == 0 ? 0 : static_cast<std::uint32_t>(random_() % bound);
     }
 
-    /// Chooses three positions randomly and returns the least used of them.
+    /// Chooses three positions at random and returns the one that was used least.
     std::size_t pick_find() {
         std::size_t best = random_below(static_cast<std::uint32_t>(finds_.size()));
         for (int n = 0; n < 2; ++n) {
@@ -205,7 +206,7 @@ private:
 
     // ------------------------------------------------------------ smaller witnesses
 
-    /// Whether code and model differ on this path; if so, it is truncated after that cycle.
+    /// Returns the mismatch if code and model differ on this path. The path is then truncated after that cycle.
     std::optional<Mismatch> find_difference(std::vector<Readings>& way) {
         Position at = walker_.start_position();
         for (std::size_t c = 0; c < way.size(); ++c) {
@@ -219,7 +220,7 @@ private:
         return std::nullopt;
     }
 
-    /// Removes cycles, then inputs, while the difference stays the same.
+    /// Removes cycles, then inputs, as long as the difference stays the same.
     void shrink_run(Mismatch& mismatch) {
         std::size_t tries = 2000;
         const auto attempt = [&](std::vector<Readings> smaller) {
@@ -296,11 +297,11 @@ std::optional<Result> difference_on(ModelGraph& model, const Alphabet& alphabet,
 Result run_random_walks(lts::TransitionSystem& model, const Alphabet& alphabet, const rc_interface& code,
                         std::uint32_t cycle_length, const refine::Limits& limits, const WalkOptions& options) {
     refine::Limits bounds = limits;
-    // a cycle of the model may take long; the time limit of walks is checked between cycles
+    // A cycle of the model may take long, and the time limit of walks is checked only between cycles.
     bounds.deadline =
         std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                                std::chrono::duration<double>(2 * options.seconds + 1));
-    bounds.max_states = most_states;  // the limit that ended the search; the number of cycles limits the walks
+    bounds.max_states = most_states;  // the limit that ended the search; walks have their own limit of cycles
     CarrierLimited limited(model, alphabet.tock());
     ModelGraph graph(limited, alphabet);
     Walker walker(graph, alphabet, code, cycle_length, bounds);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See reading_on_demand.hpp. A node is a segment of the code's cycles (cycle_graph.hpp) with a set of states in which
-// the model may be (uniform_runs.hpp). A difference is reported only after code and model have been run with all
-// registers given, from the first cycle on.
+// See reading_on_demand.hpp. A node consists of a segment of the code's cycles (cycle_graph.hpp) and a set of states in
+// which the model may be (uniform_runs.hpp). Before a difference is reported, code and model are run from the first
+// cycle on with all registers given.
 #include "conformance/check/reading_on_demand.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace robochart::conformance {
 namespace {
 
 using Set = UniformRuns::Set;
-using CycleReadings = std::vector<std::uint32_t>;  ///< for one cycle: a reading for each register
+using CycleReadings = std::vector<std::uint32_t>;  ///< for each register, its reading in one cycle
 
 class OnDemandSearch {
 public:
@@ -38,7 +38,7 @@ public:
     OnDemandSearch(const OnDemandSearch&) = delete;
     OnDemandSearch& operator=(const OnDemandSearch&) = delete;
 
-    /// The readings of the cycles that lead to a difference; empty: there is none.
+    /// Returns the readings of the cycles that lead to a difference; empty if there is none.
     std::vector<CycleReadings> run() {
         begin_cycle(code_.reset_image(), model_.start(), no_node, {});
         for (done_ = 0; done_ < starts_.size(); ++done_) {
@@ -74,13 +74,13 @@ private:
         std::uint32_t segment = 0;
         Set model = 0;
         std::uint32_t from = no_node;
-        std::uint32_t input = 0;    ///< reading: the register that the code has read
-        std::uint32_t reading = 0;  ///< reading: its content; cycle: number in starts_
+        std::uint32_t input = 0;    ///< for reading: the register that the code has read
+        std::uint32_t reading = 0;  ///< for reading: the register's content; for cycle: index in `starts_`
         Step step = Step::cycle;
     };
     struct Start {
         std::uint32_t node = 0;
-        /// Readings assumed for registers that the code did not read in the previous cycle.
+        /// The readings assumed for registers that the code did not read in the previous cycle.
         std::vector<std::pair<std::uint32_t, std::uint32_t>> before;
     };
 
@@ -104,8 +104,8 @@ private:
         if (add(node)) open_.push_back(static_cast<std::uint32_t>(nodes_.size() - 1));
     }
 
-    /// Returns false if the model cannot follow from here when the registers that the code has not read contain the
-    /// readings in `assumed_` or are empty.
+    /// Expands a node. Returns false if the model cannot follow from here when the registers that the code has not read
+    /// contain the readings in `assumed_`, or are empty.
     bool expand(std::uint32_t at) {
         const Node node = nodes_[at];
         const CycleGraph::Segment segment = code_.segment(node.segment);
@@ -140,7 +140,7 @@ private:
         return true;
     }
 
-    /// Registers without an assumed reading are empty.
+    /// Returns the readings of the cycles to a node. Registers without an assumed reading are empty.
     [[nodiscard]] std::vector<CycleReadings> way_to(std::uint32_t node) const {
         const CycleReadings empty(alphabet_.interface().inputs.size(), 0);
         std::vector<CycleReadings> way{empty};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks conformance of code with many inputs. The search tries all readings of a register only at the points at which
-// the code reads this register. The model follows with runs that are possible for all contents of the other registers
+// Checks conformance of code with many inputs. The search tries all readings of a register only where the code reads
+// this register. The model follows with runs that are possible for all contents of the other registers
 // (docs/conformance.md, "Reading on demand").
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace robochart::conformance {
 
-/// NF_c(M) [FD= L(code) for a schedulable M, like `refined_by` (conformance_check.hpp). Throws NotProbed
-/// (cycle_graph.hpp) if this search cannot decide. The outcome is `inconclusive` at a limit.
+/// Checks NF_c(M) [FD= L(code) for a schedulable M, like `refined_by` (conformance_check.hpp). Throws NotProbed
+/// (cycle_graph.hpp) if this search cannot decide. The outcome is `inconclusive` if a limit is reached.
 [[nodiscard]] Result refined_on_demand(ModelGraph&, const Alphabet&, const rc_interface& code,
                                        std::uint32_t cycle_length, const refine::Limits&, const EventPlaces& = {});
 

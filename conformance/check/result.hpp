@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options and results of the check of a component and its code.
+// Declares the options and the results of the check of a component and its code.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ namespace robochart::conformance {
 
 struct CycleClaims;  // cycle_claims.hpp
 
-/// The outcome for one component.
+/// The outcome of a check.
 enum class Outcome {
     conforms,
     differs,          ///< the code has a behaviour that NF_c(M) does not allow
-    rounds,           ///< the code conforms for ideal numbers; with the robot's numbers, its behaviour differs
-    not_schedulable,  ///< the model cannot be run in cycles: a witness of NF_c(M) alone
+    rounds,           ///< the code conforms for ideal numbers, but behaves differently with the robot's numbers
+    not_schedulable,  ///< the model cannot be run in cycles; the witness is a run of NF_c(M) alone
     not_generated,    ///< the generator rejected the component (see the diagnostics)
     error,            ///< the script of the model cannot be evaluated
     inconclusive,
@@ -38,15 +38,15 @@ struct Cycle {
     std::string state;                 ///< state of the code after the cycle
 };
 
-/// Explains an outcome in terms of the model. If the model causes the outcome, it contains the rule, the place and a
-/// remedy. If the code differs, it contains the model's run up to the difference.
+/// Explains an outcome with the names and places of the model. If the model causes the outcome, the explanation
+/// contains the rule, the place and a remedy. If the code differs, it contains the model's run up to the difference.
 struct Explanation {
     const diagnostics::Rule* rule = nullptr;  ///< see its page in docs/rules; null: the model does not cause the
                                               ///< outcome
-    std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty: unknown
-    std::string remedy;                       ///< a change that would make the model schedulable; "": unknown
+    std::vector<std::string> where;           ///< "t2: B -> B (loop.rct:9)"; empty if unknown
+    std::string remedy;                       ///< a change that would make the model schedulable; "" if unknown
     /// The run of the model that shows the problem. For `differs`, the run that follows the code up to the difference.
-    /// No value: not found in time.
+    /// No value if it was not found in time.
     std::optional<runs::Run> run;
 };
 
@@ -54,21 +54,21 @@ struct Explanation {
 /// run that shows the violation.
 struct Aside {
     bool holds = true;
-    std::string reason;  ///< the reason why it fails
+    std::string reason;  ///< why the property fails
     std::vector<Cycle> cycles;
     const diagnostics::Rule* rule = nullptr;
-    /// The trace of NF_c(M) up to the violation (as Result::model_run), and the model's run with this trace; no value:
-    /// not found in time.
+    /// The trace of NF_c(M) up to the violation (as in Result::model_run), and the model's run with this trace. No
+    /// value if the run was not found in time.
     std::optional<refine::Counterexample> model_run;
     std::optional<runs::Run> run;
 };
-/// What the violation means for a robot, in sentences; "" if there is none.
+/// Returns sentences that explain what the violation means for a robot; "" if there is no explanation.
 [[nodiscard]] std::string_view meaning_of(const Aside&);
 
-/// The reason why an event is not taken in the cycles in which its register holds it.
+/// Why an event is not taken in cycles in which its register contains it.
 enum class MissedWhile {
     busy,       ///< the machine that uses the event is executing an action
-    condition,  ///< the machine rests, and the conditions of all transitions that await the event are false
+    condition,  ///< the machine rests, and all transitions that await the event have false conditions
 };
 
 /// An event of the platform that can arrive without effect (docs/conformance.md, "Events that can be missed").
@@ -76,7 +76,7 @@ struct MissedEvent {
     struct Reason {
         MissedWhile why = MissedWhile::busy;
         std::optional<std::uint64_t> cycles;  ///< maximal number of consecutive cycles; no value: unbounded
-        std::vector<std::string> places;      ///< states of the machine meanwhile
+        std::vector<std::string> places;      ///< states of the machine in these cycles
     };
     std::string event;
     std::optional<std::uint64_t> cycles;  ///< maximal number of consecutive cycles, for either reason
@@ -92,14 +92,14 @@ struct OvertakenEvent {
     std::vector<std::string> places;  ///< states of the machine at that time
 };
 
-/// The behaviour of one API of the code.
+/// What one API of the code does.
 struct Behaviour {
     std::vector<std::string> outputs;  ///< in order
     std::string ends;                  ///< "at rest", "terminates", ...
-    std::string state;                 ///< afterwards
+    std::string state;                 ///< state after the call
 };
 
-/// A difference between the event API and the cycle, after Result::cycles.
+/// A difference between the event API and the cycle. It occurs after the cycles in Result::cycles.
 struct ApiDifference {
     std::string event;  ///< "heading = 90"; "": none
     std::string what;   ///< the violated property
@@ -107,25 +107,25 @@ struct ApiDifference {
     Behaviour dispatched;
 };
 
-/// A type with few explored values, because the component only passes its values on.
+/// A type of which only a few values are explored, because the component only passes its values on.
 struct FewValues {
     std::string type;  ///< name in the model
     std::size_t values = 0;
 };
 
-/// The behaviour of the code with numbers of the robot (docs/conformance.md, "Numbers on the robot").
+/// How the code behaves with numbers of the robot (docs/conformance.md, "Numbers on the robot").
 struct RobotNumbers {
-    /// A value of `double` that is not a number of the model, or a limit of a type.
+    /// A special value: a `double` that is not a number of the model, or a limit of a type.
     struct Special {
         std::string value;                ///< "nan", "inf", "-inf", "-0", "9223372036854775807"
-        bool limit = false;               ///< the value is a number of the model and a limit of its type
+        bool limit = false;               ///< true: the value is a number of the model and a limit of its type
         std::vector<std::string> unlike;  ///< inputs in which the value has an effect that no number of the model has;
                                           ///< for a limit: inputs in which its effect differs from that in the model
     };
     std::size_t numbers = 0;  ///< values with which the code was run
     std::size_t regions = 0;  ///< number of regions of the model's numbers
-    std::string difference;   ///< the first difference that does not change the outcome; "": none
-    std::string limit;        ///< the reason why not all cycles were run with these numbers; "": all were
+    std::string difference;   ///< the first difference that does not change the outcome; "" if none
+    std::string limit;        ///< why not all cycles were run with these numbers; "" if all were
     std::vector<Special> special;
 };
 
@@ -136,79 +136,79 @@ struct CycleAnswer {
     std::vector<Cycle> cycles;                ///< a shortest run that violates the claim
 };
 /// Both answers to a claim. The answer for the code is the verdict. If the claim holds for the code, the answer for the
-/// model states only whether every conforming controller satisfies the claim.
+/// model only tells whether every conforming controller satisfies the claim.
 struct CycleAnswers {
-    std::string claim;  ///< its name
+    std::string claim;  ///< name of the claim
     std::string wording;
     diagnostics::Span span;
     CycleAnswer model, code;
     [[nodiscard]] bool holds() const { return code.outcome == Outcome::conforms; }
     bool asked = true;         ///< some cycle of the code is in the scope of the claim
-    bool in_carriers = false;  ///< the claim compares values, and was decided for those of the finite instantiation
+    bool in_carriers = false;  ///< the claim compares values, and was decided for the finite instantiation
 };
 
 /// The result for one component, with the size of the exploration and, if the code differs, a shortest run.
 struct Result {
     Outcome outcome = Outcome::inconclusive;
     std::string reason;
-    std::vector<Cycle> cycles;  ///< differs, not_schedulable: shortest input sequence
+    std::vector<Cycle> cycles;  ///< for differs, not_schedulable: a shortest sequence of inputs
     std::string expected;       ///< events that the model allows at the difference
-    Explanation explanation;    ///< differs, not_schedulable
+    Explanation explanation;    ///< for differs, not_schedulable
     /// The evidence for the explanation: the run of NF_c(M) that shows the problem, or the common trace of NF_c(M) and
-    /// the code up to the difference (kind `no_trace`). With this evidence, the run is found again in terms of the
-    /// model.
+    /// the code up to the difference (kind `no_trace`). With this evidence, the model's own run is found again.
     std::optional<refine::Counterexample> model_run;
     std::uint64_t code_states = 0;      ///< distinct state images of the code
     std::uint64_t code_cycles = 0;      ///< number of executed (state, input valuation) pairs
     std::uint64_t model_states = 0;     ///< states of M visited under the simulation assumptions
     refine::Statistics product;         ///< statistics of the refinement check
     refine::Statistics schedulability;  ///< statistics of the check of NF_c(M) alone
-    /// Whether no cycle makes an output twice; if so, the strict relation, which forbids this, holds too. No value: not
-    /// decided.
+    /// Whether no cycle makes an output twice. If so, the strict relation, which forbids this, holds too. No value if
+    /// this was not decided.
     std::optional<Aside> register_cycles;
-    /// Whether no deadline passes while the model waits for an input that does not arrive. No value: not decided.
+    /// Whether no deadline passes while the model waits for an input that does not arrive. No value if this was not
+    /// decided.
     std::optional<Aside> deadlines;
     std::vector<FewValues> represented;  ///< types of which only some values are explored
-    /// The data of the component, if the result is about all values of ideal numbers; otherwise empty. The classes are
-    /// those of the model's conditions.
+    /// The data of the component, if the result is valid for all values of ideal numbers; otherwise empty. The classes
+    /// of values are those of the model's conditions.
     std::vector<ir::ReplacedData> all_values;
-    bool lists_of_any_length = false;  ///< the explored lists stand for lists of any length
-    /// If the result is about all values and the code conforms: the test with numbers of the robot.
+    bool lists_of_any_length = false;  ///< the explored lists represent lists of any length
+    /// The test with numbers of the robot, if the code conforms and the result is valid for all values.
     std::optional<RobotNumbers> robot;
-    /// The reason why a search for all values did not decide; "": it decided, or there was no such search.
+    /// Why a check for all values did not decide; "" if it decided or was not made.
     std::string not_for_all;
     std::vector<MissedEvent> missed;        ///< if it conforms: events missed in some state of the code
     std::vector<OvertakenEvent> overtaken;  ///< if it conforms: events that come second in some state of the code
     std::uint64_t dispatched = 0;           ///< number of (state, event or none) pairs in which both APIs were compared
     std::optional<ApiDifference> api_difference;
-    std::vector<CycleAnswers> claims;   ///< about cycles
+    std::vector<CycleAnswers> claims;   ///< the answers to claims about cycles
     std::vector<std::string> raw;       ///< the trace in events of NF_c(M)
     std::string normal_form;            ///< NF_c(M) as CSPM declarations that follow the model's timed script
-    std::vector<std::string> warnings;  ///< about the code: states that are not canonical
+    std::vector<std::string> warnings;  ///< about the code, for example if its states are not canonical
     std::string exported;               ///< L(G) in the requested format (Options::exported)
-    std::string export_failure;         ///< the reason why a requested export was not made
+    std::string export_failure;         ///< why a requested export was not made
 };
 
 /// The relation between NF_c(M) and L(G).
 enum class Relation {
     failures_divergences,  ///< [FD=
-    tick_tock,  ///< [TT=, which observes refusals before each tock; in addition, the code must have no divergence
+    tick_tock,             ///< [TT=, which observes refusals before each tock; the code must also have no divergence
 };
 
-/// How the inputs of the code are tried. The choice does not affect verdicts.
+/// How the inputs of the code are tried. This does not affect verdicts.
 enum class InputSearch {
     automatic,   ///< chosen by the number of valuations of all inputs
     all_inputs,  ///< all valuations in each state
-    on_demand,   ///< registers that the code reads; inconclusive if this search cannot decide
+    on_demand,   ///< only registers that the code reads; inconclusive if this cannot decide
 };
 
-/// The numbers that a result is about.
+/// The numbers for which a result is valid.
 enum class Numbers {
     carriers,  ///< the numbers of the finite instantiation
-    all,       ///< all numbers, if the component only compares and copies them; otherwise those of the instantiation
+    all,       ///< all numbers, if the component only compares and copies them; otherwise like `carriers`
 };
 
-/// L(G) for other tools: Aldebaran's format, Graphviz's, or a script that repeats NF_c(M) [FD= L(G) in FDR.
+/// A format of L(G) for other tools: Aldebaran, Graphviz, or a script that repeats NF_c(M) [FD= L(G) in FDR.
 enum class Export { none, aut, dot, csp };
 
 /// Guided random walks for systems that are too large for a search (random_walk.hpp).
@@ -220,20 +220,20 @@ struct WalkOptions {
 
 /// Options for generating and compiling code and for comparing it with its model.
 struct Options {
-    std::uint32_t cycle_length = 1;  ///< c: number of tocks in a cycle
+    std::uint32_t cycle_length = 1;  ///< c: the number of tocks in a cycle
     Relation relation = Relation::failures_divergences;
     InputSearch inputs = InputSearch::automatic;
     Numbers numbers = Numbers::carriers;
-    bool rounding_allowed = false;  ///< code that differs with numbers of the robot only has the outcome `conforms`
+    bool rounding_allowed = false;  ///< code that differs only with numbers of the robot conforms
     WalkOptions walks;
     Export exported = Export::none;
     cpp_emit::Options generator;   ///< seeded faults, for tests
     std::string compiler = "c++";  ///< must accept g++'s options
     std::string flags = "-std=c++17 -O1 -Wall -Wextra -Wpedantic -Wconversion -Werror";
-    std::string work_dir;  ///< folder for sources and the shared object; "": a new temporary folder, deleted afterwards
-    diagnostics::Cache* cache = nullptr;  ///< cache of compiled code; null: none
+    std::string work_dir;  ///< folder for sources and the shared object; "": a new folder, which is deleted afterwards
+    diagnostics::Cache* cache = nullptr;  ///< cache of compiled code; may be null
     refine::Limits limits;
-    std::shared_ptr<const CycleClaims> claims = nullptr;  ///< about cycles of the component; null: none
+    std::shared_ptr<const CycleClaims> claims = nullptr;  ///< claims about cycles of the component; may be null
 };
 
 }  // namespace robochart::conformance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model behaves for a number as for an explored value of the same region, and the search has compared the code with
-// the model for this explored value. So a run with other numbers of the same regions has the outputs and the states of
-// the explored run, with other numbers in them.
+// Tests code with numbers of the robot. The model treats a number like an explored value of the same region, and the
+// search has compared the code with the model for this explored value. So a run with other numbers of the same regions
+// must have the outputs and states of the explored run, with the other numbers in them.
 #include "conformance/check/robot_numbers.hpp"
 
 #include <fmt/format.h>
@@ -24,20 +24,20 @@ namespace robochart::conformance {
 
 namespace {
 
-constexpr std::size_t random_values = 16;  ///< of each region
+constexpr std::size_t random_values = 16;  ///< number of random values of each region
 constexpr std::size_t most_cycles = 20'000;
 
 /// The numbers of a run: for each tracked type, the value that replaces each explored value.
 using Assignment = std::vector<std::vector<TriedValue>>;
 
-/// A tracked type.
+/// A tracked type with the numbers that are tried.
 struct TestedType {
     NumberSpace space;
     const ir::ExploredValues* explored = nullptr;
     std::vector<TriedRegion> regions;
 
     [[nodiscard]] bool is_written(std::size_t place) const { return place < explored->written; }
-    /// The places of a region whose numbers may be chosen: the model writes the others itself.
+    /// Returns the explored values of a region whose numbers may be chosen. The model itself writes the others.
     [[nodiscard]] std::vector<std::size_t> free_places(const TriedRegion& region) const {
         std::vector<std::size_t> result;
         std::ranges::copy_if(region.places, std::back_inserter(result),
@@ -99,7 +99,7 @@ private:
     void choose_numbers(RobotNumbers& found);
     [[nodiscard]] Assignment assignment(std::size_t round) const;
     [[nodiscard]] static NumberTables tables_of(const Assignment& numbers);
-    /// Returns the values that the run uses.
+    /// Reports the difference. Returns the values that the run uses.
     std::vector<ValuePlace> report(Result& result, const Assignment& numbers, const TrackedCycles& cycles,
                                    const DeployedCode& code, const Deviation& deviation) const;
     [[nodiscard]] static bool is_inherent(const Result& described, const Assignment& numbers,
@@ -119,7 +119,8 @@ private:
     std::size_t rounds_ = 1;
 };
 
-/// Only inputs may have other numbers than those that the model writes.
+/// Chooses the numbers of the run. Only values that come from inputs get new numbers; the model writes the others
+/// itself.
 void RobotTest::choose_numbers(RobotNumbers& found) {
     for (const ir::TypeId type : explored_.types) {
         const auto place = std::ranges::find(explored_.values.types, type, &ir::ExploredValues::type);
@@ -140,8 +141,8 @@ void RobotTest::choose_numbers(RobotNumbers& found) {
     }
 }
 
-/// Round 0 assigns the explored values themselves. For types without inputs, all other rounds do so too. In each round,
-/// all free places of a region move on to further values of this region.
+/// Returns the numbers of a round. Round 0 assigns the explored values themselves, and so do all other rounds for types
+/// without inputs. In each round, all free values of a region get further values of this region.
 Assignment RobotTest::assignment(std::size_t round) const {
     Assignment result;
     for (const TestedType& type : types_) {
@@ -178,7 +179,7 @@ std::vector<ValuePlace> RobotTest::used_values(const TrackedCycle& cycle) const 
     return result;
 }
 
-/// The interface with the texts of these numbers in place of those of the explored values.
+/// Returns the interface with the texts of these numbers in place of those of the explored values.
 Interface RobotTest::interface_with(const Assignment& numbers) const {
     Interface interface = explored_.interface;
     const auto set_texts = [&](Carrier& carrier, std::size_t type) {
@@ -219,8 +220,9 @@ void RobotTest::name_comparisons(Result& result, const Assignment& numbers, cons
     }
 }
 
-/// Whether every implementation with these types has the difference: a condition of the model has another answer when
-/// it is computed with doubles, for a double next to a boundary that is not a decimal of the model.
+/// Returns whether every implementation with these types has the difference. This is so if a condition of the model has
+/// another answer when it is computed with doubles, for a double that is next to a boundary and not a decimal of the
+/// model.
 bool RobotTest::is_inherent(const Result& described, const Assignment& numbers, const std::vector<ValuePlace>& used) {
     const bool rounded = !described.explanation.where.empty();
     return rounded && std::ranges::any_of(used, [&](const ValuePlace& value) {
@@ -273,7 +275,7 @@ void RobotTest::try_special_values(RobotNumbers& found, DeployedCode& code) cons
         try_special_value(found, {fmt::format("{}", value), true, {}}, false, value, code);
 }
 
-/// Tries the special value as each part of a value, with other parts from each region that is not a boundary.
+/// Tries the special value as each part of a value. The other parts come from each region that is not a boundary.
 void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special special, bool real, std::int64_t bits,
                                   DeployedCode& code) const {
     bool possible = false;
@@ -298,8 +300,9 @@ void RobotTest::try_special_value(RobotNumbers& found, RobotNumbers::Special spe
     if (possible) found.special.push_back(std::move(special));
 }
 
-/// The inputs in which the value has effects that no explored value has. An input is not included if an explored value
-/// has the same effects in all cycles. For a limit, only explored values of its own region are compared.
+/// Returns the inputs in which the value has effects that no explored value has. An input is not included if an
+/// explored value has the same effects in all cycles. For a limit of a type, only explored values of its own region are
+/// compared.
 std::set<std::uint32_t> RobotTest::inputs_unlike_numbers(std::uint32_t type, const TriedValue& value, bool limit,
                                                          DeployedCode& code) const {
     std::set<std::uint32_t> unlike;

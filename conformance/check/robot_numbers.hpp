@@ -20,12 +20,12 @@ struct ExploredValuesOfCode {
     const rc_interface& code;
     const std::vector<ir::TypeId>& types;  ///< the tracked types of the code
     const OutputTypes& output_types;
-    const Interface& interface;  ///< of the value model
+    const Interface& interface;  ///< the interface of the value model
     const diagnostics::SourceManager& sources;
 };
 
-/// Completes a result for all values with the outcome `conforms`: adds the test, and changes the outcome to `rounds` if
-/// the code behaves differently from the model and Options::rounding_allowed is false.
+/// Completes a result for all values with the outcome `conforms`. Adds the test. Changes the outcome to `rounds` if the
+/// code behaves differently from the model and Options::rounding_allowed is false.
 void test_on_robot(Result& result, const ExploredValuesOfCode& explored, bool rounding_allowed,
                    diagnostics::Pollable& budget);
 

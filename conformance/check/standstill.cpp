@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See standstill.hpp. In a run of NF_c(M), the behaviour of M is a run of M, which is interpreted like a
-// counterexample.
+// See standstill.hpp. What M does in a run of NF_c(M) is itself a run of M, which is described like a counterexample.
 #include "conformance/check/standstill.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +15,11 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Maximal number of places and of events in one explanation.
+/// The maximal number of places and of events in one explanation.
 constexpr std::size_t most_listed = 6;
 
-/// The frame in which the problem is found. Endless outputs are a divergence if writes are hidden. A deadline missed by
-/// an input is not a standstill.
+/// Returns the frame in which the problem is found. With hidden writes, endless outputs are a divergence. A missed
+/// deadline of an input is not a standstill.
 Frame frame_for(const refine::Counterexample& found) {
     return {AfterTermination::idle, Outputs::sequence, Deadlines::idle,
             found.kind == refine::ViolationKind::divergence};
@@ -37,7 +36,7 @@ std::string with_place(const std::string& text, const std::optional<runs::Place>
     return place ? fmt::format("{} ({}:{})", text, place->file, place->line) : text;
 }
 
-/// "output x, entry action of B (model.rct:9)": the event without its values, and its cause.
+/// Returns the event without its values, and its cause: "output x, entry action of B (model.rct:9)".
 std::string words_of(const runs::Event& event) {
     const std::string what = event.text.substr(0, event.text.find(" with "));
     const bool known = !event.via.empty() && what.find(event.via) == std::string::npos;
@@ -253,8 +252,8 @@ void explain_standstill(Result& result, const Explained& explained) {
     Words(result.explanation, *result.explanation.run, explained.options.cycle_length).write_explanation();
 }
 
-/// A run of M with a trace of NF_c(M). M may have several such runs. The text at the end of the run is true for all of
-/// them.
+/// Returns a run of M with a trace of NF_c(M). M may have several such runs. The text at the end of the run is true for
+/// all of them.
 std::optional<runs::Run> run_with(const refine::Counterexample& trace, const std::string& why,
                                   const Explained& explained) {
     const auto run = explained.find_run({}, trace);

@@ -14,21 +14,22 @@
 
 namespace robochart::conformance {
 
-/// The rule for a state of NF_c(M) without possible events; null if an event is possible, or if the state waits for a
-/// late input.
+/// Returns the rule for a state of NF_c(M) without possible events. Returns null if an event is possible, or if the
+/// state waits for a late input.
 [[nodiscard]] const diagnostics::Rule* rule_of(Standstill);
-/// The rule for a run of NF_c(M) that ends in a standstill or an endless loop; `graph` is the graph of M.
+/// Returns the rule for a run of NF_c(M) that ends in a standstill or an endless loop. `graph` is the graph of M.
 [[nodiscard]] const diagnostics::Rule& rule_of(const refine::Counterexample&, ModelGraph& graph, const Alphabet&,
                                                std::uint32_t cycle_length, const refine::Limits&);
 
-/// Converts a sequence of events of code and NF_c(M), or of NF_c(M) alone, to a run. Only its trace matters.
+/// Converts a sequence of events of NF_c(M), or of code and NF_c(M), to a run. Only the run's trace is used.
 [[nodiscard]] refine::Counterexample trace_as_run(const std::vector<process::Event>& trace);
-/// Sets the rule and the run of a result that was found event by event (follower.hpp). The rule is that of a
-/// standstill, or null for code that differs. `trace` is the common trace of code and NF_c(M).
+/// Sets the rule and the run of a result that was found event by event (follower.hpp). The rule is null for code that
+/// differs. `trace` is the common trace of code and NF_c(M).
 void set_model_run(Result&, const diagnostics::Rule*, const std::vector<process::Event>& trace);
 
-/// Completes the explanations of a result that differs or is not schedulable, and of its further properties: finds
-/// their runs again in the terms of M. If that takes too long, reports only the rule or the cycles.
+/// Completes the explanations of a result that differs or is not schedulable, and of its further properties. To do
+/// this, it finds their runs again in the semantics of M. If that takes too long, only the rule or the cycles are
+/// reported.
 void explain_result(Result&, cspm::Session&, const cspm::ExprPtr& process, const Alphabet&, const ModelWords&,
                     const Options&);
 

@@ -19,7 +19,7 @@ namespace {
 
 using cpp_emit::ViolationPlace;
 
-/// Whether a member of the printed state has this value.
+/// Returns whether a member of the printed state has this value.
 bool has_value(const std::string& state, const std::string& value) {
     const std::string pattern = "=" + value;
     for (std::size_t at = state.find(pattern); at != std::string::npos; at = state.find(pattern, at + 1)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the violated precondition of an operation if generated code ends a cycle with StepResult::precondition.
+// Finds the violated precondition of an operation when generated code ends a cycle with StepResult::precondition.
 #pragma once
 
 #include <string_view>
@@ -14,12 +14,12 @@
 
 namespace robochart::conformance {
 
-/// The reason of a difference at which the code reports a false precondition.
+/// The reason of a difference if the code reports a false precondition.
 inline constexpr std::string_view outside_precondition = "the code calls an operation outside its precondition";
 
-/// The next statements of M at the end of the run that follows the code. The run is found again in the terms of M. A
-/// call of an operation with a definition is included only if M is blocked at it. Empty if the run is not found in
-/// time.
+/// Returns the next statements of M at the end of the run that follows the code. The run is found again in the
+/// semantics of M. A call of an operation with a definition is included only if M is blocked at it. The result is empty
+/// if the run is not found in time.
 [[nodiscard]] std::vector<diagnostics::Span> blocked_calls(const Result&, cspm::Session&, const cspm::ExprPtr& process,
                                                            const Alphabet&, const csp_emit::Provenance&,
                                                            const Options&);

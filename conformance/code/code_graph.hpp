@@ -8,7 +8,7 @@
 
 namespace robochart::conformance {
 
-/// The reachable states of the code. Throws process::Interrupted at a limit.
+/// Returns the reachable states of the code. Throws process::Interrupted at a limit.
 [[nodiscard]] lts::Graph explore_code(CodeSystem& system, const refine::Limits& limits);
 
 }  // namespace robochart::conformance

@@ -8,7 +8,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Initial bytes of the state passed to `initial`: two patterns, so that bytes that it does not write are detected.
+/// Initial bytes of the state passed to `initial`. Two patterns reveal bytes that `initial` does not write.
 constexpr std::array<unsigned char, 2> fills{0x00, 0xA5};
 
 }  // namespace
@@ -43,7 +43,7 @@ std::uint32_t CodeImages::intern(const Bytes& state) {
     if (fresh) {
         images_.insert(images_.end(), state.begin(), state.end());
         ++count_;
-        if (code_->tracking != nullptr) return place->second;  // a known number and an input print alike
+        if (code_->tracking != nullptr) return place->second;  // a known number and an input have the same text
         const std::string text = print(place->second);
         if (text.size() + 1 < longest_state_text) alias_found_ |= !printed_.emplace(text, place->second).second;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of compiled code as numbered byte images.
+// Numbers the states of compiled code, which are byte images.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace robochart::conformance {
 /// this.
 inline constexpr std::size_t longest_state_text = 1U << 20U;
 
-/// A state as the code's function prints it.
+/// Returns a state as the code's function prints it.
 [[nodiscard]] std::string state_text(void (*print)(const void*, char*, std::size_t), const void* state);
 
 class CodeImages {
@@ -25,17 +25,17 @@ public:
 
     explicit CodeImages(const rc_interface& code);
 
-    /// The image before the first cycle.
+    /// Returns the number of the image before the first cycle.
     [[nodiscard]] std::uint32_t reset() const { return reset_; }
-    /// Whether `initial` writes the whole state, for any previous contents of the memory.
+    /// Returns whether `initial` writes the whole state, whatever the memory contained before.
     [[nodiscard]] bool reset_writes_all() const { return reset_writes_all_; }
     std::uint32_t intern(const Bytes&);
     [[nodiscard]] Bytes bytes(std::uint32_t image) const;
     [[nodiscard]] bool has_bytes(std::uint32_t image, const Bytes&) const;
     [[nodiscard]] std::string print(std::uint32_t image) const;
     [[nodiscard]] std::uint64_t size() const { return count_; }
-    /// Whether two images with different bytes have the same text. If so, the state is not canonical, and the reported
-    /// numbers of states are larger than necessary.
+    /// Returns whether two images with different bytes have the same text. If so, the state is not canonical, and the
+    /// reported numbers of states are larger than necessary.
     [[nodiscard]] bool alias_found() const { return alias_found_; }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// L(G); see code_system.hpp. Registers are read in one fixed order: a tree of readings whose leaves are results of
-// `step`. Equal subtrees are shared, as in a decision diagram, so a register without effect in a state costs nothing.
-// docs/conformance.md, "One order of reading", explains why one order suffices.
+// See code_system.hpp. Registers are read in one fixed order, which gives a tree of readings whose leaves are results
+// of `step`. Equal subtrees are shared, as in a decision diagram, so a register without effect in a state costs
+// nothing. docs/conformance.md, "One order of reading", explains why one order suffices.
 #include "conformance/code/code_system.hpp"
 
 #include <fmt/format.h>
@@ -18,19 +18,20 @@ namespace robochart::conformance {
 
 namespace {
 
-// Layout of a packed state.
+// The layout of a packed state.
 enum Place : std::size_t { phase_place, number_place, detail_place, places };
 enum CodePhase : lts::Word {
-    code_reads,    ///< number: node of the tree of readings; detail: number of registers read
+    code_reads,    ///< number: node of the tree of readings; detail: number of registers that have been read
     code_acts,     ///< number: result; detail: number of writes done, then of tocks done
     code_stopped,  ///< terminated
 };
 
-/// Maximal number of results of one cycle, and of calls of `step` to find them.
+/// The maximal number of results of one cycle, and of calls of `step` to find them.
 constexpr std::size_t max_ways = 4096;
 constexpr std::size_t max_trials = 1U << 16U;
 
-/// The event that L(G) performs, and that no NF allows, if the outcome of a cycle does not belong to the relation.
+/// Returns the event that L(G) performs if the outcome of a cycle is not allowed by the relation. No NF allows this
+/// event.
 const char* violation_event(const CycleResult& result) {
     switch (result.outcome) {
         case RC_PRECONDITION:
@@ -209,7 +210,7 @@ std::uint32_t CodeSystem::run_once(const Bytes& from, const std::vector<rc_regis
     return intern_result(result_of(outcome, log, once));
 }
 
-/// Treats a call that does not return as a divergence, like an exceeded step bound. The state after the call is
+/// Treats a call that does not return as a divergence, like an exceeded step bound. The state that the call leaves is
 /// ignored.
 std::uint32_t CodeSystem::endless(const Bytes& from) {
     endless_ = true;
@@ -244,7 +245,7 @@ std::uint32_t CodeSystem::intern_result(CycleResult result) {
     return place->second;
 }
 
-/// The cycle by which each image was first reached.
+/// For each image, the cycle by which it was first reached.
 struct CodeSystem::Found {
     struct From {
         std::uint32_t image = 0;
@@ -298,7 +299,7 @@ std::vector<PassedCycle> CodeSystem::path_to_image(std::uint32_t image) const {
     return way;
 }
 
-/// Which of the registers from this one on make no difference. Recursion depth: the number of registers.
+/// Returns which of the registers from this one on make no difference. Recursion depth: the number of registers.
 const std::vector<bool>& CodeSystem::without_effect_below(std::uint32_t node, std::size_t level) const {
     const std::size_t inputs = alphabet_->interface().inputs.size();
     without_effect_.resize(inputs + 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// L(G): the compiled controller as a transition system. A state is the byte image of the code's state and the progress
-// of the cycle (docs/conformance.md, "The code").
+// Represents the compiled controller, L(G), as a transition system. A state consists of the byte image of the code's
+// state and the progress of the cycle (docs/conformance.md, "The code").
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@
 
 namespace robochart::conformance {
 
-/// The interface, as the code describes it. Its carriers contain plain numbers until the caller replaces them.
+/// Returns the interface, as the code describes it. Its carriers contain plain numbers until the caller replaces them.
 [[nodiscard]] Interface interface_of(const rc_interface&);
 
 class CodeSystem : public lts::TransitionSystem, public ExploredCode {
 public:
-    /// Maximal number of valuations of all inputs together.
+    /// The maximal number of valuations of all inputs together.
     static constexpr std::uint64_t max_valuations = 1ULL << 24U;
 
-    /// Throws std::length_error if the inputs together have more than `max_valuations`.
+    /// Throws std::length_error if all inputs together have more than `max_valuations`.
     CodeSystem(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length);
 
     [[nodiscard]] std::size_t width() const override;
@@ -36,16 +36,17 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void set_budget(diagnostics::Pollable& budget) override { budget_ = &budget; }
 
-    /// For reporting runs: the reset image, one step (`readings` has one entry for each register), an image as text. If
-    /// a step has several branches, the one that begins with these writes is taken.
+    /// The following functions are for reporting runs: the reset image, one step, and an image as text. In a step,
+    /// `readings` has one entry for each register. If a step has several branches, the one that begins with the given
+    /// writes is taken.
     [[nodiscard]] std::uint32_t reset_image() const override { return images_.reset(); }
     [[nodiscard]] const CycleResult& step(std::uint32_t image, const std::vector<std::uint32_t>& readings,
                                           const std::vector<process::Event>& writes);
     [[nodiscard]] std::string print_image(std::uint32_t image) const override { return images_.print(image); }
 
-    /// The root of an image's tree of readings. Each node lists the next node for every reading of its register; the
-    /// nodes after the last register are results. Equal trees are shared, so all children of a node are equal if its
-    /// register has no effect.
+    /// Returns the root of an image's tree of readings. Each node lists the next node for every reading of its
+    /// register, and the nodes after the last register are results. Equal trees are shared, so all children of a node
+    /// are equal if its register has no effect.
     [[nodiscard]] std::uint32_t reading_tree(std::uint32_t image);
     [[nodiscard]] std::uint32_t cycles_of(std::uint32_t image) const override { return roots_.at(image); }
     [[nodiscard]] std::vector<std::uint32_t> child_nodes(std::uint32_t node) const { return nodes_[node]; }
@@ -63,19 +64,20 @@ public:
 
     [[nodiscard]] std::uint64_t image_count() const { return images_.size(); }
     [[nodiscard]] std::uint64_t cycle_count() const { return cycles_; }
-    /// Errors of the code that refinement does not detect: `step` or `initial` is not a function of its arguments.
+    /// Returns an error of the code that refinement does not detect: `step` or `initial` is not a function of its
+    /// arguments.
     [[nodiscard]] const std::string& unsound_reason() const { return unsound_; }
-    /// Whether some call of `step` did not return and was stopped (watchdog.hpp).
+    /// Returns whether some call of `step` did not return and was stopped (watchdog.hpp).
     [[nodiscard]] bool endless() const { return endless_; }
     [[nodiscard]] std::uint32_t cycle_length() const override { return cycle_length_; }
     [[nodiscard]] std::uint32_t most_writes() const override { return most_writes_; }
-    /// Whether two images with different bytes have the same text.
+    /// Returns whether two images with different bytes have the same text.
     [[nodiscard]] bool has_alias() const { return images_.alias_found(); }
 
 private:
     using Bytes = std::vector<unsigned char>;
-    /// A node of the tree of readings: for each reading of the next register a node, or after the last register a
-    /// result.
+    /// A node of the tree of readings. For each reading of the next register it contains a node or, after the last
+    /// register, a result.
     using Node = std::vector<std::uint32_t>;
     struct Found;
     void explore_cycles_from(std::uint32_t image, std::vector<std::uint32_t>& open, Found& found) const;
@@ -98,14 +100,14 @@ private:
     CodeImages images_;
     std::unordered_map<std::uint32_t, std::uint32_t>
         roots_;                         ///< image -> its tree; never iterated, like the maps below
-    std::vector<std::uint32_t> begun_;  ///< images in roots_
+    std::vector<std::uint32_t> begun_;  ///< images in `roots_`
     std::unordered_map<std::string, std::uint32_t> node_ids_;
     std::unordered_map<std::string, std::uint32_t> result_ids_;
     std::vector<Node> nodes_;
     std::deque<CycleResult> results_;  ///< a deque, so that references stay valid
     std::uint64_t cycles_ = 0;
     std::uint32_t most_writes_ = 0;
-    /// Polled while the inputs of one state are tried, which may take long.
+    /// Polled while the inputs of one state are tried, because this may take long.
     diagnostics::Pollable* budget_ = &diagnostics::unlimited;
     std::string unsound_;
     bool endless_ = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// See cycle_graph.hpp. A run repeats the cycle from its beginning with given answers to its reads; a read beyond them
-// is answered "absent" first. All runs of an image are made in the order of their answers. What the code does later in
-// a cycle depends on the bytes at the beginning of a round and on the registers; they are the key of a point, at which
-// the run of a path that was already explored is not continued further.
+// See cycle_graph.hpp. A run repeats the cycle from its beginning with given answers to its reads. Further reads are
+// first answered with "absent". All runs of an image are made in the order of their answers. What the code does later
+// in a cycle depends on the bytes at the beginning of a round and on the registers. They are the key of a point. At a
+// point that was already explored, the run of a path is not continued.
 #include "conformance/code/cycle_graph.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Outputs of a cycle that are compared; a cycle with more is explored with all inputs.
+/// The maximal number of outputs of a cycle that are compared. A cycle with more outputs is explored with all inputs.
 constexpr std::uint32_t most_outputs = 4096;
 
 struct ProbedCall {
@@ -66,7 +66,7 @@ std::uint32_t CycleGraph::root(std::uint32_t image) {
     return root;
 }
 
-/// The next answers in their order; false after the last.
+/// Advances to the next answers in their order. Returns false after the last ones.
 bool CycleGraph::next_answers() {
     while (!answers_.empty()) {
         Answer& last = answers_.back();
@@ -103,7 +103,7 @@ void CycleGraph::run(std::uint32_t image, std::uint32_t root) {
     if (log_.asked > 0) refused_ = "the cycle asks its platform for choices";
     if (!refused_.empty()) throw NotProbed(refused_);
     if (stepped.endless) return close_endless();
-    // Why this bound suffices: docs/conformance.md, "Reading on demand".
+    // docs/conformance.md, "Reading on demand", explains why this bound suffices.
     if (stepped.result != RC_STEP_BOUND) most_steps_ = std::max(most_steps_, steps_);
     if (steps_at_start_ > 0 && (inputs_ + 1) * std::uint64_t{most_steps_} >= steps_at_start_)
         throw NotProbed("a cycle takes too many steps");
@@ -117,7 +117,7 @@ void CycleGraph::run(std::uint32_t image, std::uint32_t root) {
 void CycleGraph::close_endless() {
     endless_ = true;
     if (shared_ || segments_[current_].end != End::open) return;
-    const std::uint32_t image = reset_image();  // a state that the code left behind has no meaning
+    const std::uint32_t image = reset_image();  // the state that the code left has no meaning
     close(End::leaf, 0, intern_leaf(RC_STEP_BOUND, image));
 }
 
@@ -128,8 +128,8 @@ void CycleGraph::end_run(rc_result outcome, const Bytes& after) {
     close(End::leaf, 0, intern_leaf(outcome, images_.intern(after)));
 }
 
-/// After the shared point, the run has continued with empty registers. Checks that its outputs and its end are those of
-/// this path in the graph.
+/// Checks the outputs and the end of a run that continued, after a shared point, with empty registers. They must be
+/// those of this path in the graph.
 void CycleGraph::check_shared_path(rc_result outcome, const Bytes& after) {
     if (log_.is_cut() && outcome != RC_STEP_BOUND) throw NotProbed("a cycle makes too many outputs");
     std::uint32_t at = shared_point_;
@@ -148,8 +148,8 @@ void CycleGraph::check_shared_path(rc_result outcome, const Bytes& after) {
         fault("a cycle continues in two ways from one point");
 }
 
-/// Repeats the cycle with given contents of all registers: the registers that were not read are all empty, or all
-/// present. The code must not depend on them, nor on memory outside its state.
+/// Repeats the cycle with given contents of all registers; those that were not read are all empty, or all present. The
+/// code must not depend on these registers, nor on memory outside its state.
 void CycleGraph::run_again(const Bytes& from, rc_result outcome, const Bytes& after, bool unread_present) {
     std::vector<rc_register> registers(inputs_);
     for (std::size_t i = 0; i < inputs_; ++i) {
@@ -202,7 +202,7 @@ std::uint32_t CycleGraph::read(std::uint32_t input) {
     return static_cast<std::uint32_t>(known_[input]);
 }
 
-/// The answer to the next read on the path.
+/// Returns the answer to the next read on the path.
 std::uint32_t CycleGraph::take(std::uint32_t input) {
     if (shared_) return 0;
     if (segments_[current_].end == End::open) {
@@ -251,7 +251,8 @@ void CycleGraph::round(const unsigned char* step, std::uint32_t size, const unsi
     first_write_ = log_.count;
 }
 
-/// The bytes of the step and of the state, and the contents of the registers that the code has read and not consumed.
+/// Stores the key: the bytes of the step and of the state, and the contents of the registers that the code has read and
+/// not consumed.
 void CycleGraph::make_key(const unsigned char* step, std::uint32_t size, const unsigned char* state) {
     key_.assign(reinterpret_cast<const char*>(step), size);
     key_.append(reinterpret_cast<const char*>(state), code_->state_size);
@@ -349,8 +350,8 @@ private:
     std::uint32_t segment_;
 };
 
-/// Whether two paths that differ in the reading of one register have the same continuations, for all readings of the
-/// others.
+/// Decides whether two paths that differ in the reading of one register have the same continuations, for all readings
+/// of the other registers.
 class PathEquality {
 public:
     PathEquality(const CycleGraph& graph, const Alphabet& alphabet) : graph_(graph), alphabet_(alphabet) {}
@@ -362,7 +363,7 @@ public:
 private:
     using Ahead = std::map<std::uint32_t, std::uint32_t>;  ///< readings that only one of the paths has read
 
-    /// Recursion depth: the number of reads of both.
+    /// Returns whether both paths continue in the same way. Recursion depth: the number of reads of both.
     [[nodiscard]] bool equal(Path one, Path other, const Ahead& ahead) {
         const std::size_t common = std::min(one.writes.size(), other.writes.size());
         if (!std::equal(one.writes.begin(), one.writes.begin() + static_cast<std::ptrdiff_t>(common),
@@ -407,7 +408,7 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// All segments that are reachable from one.
+/// Visits all segments that are reachable from one segment.
 template <class Visit>
 void visit_below(const CycleGraph& graph, const Alphabet& alphabet, std::uint32_t root, Visit visit) {
     std::set<std::uint32_t> seen{root};

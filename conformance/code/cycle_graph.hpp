@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycles of compiled code as graphs: a register is tried with each of its readings where the code reads it, and
-// paths that reach the same point of a cycle share what follows (docs/conformance.md, "Reading on demand").
+// Explores the cycles of compiled code as graphs. A register is tried with each of its readings only where the code
+// reads it. Paths that reach the same point of a cycle share the rest of the cycle (docs/conformance.md, "Reading on
+// demand").
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@
 
 namespace robochart::conformance {
 
-/// Thrown if the code cannot be explored in this way; the message contains the reason. In this case the exploration
-/// gives no information about the code.
+/// Thrown if the code cannot be explored in this way; the message contains the reason. The exploration then gives no
+/// information about the code.
 class NotProbed : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -27,7 +28,7 @@ public:
 
 class CycleGraph : public ExploredCode {
 public:
-    /// What ends a segment of a cycle.
+    /// How a segment of a cycle ends.
     enum class End : std::uint8_t {
         open,     ///< not explored yet
         reading,  ///< the code reads `input`; with reading r it continues in segment `next + r`
@@ -36,20 +37,20 @@ public:
     };
     struct Segment {
         End end = End::open;
-        std::uint32_t writes = 0;  ///< number of the sequence of its outputs
+        std::uint32_t writes = 0;  ///< number of the sequence of outputs in the segment
         std::uint32_t input = 0;
         std::uint32_t next = 0;
     };
     struct Leaf {
         rc_result outcome = RC_QUIESCENT;
-        std::uint32_t next = 0;    ///< image
-        std::vector<bool> unread;  ///< for each register, whether the cycle has not read it
+        std::uint32_t next = 0;    ///< number of the next image
+        std::vector<bool> unread;  ///< for each register: true if the cycle has not read it
     };
 
-    /// Throws NotProbed if the code offers no such calls.
+    /// Throws NotProbed if the code does not offer the calls of rc_probe.
     CycleGraph(const rc_interface& code, const Alphabet& alphabet, std::uint32_t cycle_length);
 
-    /// The segment with which the cycles of this image begin. Throws NotProbed.
+    /// Returns the segment with which the cycles of this image begin. Throws NotProbed.
     [[nodiscard]] std::uint32_t root(std::uint32_t image);
     [[nodiscard]] const Segment& segment(std::uint32_t number) const { return segments_[number]; }
     [[nodiscard]] const std::vector<process::Event>& outputs(const Segment& segment) const {
@@ -74,7 +75,8 @@ public:
 
     [[nodiscard]] std::uint64_t image_count() const { return images_.size(); }
     [[nodiscard]] bool has_alias() const { return images_.alias_found(); }
-    /// The number of cycles that were run. Each cycle represents all readings of the registers that it does not read.
+    /// Returns the number of cycles that were run. Each cycle represents all readings of the registers that it does not
+    /// read.
     [[nodiscard]] std::uint64_t cycle_count() const { return cycles_; }
     /// Sets the budget that is polled for every cycle; it must outlive its use.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
@@ -86,7 +88,7 @@ private:
         std::uint32_t reading = 0;
     };
 
-    // The functions of rc_probe, and their work.
+    // The following functions are called by the code (rc_probe), and do the work of these calls.
     static std::uint32_t on_read(void* graph, std::uint32_t input);
     static std::uint32_t on_value(void* graph, std::uint32_t input);
     static void on_assigned(void* graph, std::uint32_t input);
@@ -120,7 +122,7 @@ private:
     std::vector<Segment> segments_;
     std::vector<std::vector<process::Event>> sequences_;
     std::vector<Leaf> leaves_;
-    // never iterated
+    // These maps are never iterated.
     std::unordered_map<std::uint32_t, std::uint32_t> roots_;       ///< image -> segment
     std::unordered_map<std::string, std::uint32_t> points_;        ///< key of a round -> segment
     std::unordered_map<std::string, std::uint32_t> sequence_ids_;  ///< events as bytes
@@ -133,20 +135,20 @@ private:
     std::string unsound_;
     std::string refused_;  ///< the reason why the code cannot be explored in this way
     diagnostics::Pollable* budget_ = &diagnostics::unlimited;
-    mutable std::deque<CycleResult> shown_;  ///< results that path_to_image has shown; references stay valid
+    mutable std::deque<CycleResult> shown_;  ///< results of path_to_image; a deque, so that references stay valid
 
-    // The run in progress.
-    std::vector<Answer> answers_;  ///< to the reads on its path, in their order
+    // The following members describe the run in progress.
+    std::vector<Answer> answers_;  ///< answers to the reads on the run's path, in their order
     std::size_t answered_ = 0;
-    std::uint32_t current_ = 0;  ///< segment
+    std::uint32_t current_ = 0;  ///< number of the current segment
     std::uint32_t first_write_ = 0;
-    bool shared_ = false;  ///< true after a point from which another run has continued: registers then count as empty
+    bool shared_ = false;  ///< true after a point from which another run has continued: registers are then empty
     std::uint32_t shared_point_ = 0;
     std::uint32_t shared_write_ = 0;
     CycleLog log_, again_;
     std::vector<std::int64_t> known_;  ///< for each register: -1 unread, otherwise its reading
-    std::vector<bool> spent_;          ///< absent, or consumed
-    std::vector<bool> sealed_;         ///< spent when a round began: its value must not be read any more
+    std::vector<bool> spent_;          ///< by register: absent, or consumed
+    std::vector<bool> sealed_;         ///< by register: spent when a round began; its value must not be read again
     std::vector<std::uint32_t> rounds_;
     std::uint32_t steps_at_start_ = 0;
     std::uint32_t steps_ = 0;

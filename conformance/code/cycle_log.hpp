@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log of one call of generated code, with its outputs and questions. The log can grow, be compared, and enumerate
-// answers.
+// Stores the outputs and questions of one call of generated code. The log can grow, be compared with another log, and
+// enumerate answers.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace robochart::conformance {
 
-/// A log that owns its records.
+/// A log with its own memory for records.
 class CycleLog : public rc_log {
 public:
     CycleLog();
@@ -18,26 +18,27 @@ public:
     CycleLog& operator=(const CycleLog&);
     ~CycleLog() = default;
 
-    /// Whether a call made more outputs than the log can hold. The call must be repeated after `grow`.
+    /// Returns whether a call made more outputs than the log can hold. The call must be repeated after `grow`.
     [[nodiscard]] bool is_cut() const { return (overflow & ROBOCHART_OVERFLOW_RECORDS) != 0; }
-    /// Doubles the number of records and clears the log; false if there are `most_records` already.
+    /// Doubles the capacity for records and clears the log. Returns false if the capacity is `most_records` already.
     [[nodiscard]] bool grow();
     void reserve(std::uint32_t records);
-    /// Clears outputs and questions; the given answers stay.
+    /// Clears outputs and questions, but not the given answers.
     void clear() { count = overflow = asked = 0; }
 
-    /// Maximal number of outputs of a cycle that are compared. Generated code reaches its bound on steps at about this
-    /// number.
+    /// The maximal number of outputs of a cycle that are compared. Generated code reaches its bound on steps at about
+    /// this number.
     static constexpr std::uint32_t most_records = 1U << 18U;
 
 private:
     std::vector<rc_record> records_;
 };
 
-/// Whether both logs contain the same outputs with the same arguments in the same order.
+/// Returns whether both logs contain the same outputs with the same arguments in the same order.
 [[nodiscard]] bool same_writes(const rc_log&, const rc_log&);
 
-/// Advances to the next combination of answers, starting with the last answer; false after the last combination.
+/// Advances to the next combination of answers, starting with the last answer. Returns false after the last
+/// combination.
 [[nodiscard]] bool next_choices(rc_log&);
 
 }  // namespace robochart::conformance

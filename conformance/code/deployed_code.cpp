@@ -12,10 +12,11 @@ namespace robochart::conformance {
 
 namespace {
 
-/// With more combinations of readings, only one register is full in a cycle.
+/// The greatest number of combinations of readings that are all tried. With more combinations, only one register is
+/// full in a cycle.
 constexpr std::uint64_t most_combinations = 1024;
 
-/// All combinations of readings, or those with at most one full register.
+/// Returns all combinations of readings, or those with at most one full register.
 std::vector<std::vector<rc_register>> combinations_of(const Interface& interface, bool& all) {
     std::uint64_t count = 1;
     for (const Register& input : interface.inputs)
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    /// One cycle for all answers to the choices of the code.
+    /// Adds one cycle for each combination of answers to the choices of the code.
     void add_cycles(std::uint32_t from, const std::vector<rc_register>& registers) {
         CycleLog log;
         do {
@@ -142,8 +143,8 @@ void DeployedCode::set_values() {
     }
 }
 
-/// Makes a cycle from the state of the run. True if its outputs, its result and its next state are the expected ones.
-/// The first cycle to an image determines the state there.
+/// Makes a cycle from the state of the run. Returns true if its outputs, its result and its next state are the expected
+/// ones. The first cycle to an image determines the state at this image.
 bool DeployedCode::make_cycle(const TrackedCycle& cycle) {
     budget_.poll();
     std::memcpy(after_.data(), state(cycle.from), size_);
@@ -176,8 +177,8 @@ bool DeployedCode::same_writes(const TrackedCycle& cycle) const {
     return true;
 }
 
-/// Whether two places of a table contain equal values; -1 denotes no value. A constant of the code keeps its number of
-/// the baseline, so this number is accepted too.
+/// Returns whether two places of a table contain equal values; -1 denotes no value. A constant of the code still has
+/// its number of the baseline, so this number is accepted too.
 bool DeployedCode::same_value(std::uint32_t type, std::int64_t expected, std::int64_t found) const {
     if (expected < 0 || found < 0) return false;
     const auto place = static_cast<std::size_t>(expected);
@@ -209,7 +210,7 @@ std::optional<Deviation> DeployedCode::first_deviation(const NumberTables& numbe
     return std::nullopt;
 }
 
-/// The deviation in the cycle that was made last.
+/// Returns the deviation in the cycle that was made last.
 Deviation DeployedCode::deviation_at(std::size_t cycle) {
     const TrackedCycle& made = explored_.cycles[cycle];
     Deviation result{cycle, {log_.record, log_.record + log_.count}, state_text(deployed_.print, after_.data()), ""};
@@ -223,7 +224,8 @@ bool DeployedCode::is_changed(std::uint32_t image) const {
     return std::memcmp(states_.data() + at, baseline_states_.data() + at, size_) != 0;
 }
 
-/// Only cycles that read the value, or begin in a state that depends on it, can differ from the baseline.
+/// Returns the cycles that differ from the baseline. Only cycles that read the value, or begin in a state that depends
+/// on it, can differ.
 std::vector<std::size_t> DeployedCode::deviations(ValuePlace changed, const std::vector<std::int64_t>& numbers) {
     numbers_ = baseline_;
     std::vector<std::int64_t>& table = numbers_[changed.type];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs code over the types of deployment side by side with the same code over tracked numbers (docs/conformance.md,
 // "Doubles"). The cycles of the tracked code are explored once. A run of the deployed code assigns numbers to the
-// explored values, and makes the same cycles with these numbers.
+// explored values, and then makes the same cycles with these numbers.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,11 @@
 
 namespace robochart::conformance {
 
-/// For each tracked type, the numbers of its values one after the other: the bits of a double, or a whole number.
+/// For each tracked type, the numbers of all its values, one after another: the bits of a double, or a whole number.
 using NumberTables = std::vector<std::vector<std::int64_t>>;
-/// For each tracked type, the numbers in a value.
+/// For each tracked type, the number parts of which a value consists.
 using PartsOfTypes = std::vector<std::vector<ir::NumberPart>>;
-/// For each output and argument the index of its tracked type; no value for other types.
+/// For each output and argument, the index of its tracked type; no value for other types.
 using OutputTypes = std::vector<std::vector<std::optional<std::uint32_t>>>;
 /// A value: the index of its tracked type, and its index among the explored values of this type.
 struct ValuePlace {
@@ -37,20 +37,20 @@ struct ValuePlace {
 struct TrackedCycle {
     std::uint32_t from = 0;  ///< image
     std::uint32_t next = 0;
-    bool first = false;  ///< the first cycle that leads to `next`, unless the code begins there
+    bool first = false;  ///< true: the first cycle that leads to `next`, unless the code begins in `next`
     std::vector<rc_register> registers;
     std::vector<std::uint32_t> choices;  ///< answers at probabilistic junctions
     rc_result outcome = RC_QUIESCENT;
     std::vector<rc_record> writes;
 };
 
-/// Cycles in the order of a breadth-first search: the cycles that begin in an image come after the first cycle that
-/// leads to this image.
+/// Cycles in the order of a breadth-first search: the cycles that begin in an image follow the first cycle that leads
+/// to this image.
 struct TrackedCycles {
     std::vector<TrackedCycle> cycles;
     std::uint32_t images = 0;
     std::uint32_t reset = 0;
-    bool all = true;  ///< false if there are more cycles, or if not all combinations of inputs were tried
+    bool all = true;  ///< false if there are more cycles or not all combinations of inputs were tried
 };
 
 /// Explores up to `most` cycles. If the inputs have many combinations, at most one register is full in a cycle.
@@ -59,10 +59,10 @@ struct TrackedCycles {
 
 /// A cycle in which the behaviour of the deployed code differs from that of the tracked code.
 struct Deviation {
-    std::size_t cycle = 0;  ///< number in TrackedCycles::cycles
+    std::size_t cycle = 0;  ///< index in TrackedCycles::cycles
     std::vector<rc_record> writes;
     std::string state;           ///< after the cycle
-    std::string expected_state;  ///< "": not known, because no other cycle leads to it
+    std::string expected_state;  ///< "" if unknown, because no other cycle leads to it
 };
 
 class DeployedCode {
@@ -71,15 +71,15 @@ public:
     DeployedCode(const rc_interface& code, const TrackedCycles& explored, const PartsOfTypes& parts,
                  const OutputTypes& output_types, diagnostics::Pollable& budget);
 
-    /// Makes all cycles with these numbers, up to the first deviation. A run without a deviation is the baseline of
-    /// `deviations`.
+    /// Makes all cycles with these numbers, up to the first deviation. If there is no deviation, the run becomes the
+    /// baseline of `deviations`.
     [[nodiscard]] std::optional<Deviation> first_deviation(const NumberTables& numbers);
-    /// The cycles in which the behaviour differs from that of the tracked code if one value gets other numbers than in
-    /// the baseline.
+    /// Returns the cycles in which the behaviour differs from that of the tracked code if one value gets other numbers
+    /// than in the baseline.
     [[nodiscard]] std::vector<std::size_t> deviations(ValuePlace changed, const std::vector<std::int64_t>& numbers);
-    /// The cycles from the beginning to this one.
+    /// Returns the cycles from the beginning to this one.
     [[nodiscard]] std::vector<std::size_t> path_to(std::size_t cycle) const;
-    /// The inputs whose registers contain the value in a cycle.
+    /// Returns the inputs whose registers contain the value in a cycle.
     [[nodiscard]] std::vector<std::uint32_t> readers(std::size_t cycle, ValuePlace value) const;
 
 private:
@@ -101,13 +101,13 @@ private:
     const OutputTypes& output_types_;
     diagnostics::Pollable& budget_;
     std::size_t size_;
-    NumberTables numbers_;   ///< of the run; in `deviations`, those of the baseline follow
+    NumberTables numbers_;   ///< numbers of the run; in `deviations`, the numbers of the baseline follow them
     NumberTables baseline_;  ///< numbers of the last run without a deviation
-    Bytes states_;           ///< of the run, by image
+    Bytes states_;           ///< states of the run, by image
     Bytes baseline_states_;
-    std::vector<std::size_t> first_;  ///< by image: the first cycle to it
-    std::vector<std::size_t> begin_;  ///< by image: the first cycle from it; then the number of cycles
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> readers_;  ///< of a type and a value
+    std::vector<std::size_t> first_;  ///< by image: the first cycle that leads to it
+    std::vector<std::size_t> begin_;  ///< by image: the first cycle that begins in it; then the number of cycles
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> readers_;  ///< by type and value
     Bytes after_;
     CycleLog log_;
 };

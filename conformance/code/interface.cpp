@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names the events on both sides of the conformance check (docs/conformance.md, "From reactive model to cycles").
+// Names the events of model and code for the conformance check (docs/conformance.md, "From reactive model to cycles").
 #include "conformance/code/interface.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,8 @@ bool starts_with(std::string_view text, std::string_view prefix) {
     return text.substr(0, prefix.size()) == prefix;
 }
 
-/// The text after `prefix` if a dot or the end of `name` follows it: ".1.2" or "".
+/// Returns the text after `prefix`, such as ".1.2" or "". Returns no value unless a dot or the end of `name` follows
+/// the prefix.
 std::optional<std::string_view> arguments_after(std::string_view name, std::string_view prefix) {
     if (!starts_with(name, prefix)) return std::nullopt;
     const std::string_view rest = name.substr(prefix.size());
@@ -28,7 +29,8 @@ std::optional<std::string_view> arguments_after(std::string_view name, std::stri
     return rest;
 }
 
-/// "seeRobot.in" -> "seeRobot"; characters that an identifier cannot contain become "__"; made unique among `taken`.
+/// Converts "seeRobot.in" to "seeRobot". Characters that an identifier cannot contain become "__". The name is made
+/// unique among `taken`.
 std::string constructor_name(std::string_view name, std::set<std::string>& taken) {
     for (const std::string_view direction : {".in", ".out"}) {
         if (name.size() > direction.size() && name.substr(name.size() - direction.size()) == direction)
@@ -46,7 +48,8 @@ std::string constructor_name(std::string_view name, std::set<std::string>& taken
     return unique;
 }
 
-/// The length of the value of the carrier at the beginning of `text`; literals with arguments contain dots themselves.
+/// Returns the length of the carrier's value at the beginning of `text`. Literals with arguments contain dots
+/// themselves.
 std::size_t length_of_value(const Carrier& carrier, std::string_view text) {
     std::size_t length = 0;
     for (const std::string& name : carrier.names)
@@ -68,7 +71,7 @@ std::vector<std::string> split_arguments(std::string_view text, const std::vecto
     return parts;
 }
 
-/// The number for CSPM text; no value if the carrier does not contain it.
+/// Returns the number for CSPM text, or no value if the carrier does not contain it.
 std::optional<std::int64_t> number_of(const Carrier& carrier, const std::string& text) {
     if (carrier.kind == Carrier::Kind::boolean) return text == "true" ? 1 : 0;
     if (carrier.kind == Carrier::Kind::enumeration) {
@@ -82,7 +85,7 @@ std::optional<std::int64_t> number_of(const Carrier& carrier, const std::string&
     return value;
 }
 
-/// "MoveCall" -> "Move", "out.out" -> "out", "set_x" is unchanged.
+/// Shortens a name: "MoveCall" becomes "Move", "out.out" becomes "out", "set_x" is unchanged.
 std::string short_name(std::string_view name) {
     for (const std::string_view ending : {"Call", ".out", ".in"}) {
         if (name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending)
@@ -193,7 +196,8 @@ ModelRole Alphabet::find_role(const std::string& name) const {
     return {ModelRole::Kind::foreign};
 }
 
-/// RoboSim: registerRead.P::S::i_e.true.v, registerWrite.P::S::o_e.v, endexec (docs/robosim.md, "Names").
+/// Parses RoboSim's events: registerRead.P::S::i_e.true.v, registerWrite.P::S::o_e.v, endexec (docs/robosim.md,
+/// "Names").
 ModelRole Alphabet::register_role(std::string_view local) const {
     if (local == "endexec") return {ModelRole::Kind::hidden};
     const std::string read = "registerRead." + interface_.component + "::i_";
@@ -209,7 +213,8 @@ ModelRole Alphabet::register_role(std::string_view local) const {
     return {ModelRole::Kind::foreign};
 }
 
-/// The content of an event's register is `.true.v`, or `.false.v` with any v; that of a variable's is `.v`.
+/// Parses a read. The content of an event's register is `.true.v`, or `.false.v` with any v; that of a variable's
+/// register is `.v`.
 ModelRole Alphabet::read_role(std::uint32_t input, std::string_view content) const {
     const Register& read = interface_.inputs[input];
     if (read.kept == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Validates the exploration interface of a loaded controller before it is used.
+// Loads controllers, and validates their exploration interface before it is used.
 #include "conformance/code/shared_object.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Larger numbers in an interface are assumed to be garbage.
+/// The greatest plausible number in an interface. Larger ones are treated as garbage.
 constexpr std::uint32_t sane_count = 1U << 20U;
 
 std::string input_fault(const rc_input& input) {

@@ -20,7 +20,7 @@ using BuildOptions = cpp_emit::BuildOptions;
 class SharedObject {
 public:
     /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and loads
-    /// it. On failure returns null and sets `error` to the cause, including the compiler's output if there is any.
+    /// it. If this fails, returns null, and `error` contains the cause and the compiler's output if there is any.
     static std::unique_ptr<SharedObject> build(const std::vector<cpp_emit::OutputFile>& files,
                                                const std::vector<std::string>& sources, const BuildOptions&,
                                                std::string& error);
@@ -34,7 +34,7 @@ private:
     const rc_interface* interface_ = nullptr;
 };
 
-/// The reason why the interface cannot be used (version, null pointers, sizes); "" if it can be used.
+/// Returns the reason why the interface cannot be used (version, null pointers, sizes), or "" if it can be used.
 [[nodiscard]] std::string interface_fault(const rc_interface&);
 
 }  // namespace robochart::conformance

@@ -29,7 +29,7 @@ bool TrackedCode::set_values(const ir::ValueModel& model) const {
 
 namespace {
 
-/// Multiplies the constant by the scale, and divides the form by what its coefficients and the scale have in common.
+/// Multiplies the constant by the scale. Then divides the form by the common divisor of its coefficients and the scale.
 bool convert_constant(ir::Cut& cut, std::int64_t scale) {
     std::int64_t common = scale;
     for (const std::int64_t coefficient : cut.coefficients) common = std::gcd(common, coefficient);
@@ -39,7 +39,7 @@ bool convert_constant(ir::Cut& cut, std::int64_t scale) {
     return constant.has_value();
 }
 
-/// The number of a sequence that a comparison reads; no value if it reads several.
+/// Returns the number of a sequence that a comparison reads, or no value if it reads several.
 std::optional<ir::Cut> sequence_cut(ir::TypeId type, const rc_comparison& comparison,
                                     std::span<const rc_window> windows) {
     std::optional<std::uint32_t> part;
@@ -77,7 +77,7 @@ std::optional<std::vector<ir::Cut>> TrackedCode::comparisons(std::int64_t scale)
         }
         const std::vector<ir::NumberPart> parts = ir::number_parts(system_, type);
         ir::Cut cut{type, {comparison.coefficient, comparison.coefficient + parts.size()}, comparison.constant};
-        std::set<bool> real;  // of the parts that the form reads
+        std::set<bool> real;  // for the parts that the form reads
         for (std::size_t part = 0; part < parts.size(); ++part)
             if (cut.coefficients[part] != 0) real.insert(parts[part].kind == ir::TypeKind::real);
         if (real.size() != 1 || (!real.contains(true) && !convert_constant(cut, scale))) return std::nullopt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Code that computes with tracked numbers (cpp_emit/runtime/tracked.hpp): sets the values with which the code is
-// explored, and reads which comparisons it has made (docs/conformance.md, "All values").
+// Controls code that computes with tracked numbers (cpp_emit/runtime/tracked.hpp). Sets the values with which the code
+// is explored, and reads which comparisons it has made (docs/conformance.md, "All values").
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,23 @@
 
 namespace robochart::conformance {
 
-/// The tracking interface of loaded code, in terms of the model's types.
+/// The tracking interface of loaded code, with the types of the model.
 class TrackedCode {
 public:
     /// `types` are those of cpp_emit::tracked_types. The code must have `tracking` and outlive this object.
     TrackedCode(const rc_interface& code, const ir::System& system, std::vector<ir::TypeId> types)
         : code_(code), system_(system), types_(std::move(types)) {}
 
-    /// Gives the code the values of the model. False if it has no place for them.
+    /// Gives the code the values of the model. Returns false if the code has no capacity for them.
     [[nodiscard]] bool set_values(const ir::ValueModel& model) const;
-    /// The comparisons that the code has made since set_values, normalized and ascending. `scale`: units of one real.
-    /// No value if one reads both whole and real numbers, or a number that does not fit.
+    /// Returns the comparisons that the code has made since set_values, normalised and ascending. `scale` is the number
+    /// of units in one real. Returns no value if a comparison reads both whole and real numbers, or a number that does
+    /// not fit.
     [[nodiscard]] std::optional<std::vector<ir::Cut>> comparisons(std::int64_t scale) const;
-    /// The reason why the explored values do not stand for all values, if the code did more than compare and copy its
-    /// inputs; otherwise "".
+    /// Returns the reason why the explored values do not represent all values; "" if the code only compared and copied
+    /// its inputs.
     [[nodiscard]] std::string loss() const;
-    /// True if the code has computed a number inexactly. A difference may then be caused by the wrong number.
+    /// Returns true if the code has computed a number inexactly. A difference may then be caused by this number.
     [[nodiscard]] bool is_inexact() const { return (code_.tracking->losses() & RC_TRACKED_INEXACT) != 0; }
 
 private:
@@ -39,7 +40,7 @@ private:
     std::vector<ir::TypeId> types_;
 };
 
-/// Gives registers of tracked types the values of their carriers. The interface is that of a value model.
+/// Gives registers of tracked types the values of their carriers. The interface must be that of a value model.
 void list_tracked_values(Interface& interface, const rc_interface& code);
 
 }  // namespace robochart::conformance

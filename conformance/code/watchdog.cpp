@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A timer of the thread's processor time ticks while code is explored. If the same call is running at two consecutive
-// ticks, the signal handler leaves the call with siglongjmp. The state of the watchdog is thread-local.
+// Stops endless calls. A timer of the thread's processor time ticks while code is explored. If the same call is running
+// at two consecutive ticks, the signal handler leaves the call with siglongjmp. The state of the watchdog is
+// thread-local.
 #include "conformance/code/watchdog.hpp"
 
 #include <setjmp.h>
@@ -27,7 +28,7 @@ struct Call {
     sigjmp_buf back;
     volatile sig_atomic_t running = 0;
     volatile std::uint64_t number = 0;
-    volatile std::uint64_t at_tick = 0;  ///< the number of the call that was running at the last tick
+    volatile std::uint64_t at_tick = 0;  ///< number of the call that was running at the last tick
 };
 thread_local Call call;
 
@@ -49,7 +50,7 @@ void handle_ticks() {
         throw std::system_error(errno, std::generic_category(), "no watchdog");
 }
 
-/// Ticks for one thread during its lifetime.
+/// Makes the timer tick for one thread during its lifetime.
 class Ticks {
 public:
     Ticks() {
@@ -71,7 +72,7 @@ public:
     Ticks& operator=(const Ticks&) = delete;
 
 private:
-    /// A call is stopped at its second tick.
+    /// Starts the timer. A call is stopped at its second tick.
     void start_timer(Patience patience) {
         const struct timespec between = patience == Patience::seconds ? timespec{1, 0} : timespec{0, 10'000'000};
         const struct itimerspec both = {between, between};
@@ -83,7 +84,7 @@ private:
     Patience patience_ = Patience::seconds;
 };
 
-/// A separate function, so that no variable of the caller is in a register across the jump.
+/// Calls the code. This is a separate function, so that no variable of the caller is in a register across the jump.
 [[gnu::noinline]] bool call_returns(Guarded guarded, void* arguments, rc_result& result) {
     if (sigsetjmp(call.back, 0) != 0) {
         call.running = 0;

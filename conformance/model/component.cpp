@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks up the data about one component in the IR and the emitted script; see component.hpp.
+// Finds the data about one component in the IR and the emitted script; see component.hpp.
 #include "conformance/model/component.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 
 namespace b = cspm::build;
 
-/// CSPM identifiers cannot contain "::", so it is removed from package and type names.
+/// Removes "::" from package and type names, because CSPM identifiers cannot contain it.
 std::string flatten_name(const std::string& name) {
     std::string result;
     for (std::size_t i = 0; i < name.size(); ++i) {
@@ -32,7 +32,7 @@ std::string flatten_name(const std::string& name) {
     return result;
 }
 
-/// The carrier for a type of the model. Values of composed types are numbered in the order of ir::carrier.
+/// Returns the carrier for a type of the model. Values of composed types are numbered in the order of ir::carrier.
 Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiation, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     if (cpp_emit::is_composed(type)) {
@@ -56,7 +56,7 @@ Carrier carrier_of(const ir::System& system, const ir::Instantiation& instantiat
 /// operation requires may be its caller's own (semantics 3.8).
 class Reads {
 public:
-    /// `controller` defines the operations; null means that no operation is defined.
+    /// `controller` defines the operations. If it is null, no operation is defined.
     Reads(const ir::System& system, const ir::Controller* controller, std::set<std::string>& found)
         : system_(system), controller_(controller), found_(found) {}
 
@@ -126,7 +126,7 @@ private:
         for (const ir::ExprPtr& part : {stmt->value, stmt->upper, stmt->condition}) visit_expression(part);
         for (const ir::ExprPtr& part : stmt->args) visit_expression(part);
         for (const ir::ExprPtr& part : stmt->path) visit_expression(part);
-        // an assignment to a part keeps the other parts, so it reads the variable
+        // An assignment to a part keeps the other parts, so it reads the variable.
         if (stmt->kind == ir::StmtKind::assign && !stmt->path.empty()) visit_variable(stmt->variable);
         visit_communication(stmt->communication);
         for (const ir::StmtPtr& part : stmt->body) visit_statement(part);
@@ -174,7 +174,8 @@ cspm::ExprPtr component_process(const cspm::Script& script, const ir::ComponentR
     const std::string prefix = component_prefix(ref);
     const cspm::DeclPtr process = cspm::declaration_of(script, prefix + "::D__");
     if (!process || process->kind != cspm::DeclKind::function) return nullptr;
-    // semantics 3.12: the id, then the constants, whose values are global definitions with the same name.
+    // Semantics 3.12: the arguments are the id, then the constants, whose values are global definitions with the same
+    // name.
     std::vector<cspm::ExprPtr> arguments{b::number(0)};
     const std::vector<cspm::PatternPtr>& parameters = process->patterns.front();
     for (std::size_t p = 1; p < parameters.size(); ++p) {
@@ -198,7 +199,8 @@ std::vector<std::string> unread_variables(const ir::System& system, const ir::Co
 
 namespace {
 
-/// RoboSim: the carriers of the registers, and the readings of variables before the first cycle.
+/// Completes the interface of a RoboSim component: the carriers of the registers, and the readings of variables before
+/// the first cycle.
 void complete_registers(Interface& interface, const ir::System& system, const ir::Instantiation& instantiation,
                         const csp_emit::Provenance& provenance) {
     const auto types_of_register = [&](const std::string& channel, const std::string& name) {

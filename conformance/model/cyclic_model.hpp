@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A component whose allowed behaviour in control cycles can be queried without generated code: the script's process,
-// the alphabet, and NF_c(M) or, in RoboSim, S(M) as a transition system (docs/conformance.md).
+// Loads a component whose behaviour in control cycles can be queried without generated code. It consists of the
+// script's process, the alphabet, and a transition system: NF_c(M) or, in RoboSim, S(M) (docs/conformance.md).
 #pragma once
 
 #include <memory>
@@ -18,9 +18,9 @@ namespace robochart::conformance {
 
 class CyclicModel {
 public:
-    /// Returns null if the component has no timed semantics or no cyclic form; see diagnostics or `error`. Throws
-    /// process::Interrupted at a limit and cspm::EvaluationError if the script cannot be evaluated. An event that
-    /// `order` drops is treated as not raised. In RoboSim, the cycle length replaces `cycleDef`.
+    /// Returns null if the component has no timed semantics or no cyclic form; the diagnostics or `error` contain the
+    /// reason. Throws process::Interrupted at a limit, and cspm::EvaluationError if the script cannot be evaluated. An
+    /// event that `order` drops is treated as not raised. In RoboSim, the cycle length replaces `cycleDef`.
     [[nodiscard]] static std::unique_ptr<CyclicModel> load(const ir::System&, const ir::Instantiation&,
                                                            const ir::ComponentRef&, std::uint32_t cycle_length,
                                                            const refine::Limits&, diagnostics::SourceManager&,
@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] const Alphabet& alphabet() const { return *alphabet_; }
     [[nodiscard]] const Interface& interface() const { return alphabet_->interface(); }
-    /// The interface in the same order, with the names of the model and of generated code. They differ from the
+    /// Returns the interface in the same order, with the names of the model and of generated code. They differ from the
     /// script's names if elements were renamed (csp_emit/passes/safe_names.hpp).
     [[nodiscard]] const Interface& outside_interface() const { return outside_; }
     [[nodiscard]] const ModelInterface& boundary() const { return boundary_; }
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const csp_emit::Emission& script() const { return script_; }
     [[nodiscard]] cspm::Session& session() { return *session_; }
     [[nodiscard]] const cspm::ExprPtr& process() const { return process_; }  ///< the component in the script
-    /// NF_c(M), or S(M) for a RoboSim component, which needs no normal form.
+    /// Returns NF_c(M), or S(M) for a RoboSim component, which needs no normal form.
     [[nodiscard]] CycleSystem& normal_form() { return *normal_form_; }
     [[nodiscard]] ModelGraph& graph() { return *graph_; }
     [[nodiscard]] std::uint32_t cycle_length() const { return cycle_length_; }

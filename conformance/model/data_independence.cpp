@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Syntactic data independence. The component only passes on a kind of numbers if no operator has an operand of this
-// kind that depends on a variable (Roscoe UCS 17.2, "data independence", without tests for equality). Unknown uses
-// count as dependence.
+// Decides data independence syntactically. The component only passes on a kind of numbers if no operator has an operand
+// of this kind that depends on a variable (Roscoe UCS 17.2, "data independence", without tests for equality). Unknown
+// uses are treated as dependence.
 #include "conformance/model/data_independence.hpp"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ bool is_leaf(ir::ExprKind kind) {
     return kind == ir::ExprKind::variable || kind == ir::ExprKind::trigger_value;
 }
 
-/// Whether the expression depends on no variable. Recursion depth: the depth of the model's expressions, which the
-/// reader limits.
+/// Returns whether the expression depends on no variable. Recursion depth: the depth of the model's expressions, which
+/// the reader limits.
 bool is_constant(const ir::Expr& expr) {
     constexpr ir::ExprKind alone[] = {ir::ExprKind::boolean, ir::ExprKind::integer, ir::ExprKind::real,
                                       ir::ExprKind::string, ir::ExprKind::constant};
@@ -31,7 +31,8 @@ bool is_number(const ir::System& system, const ir::Expr& expr) {
     return kind == ir::TypeKind::nat || kind == ir::TypeKind::integer || kind == ir::TypeKind::real;
 }
 
-/// The expression without conversions that keep the order of numbers: all but those of reals to whole numbers.
+/// Removes conversions that preserve the order of numbers. These are all conversions except from reals to whole
+/// numbers.
 const ir::Expr& without_conversions(const ir::System& system, const ir::Expr& expr) {
     if (expr.kind != ir::ExprKind::cast || !is_number(system, expr) || !is_number(system, *expr.args[0])) return expr;
     const bool rounds =
@@ -39,13 +40,13 @@ const ir::Expr& without_conversions(const ir::System& system, const ir::Expr& ex
     return rounds ? expr : without_conversions(system, *expr.args[0]);
 }
 
-/// Whether a variable or a field of one holds the value.
+/// Returns whether the expression is a variable or a field of one.
 bool is_held(const ir::Expr& expr) {
     return is_leaf(expr.kind) || (expr.kind == ir::ExprKind::member && is_held(*expr.args[0]));
 }
 
-/// The operands of a comparison of a held number with a literal or constant. The answer depends only on the side of the
-/// constant on which the number is.
+/// The operands of a comparison of a variable's number with a literal or constant. The answer depends only on the side
+/// of the constant on which the number is.
 struct ComparedOperands {
     const ir::Expr* held = nullptr;
     const ir::Expr* constant = nullptr;
@@ -95,7 +96,7 @@ private:
             case ir::TypeKind::given:
             case ir::TypeKind::unit:
                 return;
-            // a type with parts may contain numbers of any kind
+            // A type with parts may contain numbers of any kind.
             case ir::TypeKind::sequence:
             case ir::TypeKind::set:
             case ir::TypeKind::product:
@@ -140,7 +141,7 @@ private:
             for (const ir::TypeId part : arguments) mark_enumerated(part);
     }
 
-    /// Storing a value as another type is a conversion.
+    /// Marks a value that is stored as another type, because this is a conversion.
     void mark_stored(const ir::ExprPtr& value, ir::TypeId place) {
         mark_passed_on(value);
         if (!value || is_constant(*value) || !value->type.is_valid() || !place.is_valid()) return;
@@ -150,7 +151,7 @@ private:
     }
 
     /// Marks a value that is passed on unchanged. If the value is a part of another value, or is built from other
-    /// values, examines those.
+    /// values, examines the other values.
     void mark_passed_on(const ir::ExprPtr& expr) {
         if (!expr || is_leaf(expr->kind) || is_constant(*expr)) return;
         const ir::ExprKind kind = expr->kind;
@@ -204,8 +205,8 @@ private:
         }
     }
 
-    /// Whether the value of an expression of this kind may depend on all parts of its operands: `p == q` compares the
-    /// fields of p and q. The other kinds only select, build or store values.
+    /// Returns whether the value of an expression of this kind may depend on all parts of its operands. For example, `p
+    /// == q` compares the fields of p and q. The other kinds only select, build or store values.
     static bool depends_on_parts(ir::ExprKind kind) {
         switch (kind) {
             case ir::ExprKind::boolean:
@@ -289,7 +290,7 @@ private:
         if (stmt->kind == ir::StmtKind::assign)
             mark_stored(stmt->value, machine_->variables[stmt->variable.index].type);
         else
-            mark_used(stmt->value);  // of a wait or a deadline
+            mark_used(stmt->value);  // the duration of a wait or a deadline
         const ir::OperationSignature* const call =
             stmt->operation.is_valid() ? &machine_->operations[stmt->operation.index] : nullptr;
         for (std::size_t i = 0; i < stmt->args.size(); ++i)

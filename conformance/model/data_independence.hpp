@@ -9,7 +9,7 @@
 
 namespace robochart::conformance {
 
-/// What a component does with the numbers of a kind, from the least to the greatest dependence.
+/// How a component uses numbers of a kind, ordered by increasing dependence.
 enum class NumberUse {
     passed_on,  ///< it stores them, sends them and passes them to operations ("data independent": Lazić 1999; Roscoe
                 ///< UCS 17.2)
@@ -23,29 +23,30 @@ struct DataIndependence {
     NumberUse integer = NumberUse::passed_on;
     NumberUse real = NumberUse::passed_on;
     bool inspects_lists = false;  ///< some operator depends on a list; otherwise lists are copied, sent and appended
-    std::vector<ir::TypeId> looked_into;  ///< types with parts: some operator depends on a value or its parts
+    std::vector<ir::TypeId> looked_into;  ///< types with parts for which some operator depends on a value or its parts
 
-    /// The use of numbers of this kind; `computed` for types that are not numbers.
+    /// Returns how numbers of this kind are used; `computed` for types that are not numbers.
     [[nodiscard]] NumberUse use_of(ir::TypeKind) const;
-    /// Whether the component only passes on numbers of this kind.
+    /// Returns whether the component only passes on numbers of this kind.
     [[nodiscard]] bool is_independent(ir::TypeKind kind) const { return use_of(kind) == NumberUse::passed_on; }
-    /// Whether the component passes on values of a type with parts as a whole. False for other types.
+    /// Returns whether the component passes on values of a type with parts as a whole. False for other types.
     [[nodiscard]] bool is_independent(const ir::System&, ir::TypeId) const;
 };
 
-/// A comparison of a number with a literal or constant. A variable, or a field of a variable, holds the number.
+/// A comparison of a number with a literal or constant. The number is the value of a variable or of a field of a
+/// variable.
 struct ConstantComparison {
-    ir::TypeKind kind = ir::TypeKind::unit;  ///< of the held number
+    ir::TypeKind kind = ir::TypeKind::unit;  ///< type of the number
     const ir::Expr* constant = nullptr;      ///< a literal or constant, or its negation
     bool ordered = false;                    ///< the operator is neither == nor !=
 };
-/// Reads the expression as such a comparison; no value if it is another expression.
+/// Returns the expression as such a comparison, or no value if it is another expression.
 [[nodiscard]] std::optional<ConstantComparison> constant_comparison(const ir::System&, const ir::Expr&);
 
 /// Analyses these machines and operations together.
 [[nodiscard]] DataIndependence data_independence(const ir::System&, const std::vector<ir::MachineId>&);
 
-/// Whether the two types are the same: compares declared types by name, other types by structure.
+/// Returns whether the two types are the same. Declared types are compared by name, other types by structure.
 [[nodiscard]] bool same_type(const ir::System&, ir::TypeId, ir::TypeId);
 
 }  // namespace robochart::conformance

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads values in logs by the types of the model. Replaces numbers outside the carriers if the component only passes
 // them on, or only compares them with constants: then all numbers on the same side of each constant give the same
-// answers. So a run with one of these numbers remains a run if a bijection that preserves the sides renames the
-// numbers.
+// answers. So a run with such a number remains a run if its numbers are renamed by a bijection that preserves the
+// sides.
 #include "conformance/model/logged_value.hpp"
 
 #include <fmt/format.h>
@@ -116,12 +116,12 @@ private:
         return {0, fmt::format("{}", value), value, kind, {}};
     }
 
-    /// Whether the logged number counts as `near`, in units of 1/scale.
+    /// Returns whether the logged number is taken as `near`, in units of 1/scale.
     [[nodiscard]] bool is_near(TypeKind kind, double value, double scaled, double near) const {
         if (kind != TypeKind::real) return scaled == near;
         const double decimal = near / static_cast<double>(instantiation_.scale);
         if (reading_ == NumberReading::exact && uses_.use_of(kind) == NumberUse::compared) return value == decimal;
-        // the error of a decimal of the model in binary floating point is smaller
+        // The error of a decimal of the model in binary floating point is smaller.
         if (std::abs(scaled - near) <= 1e-9 * std::max(1.0, std::abs(scaled))) return true;
         return uses_.use_of(kind) != NumberUse::computed && value == static_cast<double>(static_cast<float>(decimal));
     }
@@ -167,7 +167,7 @@ private:
         return result;
     }
 
-    /// A backslash and three octal digits encode any character.
+    /// Parses a character. A backslash and three octal digits encode any character.
     std::int64_t parse_character() {
         const auto digit = [&](std::size_t i) {
             const char c = peek(i);
@@ -334,7 +334,7 @@ std::optional<std::int64_t> ValueReader::replacement_number(const LoggedPart& pa
     return all.empty() ? std::nullopt : std::optional(all[hash_text(part.outside, salt) % all.size()]);
 }
 
-/// The corresponding value of the model, in which other numbers replace those outside their carriers.
+/// Returns the corresponding value of the model, with other numbers in place of those outside their carriers.
 std::optional<ir::Value> ValueReader::replacement_value(const LoggedPart& part, std::uint64_t salt) const {
     const auto number = replacement_number(part, salt);
     if (!number) return std::nullopt;
@@ -357,8 +357,8 @@ std::optional<std::int64_t> ValueReader::carrier_index(const LoggedPart& whole, 
     return found == places_.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Whether all numbers outside their carriers can be replaced. Functions are total over their carriers, so they contain
-/// no other numbers.
+/// Returns whether all numbers outside their carriers can be replaced. Functions are total over their carriers, so they
+/// contain no such numbers.
 bool ValueReader::is_replaceable(const LoggedPart& part) const {
     return part.kind == TypeKind::function
                ? all_inside(part)
@@ -372,7 +372,7 @@ LoggedValue ValueReader::read_value(std::string_view text) const {
     if (inside) result.number = carrier_index(result.whole, 0);
     if (result.number) return result;
     result.text = composed_ ? std::string(text) : result.whole.outside;
-    // a value that is outside for another reason, such as a sequence that is too long, cannot be replaced
+    // A value that is outside for another reason, such as a sequence that is too long, cannot be replaced.
     result.replaceable = !inside && is_replaceable(result.whole) && carrier_index(result.whole, 0).has_value();
     return result;
 }
@@ -453,7 +453,7 @@ private:
                                return this->write_value(type.literal_args[index].at(i), part);
                            }));
     }
-    /// The string as robochart/trace.hpp prints it.
+    /// Returns the string as robochart/trace.hpp prints it.
     static std::string write_characters(const ir::Value& value) {
         static constexpr std::string_view special = "\"\\!?/";
         std::string text;

@@ -16,7 +16,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// A type with longer lists would have too large a carrier in any case, so greater lengths are not computed.
+/// The greatest length that is computed. A type with longer lists would have too large a carrier in any case.
 constexpr std::int64_t greatest_length = 1'000'000;
 
 /// Finds the lengths of lists by the statements that write them.
@@ -30,13 +30,13 @@ public:
 
     [[nodiscard]] const ir::Places& places() const { return places_; }
 
-    /// The length of the longest list in the flow class; no value if there is no bound, or a greater one than
-    /// greatest_length. Recursion depth: the number of flow classes.
+    /// Returns the length of the longest list in the flow class. Returns no value if there is no bound, or if the bound
+    /// exceeds greatest_length. Recursion depth: the number of flow classes.
     [[nodiscard]] std::optional<std::int64_t> longest_in(ir::PlaceId flow) {
         const auto known = known_.find(flow);
         if (known != known_.end()) return known->second;
-        // A flow class that is reached again while it is open is on a cycle, like all classes that are open since then:
-        // they have no bound, whichever of them comes first.
+        // A flow class that is reached again while it is open is on a cycle. So are all classes that have been opened
+        // since then. They have no bound, whichever of them comes first.
         if (!open_.insert(flow).second) return std::nullopt;
         const auto result = longest_written(flow);
         open_.erase(flow);
@@ -60,7 +60,8 @@ private:
         return result;
     }
 
-    /// Recursion depth: the depth of the expression, times the number of flow classes.
+    /// Returns the length of the longest list of an expression. Recursion depth: the depth of the expression, times the
+    /// number of flow classes.
     [[nodiscard]] std::optional<std::int64_t> longest_of(ir::MachineId machine, const ir::Expr& expr) {
         if (expr.kind == ir::ExprKind::variable)
             return longest_in(places_.class_of(places_.variable(machine, expr.variable)));
@@ -76,10 +77,10 @@ private:
     ir::Places places_;
     std::map<ir::PlaceId, ir::Uses> uses_;
     std::map<ir::PlaceId, std::optional<std::int64_t>> known_;
-    std::set<ir::PlaceId> open_;  ///< flow classes whose length is being found
+    std::set<ir::PlaceId> open_;  ///< flow classes whose length is being computed
 };
 
-/// All lists of these elements up to the length; no value if there are more than `most`.
+/// Returns all lists of these elements up to the length, or no value if there are more than `most`.
 std::optional<std::vector<ir::Value>> lists_up_to(const std::vector<ir::Value>& elements, std::int64_t length,
                                                   std::size_t most) {
     std::vector<ir::Value> result{ir::Value{}};
@@ -129,7 +130,7 @@ void extend_carriers(ir::Instantiation& instantiation, const ir::System& system,
             auto lists = lists_up_to(ir::carrier_values(system, instantiation, element, most), longest, most);
             if (lists) instantiation.representatives[type] = std::move(*lists);
         } catch (const std::length_error&) {
-            continue;  // the elements alone are too many
+            continue;  // the elements are too many
         }
     }
 }

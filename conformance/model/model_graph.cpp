@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explores M on demand. Numbers the states, maps their transitions to roles in the cycle, and stores them.
+// Explores M on demand: numbers the states, maps their transitions to roles in the cycle, and stores them.
 #include "conformance/model/model_graph.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +68,7 @@ const ModelRole& ModelGraph::event_role(process::Event event) {
 void ModelGraph::expand_state(ModelState state) {
     budget_->poll();
     Collect sink;
-    // A copy, because `words_` may grow while the model calls its own sink.
+    // The state is copied, because `words_` may grow while the model calls its own sink.
     const std::vector<lts::Word> packed(packed_state(state).begin(), packed_state(state).end());
     model_->successors(packed, sink);
     std::vector<ModelEdge> edges;
@@ -111,8 +111,8 @@ bool look_before_time_passes(ModelGraph& graph, ModelState start, Enough enough)
 
 }  // namespace
 
-/// Whether time can pass or the model terminate after the state. If there are too many states, returns false, and the
-/// model is then reported to stop time.
+/// Returns whether time can pass or the model can terminate after the state. If there are too many states, returns
+/// false, and the model is then reported to stop time.
 bool ModelGraph::goes_on(ModelState start) {
     const auto found = goes_on_.find(start);
     if (found != goes_on_.end()) return found->second;
@@ -131,9 +131,9 @@ const std::vector<bool>& ModelGraph::heard_inputs(ModelState state) {
     return heard_[component_of_[state]];
 }
 
-/// Strongly connected components of the graph without tocks (Tarjan): all states of a component hear the same. If there
-/// are too many states, the states that are still open are assumed to hear all registers. This is safe: only the
-/// reduction of readings is lost.
+/// Finds strongly connected components of the graph without tocks (Tarjan), because all states of a component hear the
+/// same registers. If there are too many states, the states that are still open are assumed to hear all registers. This
+/// is safe: only the reduction of readings is lost.
 void ModelGraph::find_components(ModelState start) {
     struct Visit {
         ModelState state = 0;
@@ -184,7 +184,7 @@ void ModelGraph::find_components(ModelState start) {
     }
 }
 
-/// The last states of `open`, down to `first`, are a component.
+/// Closes a component: the last states of `open`, down to `first`.
 void ModelGraph::close_component(std::vector<ModelState>& open, ModelState first) {
     const auto begin = std::find(open.rbegin(), open.rend(), first).base() - 1;
     const auto number = static_cast<std::uint32_t>(heard_.size());

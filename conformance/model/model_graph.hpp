@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model M with numbered states and stored successors. NF_c(M) visits each state of M with many register contents.
-// It also needs to know which registers a state can still read before time passes.
+// Numbers the states of the model M and stores their successors. NF_c(M) visits each state of M with many register
+// contents. It also needs to know which registers a state can still read before time passes.
 #pragma once
 
 #include <cstdint>
@@ -27,19 +27,19 @@ struct ModelEdge {
 
 class ModelGraph {
 public:
-    /// Throws AlphabetError when it visits a state that can perform an event without a name in the alphabet.
+    /// The functions throw AlphabetError when they visit a state with an event that the alphabet does not name.
     ModelGraph(lts::TransitionSystem& model, const Alphabet& alphabet);
 
     [[nodiscard]] ModelState initial() const { return initial_; }
     [[nodiscard]] const std::vector<ModelEdge>& edges(ModelState);
-    /// For each register, whether its event can happen from this state before the next tock, in any run. The simulation
-    /// assumptions are ignored, so true may be wrong, but false is always right.
+    /// Returns, for each register, whether its event can happen from this state before the next tock, in any run. The
+    /// simulation assumptions are ignored, so true may be wrong, but false is always right.
     [[nodiscard]] const std::vector<bool>& heard_inputs(ModelState);
-    /// Whether the model can reach, by some sequence of events that take no time, a state in which time can pass or the
-    /// model can terminate. The sequence may contain any inputs.
+    /// Returns whether the model can reach, without the passing of time, a state in which time can pass or the model
+    /// can terminate. The sequence of events may contain any inputs.
     [[nodiscard]] bool goes_on(ModelState);
     [[nodiscard]] std::string describe(ModelState) const;
-    /// The state as M packs it; valid until another state is added.
+    /// Returns the state as M packs it. The result is valid until another state is added.
     [[nodiscard]] lts::StateView packed_state(ModelState) const;
     /// Sets the budget that is polled for every expanded state; it must outlive its use.
     void set_budget(diagnostics::Pollable& budget) { budget_ = &budget; }
@@ -66,8 +66,8 @@ private:
     std::deque<Node> edges_;  ///< a deque, so that references stay valid while the graph grows
     static constexpr std::uint32_t unknown = 0xffffffffU;
     static constexpr std::uint32_t hears_all = 0;
-    std::vector<std::uint32_t> component_of_;  ///< for each state: an index of heard_, or unknown
-    std::deque<std::vector<bool>> heard_;      ///< the first element contains all registers
+    std::vector<std::uint32_t> component_of_;  ///< for each state: an index of `heard_`, or unknown
+    std::deque<std::vector<bool>> heard_;      ///< the first element: all registers can be heard
     std::unordered_map<ModelState, bool> goes_on_;
     std::vector<ModelRole> roles_;
     std::vector<bool> role_known_;

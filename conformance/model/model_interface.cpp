@@ -17,7 +17,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// Collects what the component does with numbers, and the constants with which it compares them.
+/// Collects how the component uses numbers, and the constants with which it compares them.
 class NumberCollector {
 public:
     NumberCollector(const ir::System& system, const ir::Instantiation& instantiation,
@@ -42,7 +42,8 @@ public:
     }
 
 private:
-    /// The number, in a unit, of a literal or a constant or of its negation; no value for other expressions.
+    /// Returns the number of a literal or a constant or of its negation, in a unit. Returns no value for other
+    /// expressions.
     [[nodiscard]] std::optional<double> number_of(const cpp_emit::Unit& unit, const ir::Expr& expr) const {
         if (expr.kind == ir::ExprKind::integer) return static_cast<double>(expr.number);
         if (expr.kind == ir::ExprKind::real)
@@ -64,7 +65,7 @@ private:
         const auto comparison = constant_comparison(system_, expr);
         if (!comparison) return;
         const auto number = number_of(unit, *comparison->constant);
-        assert(number);  // a constant that is not known would make replacements wrong
+        assert(number);  // an unknown constant would make replacements wrong
         found.constants[comparison->kind].all.push_back(*number);
         if (comparison->ordered) found.constants[comparison->kind].ordered.push_back(*number);
     }
@@ -108,7 +109,8 @@ private:
         result_.input_types.push_back(type);
     }
 
-    /// Numbers values with parts in the order of their carrier, as the code's interface does.
+    /// Adds the values of a type. Values with parts are numbered in the order of their carrier, as in the code's
+    /// interface.
     void add_values(Register& shown, ir::TypeId type) const {
         const bool whole = cpp_emit::is_composed(system_.type(type));
         for (const ir::Value& value : ir::carrier_values(system_, instantiation_, type)) {

@@ -22,12 +22,12 @@ struct ModelInterface {
     TestedNumbers numbers;
 };
 
-/// Returns no value, with diagnostics, if no C++ can be generated for the component.
+/// Returns no value and reports findings if no C++ can be generated for the component.
 [[nodiscard]] std::optional<ModelInterface> model_interface(const ir::System&, const ir::Instantiation&,
                                                             const ir::ComponentRef&, const csp_emit::Provenance&,
                                                             diagnostics::Diagnostics&);
 
-/// What the component does with numbers. No value if no C++ can be generated for it.
+/// Returns how the component uses numbers, or no value if no C++ can be generated for it.
 [[nodiscard]] std::optional<TestedNumbers> tested_numbers(const ir::System&, const ir::Instantiation&,
                                                           const ir::ComponentRef&);
 

@@ -43,7 +43,7 @@ std::string value_name(std::size_t index) {
     return fmt::format("x__{}", index);
 }
 
-/// `terminate -> SKIP`, with an event that the normal form declares in place of `terminate`, because not every
+/// Returns `terminate -> SKIP`, with an event that the normal form declares in place of `terminate`, because not every
 /// component has an event `terminate`.
 ExprPtr end() {
     return b::prefix(b::name(end_event), b::skip());
@@ -93,7 +93,7 @@ private:
         return alphabet_.input_constructor(input);
     }
     [[nodiscard]] ExprPtr model_event(const std::string& local) const {
-        // "e.in" is a channel and its direction
+        // "e.in" consists of a channel and its direction.
         const std::size_t dot = local.find('.');
         const ExprPtr channel = b::name(declared_channel(local));
         return dot == std::string::npos ? channel : b::dot({channel, b::name(local.substr(dot + 1))});
@@ -117,7 +117,7 @@ private:
         return qualified_name(local);
     }
 
-    /// The types of an output's arguments as the model's channel declares them.
+    /// Returns the types of an output's arguments as the model's channel declares them.
     [[nodiscard]] ExprPtr fields_of(const Output& output) const {
         const ExprPtr body = find_channel(script_, declared_channel(output.name))->body;
         const bool directed = output.name.find('.') != std::string::npos;
@@ -195,20 +195,21 @@ private:
 
     // ------------------------------------------------------------ dropped inputs
 
-    /// The inputs that an order of events drops, ascending.
+    /// Returns the inputs that an order of events drops, ascending.
     [[nodiscard]] std::set<std::uint32_t> dropped_inputs() const {
         std::set<std::uint32_t> result;
         for (const DroppedInput& drop : alphabet_.interface().drops) result.insert(drop.dropped);
         return result;
     }
-    /// The inputs that decide what is dropped, ascending.
+    /// Returns the inputs that decide what is dropped, ascending.
     [[nodiscard]] std::set<std::uint32_t> deciding_inputs() const {
         std::set<std::uint32_t> result;
         for (const DroppedInput& drop : alphabet_.interface().drops) result.insert({drop.event, drop.dropped});
         return result;
     }
 
-    /// Whether the input counts as raised, where `r__i` is true if register i is present: the drops in their order.
+    /// Returns the condition that the input is raised after all drops, in their order. `r__i` is true if register i is
+    /// present.
     [[nodiscard]] ExprPtr counts_as_raised(std::uint32_t input) const {
         std::map<std::uint32_t, ExprPtr> raised;
         for (const std::uint32_t i : deciding_inputs()) raised[i] = b::name(raised_name(i));
@@ -217,7 +218,7 @@ private:
         return raised.at(input);
     }
 
-    /// The reads that decide whether an input happens, and its event.
+    /// Returns the reads that decide whether an input happens, and the event of the input.
     [[nodiscard]] ExprPtr gate_events(std::uint32_t dropped) const {
         std::vector<ExprPtr> events;
         for (const std::uint32_t i : deciding_inputs())
@@ -226,7 +227,7 @@ private:
         return b::productions(std::move(events));
     }
 
-    /// Lets the input happen if no raised event drops it.
+    /// Returns a process that lets the input happen if no raised event drops it.
     [[nodiscard]] DeclPtr gate_process(std::uint32_t dropped) const {
         std::vector<std::string> parameters;
         for (const std::uint32_t i : deciding_inputs()) parameters.push_back(raised_name(i));
@@ -306,7 +307,7 @@ private:
                                model_events(true, true, {"registerRead", "tock", end_event}), b::name("TA3__"));
     }
 
-    /// The model without external writes that the environment never makes.
+    /// Returns the model without external writes that the environment never makes.
     [[nodiscard]] ExprPtr without_blocked_writes(const ExprPtr& model) const {
         std::vector<ExprPtr> blocked;
         for (const std::string& channel : alphabet_.interface().blocked) blocked.push_back(model_event(channel));

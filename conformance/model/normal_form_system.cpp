@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NF_c(M) step by step. Each rule cites the assumption of docs/conformance.md that it implements: A1 registers, A2
-// outputs and time, A3 the cycle, H hiding of M's alphabet, P priority of τ and ✓ over tock.
+// Computes NF_c(M) step by step. Each rule cites the assumption of docs/conformance.md that it implements: A1
+// registers, A2 outputs and time, A3 the cycle, H hiding of M's alphabet, P priority of τ and ✓ over tock.
 #include "conformance/model/normal_form_system.hpp"
 
 #include <fmt/format.h>
@@ -11,26 +11,26 @@ namespace robochart::conformance {
 
 namespace {
 
-// Layout of a packed state. With Outputs::once, the mask of outputs written in this cycle follows. Then there is one
-// word for each register: 0 if it is empty, otherwise the reading.
+// The layout of a packed state. With Outputs::once, the mask of outputs written in this cycle follows. The last words
+// are one for each register: 0 if it is empty, otherwise the reading.
 enum Field : std::size_t { phase, progress, model_state, pending, fields };
 enum Phase : lts::Word {
     reading,  ///< progress: the next register
     acting,   ///< between the reads and the tock
-    waiting,  ///< progress: remaining tocks (in cycles with several tocks)
+    waiting,  ///< progress: the number of remaining tocks (in cycles with several tocks)
     ending,   ///< terminated, before ✓
     over,
-    repeated,  ///< Outputs::once; pending: the report of the second one
+    repeated,  ///< Outputs::once; pending: the report of the second output
     missed,    ///< Deadlines::mark and idle; model_state: the state in which M waits
 };
-/// Content of a register that was not read (Frame::unread).
+/// The content of a register that was not read (Frame::unread).
 constexpr lts::Word not_read = 0xffffffffU;
-/// State of the model after M's own ✓, before `terminate`.
+/// The state of the model after M's own ✓, before `terminate`.
 constexpr lts::Word gone = 0xffffffffU;
 
 }  // namespace
 
-/// One call of `successors`: the source state, the sink, and whether tock is still possible.
+/// The data of one call of `successors`: the source state, the sink, and whether tock is still possible.
 struct NormalFormSystem::Move {
     lts::StateView from;
     lts::SuccessorSink& sink;
@@ -74,9 +74,9 @@ void NormalFormSystem::initial(std::span<lts::Word> state) {
     begin_cycle(state);
 }
 
-// A new cycle: A2 starts again with all outputs, A3 with all reads. The contents that A1 still stores cannot be
-// consumed before the registers are read again (A3), so they are cleared here. The state is equivalent, and there are
-// fewer states.
+// Begins a new cycle: all outputs are possible again (A2), and all registers are read again (A3). The contents that A1
+// still stores are cleared here, because they cannot be consumed before the registers are read again (A3). The state is
+// equivalent, and there are fewer states.
 void NormalFormSystem::begin_cycle(std::span<lts::Word> state) const {
     std::fill(state.begin() + fields, state.end(), 0U);
     state[phase] = inputs_ == 0 ? acting : reading;
@@ -115,10 +115,10 @@ void NormalFormSystem::successors(lts::StateView state, lts::SuccessorSink& sink
     if (move.stands && frame_.deadlines != Deadlines::stop && awaits_input(state)) add_missed_deadline(move);
 }
 
-/// Detects a missed deadline on an input. M lets no time pass in the middle of a cycle's actions, and inputs could make
-/// M continue up to a point at which time passes again. There is no other sign of such a deadline, because M has
-/// performed every step that needs no input (P). If another machine would take an input, but time still could not pass
-/// after it, this input does not indicate a missed deadline.
+/// Detects a missed deadline of an input. M lets no time pass in the middle of a cycle's actions, but inputs could make
+/// M continue to a point at which time passes again. There is no other sign of such a deadline, because M has performed
+/// every step that needs no input (P). If another machine would take an input, but time still could not pass after it,
+/// this input does not indicate a missed deadline.
 bool NormalFormSystem::awaits_input(lts::StateView state) {
     if (state[phase] != acting || state[pending] != 0 || state[model_state] == gone) return false;
     const std::vector<ModelEdge>& edges = model_->edges(state[model_state]);
@@ -167,7 +167,7 @@ Standstill NormalFormSystem::standstill_in_mid_cycle(lts::StateView state) {
     return input ? Standstill::input_in_mid_cycle : Standstill::other;
 }
 
-/// The same filter applies to both sides of the comparison.
+/// Drops inputs. The same filter is used for the code.
 void NormalFormSystem::drop_inputs(std::span<lts::Word> state, lts::Word model) {
     const auto content = state.subspan(fields + mask_words_, inputs_);
     for (const DroppedInput& drop : alphabet_->interface().drops)
@@ -176,8 +176,8 @@ void NormalFormSystem::drop_inputs(std::span<lts::Word> state, lts::Word model) 
         if (model == gone || !model_->heard_inputs(model)[drop.event]) content[drop.event] = 0;
 }
 
-// A1, A3: registers are read one after the other, each with any reading. A register that M cannot read before time
-// passes is treated as absent (model_graph.hpp).
+// Adds the reads (A1, A3): registers are read one after the other, each with any reading. If M cannot read a register
+// before time passes, the register is treated as absent (model_graph.hpp).
 void NormalFormSystem::add_reads(Move& move) {
     const lts::Word at = move.from[progress];
     const auto input = static_cast<std::uint32_t>(at);
@@ -236,8 +236,8 @@ void NormalFormSystem::model_step(Move& move, const ModelEdge& edge) {
     }
 }
 
-// A1: an input happens only with the reading of this cycle, and only once. A3: not before all registers are read. H:
-// hidden.
+// Adds an input. A1: it happens only with the reading of this cycle, and only once. A3: not before all registers are
+// read. H: hidden.
 void NormalFormSystem::add_input_step(Move& move, const ModelEdge& edge) {
     lts::Word& held = move.next[fields + mask_words_ + edge.role.index];
     if (move.from[phase] != acting) return;
@@ -251,7 +251,7 @@ void NormalFormSystem::add_input_step(Move& move, const ModelEdge& edge) {
     move.add_silent_step(edge.event);
 }
 
-// A2: any number of outputs, one report at a time. A3: not before all registers are read. H: hidden.
+// Stores an output. A2: any number, one report at a time. A3: not before all registers are read. H: hidden.
 void NormalFormSystem::store_output(Move& move, const ModelEdge& edge) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     move.next[pending] = edge.role.write;
@@ -273,8 +273,8 @@ void NormalFormSystem::add_repeat(Move& move) {
     move.sink.add(repeats_, move.next, repeats_);
 }
 
-// A2: no tock while a report is pending. A3: no tock while registers are read. After the first tock of a cycle only
-// tocks follow.
+// Adds a tock. A2: not while a report is pending. A3: not while registers are read. After the first tock of a cycle,
+// only tocks follow.
 void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
     const lts::Word at = move.from[phase];
     if (at == reading || move.from[pending] != 0) return;
@@ -292,8 +292,8 @@ void NormalFormSystem::pass_time(Move& move, const ModelEdge& edge) {
     move.sink.add(edge.event, next, edge.event);
 }
 
-// All parts synchronise on `terminate`, after the reads and if no report is pending. The event is hidden, and after it
-// all parts perform ✓ together.
+// Adds termination. All parts synchronise on `terminate`, after the reads and if no report is pending. The event is
+// hidden, and after it all parts perform ✓ together.
 void NormalFormSystem::add_termination(Move& move) {
     if (move.from[phase] != acting || move.from[pending] != 0) return;
     std::vector<lts::Word>& next = move.restart();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// NF_c(M) as a transition system: the model in parallel with the three simulation assumptions (docs/conformance.md). It
-// is the process that normal_form.hpp writes in CSPM; tests/conformance shows that the two are equivalent.
+// Implements NF_c(M) as a transition system: the model in parallel with the three simulation assumptions
+// (docs/conformance.md). normal_form.hpp writes the same process in CSPM; tests/conformance shows that the two are
+// equivalent.
 #pragma once
 
 #include <cstdint>
@@ -13,24 +14,24 @@
 
 namespace robochart::conformance {
 
-/// The behaviour after successful termination of the model.
+/// What happens after the successful termination of the model.
 enum class AfterTermination {
     stop,  ///< ✓, as in the definition
-    idle,  ///< tock forever: termination is then not a deadlock (schedulability)
+    idle,  ///< tock forever, so that termination is not a deadlock (schedulability)
 };
 
-/// The number of times that an output may be made in one cycle (docs/conformance.md, A2).
+/// How often an output may be made in one cycle (docs/conformance.md, A2).
 enum class Outputs {
     sequence,  ///< any number, in the order in which M makes them
-    once,      ///< each at most once: a second one is the event `model.repeats`, after which nothing follows
+    once,      ///< each at most once: a second time is the event `model.repeats`, after which nothing follows
 };
 
-/// The behaviour if M waits for an input that was not read, and the deadline of this input has expired, so that time
+/// What happens if M waits for an input that was not read, and the deadline of this input has expired, so that time
 /// cannot pass.
 enum class Deadlines {
     stop,  ///< no further step, as in M
     mark,  ///< the event `model.deadline`, after which nothing follows
-    idle,  ///< tock forever: a missed deadline is then not a deadlock
+    idle,  ///< tock forever, so that a missed deadline is not a deadlock
 };
 
 /// A variant of NF_c(M). The first value of each member is the definition; the others are used to find reasons why M
@@ -40,12 +41,12 @@ struct Frame {
     Outputs outputs = Outputs::sequence;
     Deadlines deadlines = Deadlines::stop;
     bool writes_hidden = false;  ///< hides the writes, so that an endless sequence of outputs is a divergence
-    /// If true, a register may also be unread, by the event `unread`. If the behaviour depends on the reading of such a
-    /// register, the event `asks` is possible, and all other events have no meaning.
+    /// If true, a register may also be unread, which is the event `unread`. If the behaviour depends on the reading of
+    /// such a register, the event `asks` is possible, and all other events are meaningless.
     bool unread = false;
 };
 
-/// The reason why a state of NF_c(M) has no transitions.
+/// Why a state of NF_c(M) has no transitions.
 enum class Standstill {
     none,    ///< the state has transitions
     inputs,  ///< M waits, with an expired deadline, for inputs that were not read
@@ -67,14 +68,14 @@ public:
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     void set_budget(diagnostics::Pollable& budget) override { model_->set_budget(budget); }
     [[nodiscard]] bool begins_cycle(lts::StateView state) const override;
-    /// The reason why the state has no transitions; `none` if it has some.
+    /// Returns why the state has no transitions, or `none` if it has some.
     [[nodiscard]] Standstill standstill_kind(lts::StateView state);
-    /// The state of M; no value after its termination.
+    /// Returns the state of M, or no value after its termination.
     [[nodiscard]] std::optional<ModelState> model_state_of(lts::StateView state) const;
-    /// The events for a repeated output (Outputs::once) and a missed deadline (Deadlines::mark).
+    /// Return the events for a repeated output (Outputs::once) and a missed deadline (Deadlines::mark).
     [[nodiscard]] process::Event repeat_event() const { return repeats_; }
     [[nodiscard]] process::Event deadline_event() const { return deadline_; }
-    /// The events of Frame::unread.
+    /// Return the events of Frame::unread.
     [[nodiscard]] process::Event unread_event(std::uint32_t input) const { return unread_[input]; }
     [[nodiscard]] process::Event ask_event(std::uint32_t input) const { return asks_[input]; }
     [[nodiscard]] std::string describe_model(lts::StateView state) const override;

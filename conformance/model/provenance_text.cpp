@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text for events and states: looks up the names of the script in the provenance.
+// Describes events and states: looks up the names of the script in the provenance.
 #include "conformance/model/provenance_text.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ std::string with_place(const std::string& text, const ir::Origin& origin, const 
 
 }  // namespace
 
-/// The names of definitions in "A::S1__(0, 1) ‖ B::S2__": each part up to its parenthesis.
+/// Returns the names of definitions in "A::S1__(0, 1) ‖ B::S2__": each part up to its parenthesis.
 std::vector<std::string> definitions_in(const std::string& description) {
     constexpr std::string_view between = "‖";
     std::vector<std::string> names;

@@ -7,14 +7,14 @@ namespace robochart::conformance {
 
 namespace {
 
-// Layout of a packed state. Then there is one word for each register: the last reading of a variable, 0 for events.
+// The layout of a packed state. The last words are one for each register: the last reading of a variable, 0 for events.
 namespace word {
 enum Place : std::size_t { model, next_register, pending, tocks, kept };
-/// Value of `tocks` between the first read or write of a cycle and its first tock; otherwise the number of tocks of the
-/// cycle, 0 before the first read or write.
+/// The value of `tocks` between the first read or write of a cycle and its first tock. At other times, `tocks` is the
+/// number of tocks of the cycle; it is 0 before the first read or write.
 constexpr lts::Word acting = 0xffffffffU;
 }  // namespace word
-/// State of the model after ✓. (log_projection.cpp uses the next number for states that are not known.)
+/// The state of the model after ✓. (log_projection.cpp uses the next number for states that are not known.)
 constexpr lts::Word after_end = 0xfffffffeU;
 constexpr std::uint32_t no_input = 0xffffffffU;
 
@@ -117,7 +117,7 @@ void RegisterSystem::add_read(Move& move, const ModelEdge& edge) const {
     move.sink.add(event, move.next, event);
 }
 
-/// The component has made the output; it is reported before anything else happens.
+/// Adds the report of an output that the component has made. The report comes before anything else.
 void RegisterSystem::add_write(Move& move, const ModelEdge& edge) const {
     move.urgent = true;
     move.next[word::pending] = edge.role.write;

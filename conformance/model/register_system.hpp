@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A RoboSim component over the events of L(G): the specification of its code (docs/conformance.md, "RoboSim").
+// Represents a RoboSim component over the events of L(G). This is the specification of its code (docs/conformance.md,
+// "RoboSim").
 //
 // The component M of docs/robosim.md already runs in cycles, so there is no normal form. This system
 //   * hides endexec and terminate, which a module does not have, and gives τ and ✓ priority over tock again,

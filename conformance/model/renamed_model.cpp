@@ -7,7 +7,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// The same component under its new names in the system.
+/// Returns the same component under its new names in the system.
 ir::ComponentRef rename_component(const ir::System& system, ir::ComponentRef ref) {
     const auto take = [&](const auto& components, const auto& path) {
         if (ref.definition >= components.size()) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model with the names of its script. If a name has another meaning in CSPM, model and code are compared under the
-// name with a number appended (csp_emit/passes/safe_names.hpp).
+// Gives the model the names of its script. If a name has another meaning in CSPM, a number is appended to it, and model
+// and code are compared under the new name (csp_emit/passes/safe_names.hpp).
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"
@@ -10,8 +10,8 @@
 
 namespace robochart::conformance {
 
-/// The renamed system, which all components of a model share. It has no CSP blocks and no properties, which belong to
-/// assertions: a block that replaces the instantiation would give the model other values than the code.
+/// The renamed system, which all components of a model share. It has no CSP blocks and no properties, because these
+/// belong to assertions. A block that replaces the instantiation would give the model other values than the code.
 struct RenamedSystem {
     ir::System system;
     ir::Instantiation instantiation;
@@ -19,9 +19,9 @@ struct RenamedSystem {
     ListBounds list_bounds = {};  ///< for the types of the lists that the machines build (longer_lists.hpp)
 };
 
-/// Reports findings about names to the diagnostics.
+/// Renames the system. Reports findings about names to the diagnostics.
 [[nodiscard]] RenamedSystem renamed_system(const ir::System&, const ir::Instantiation&, diagnostics::Diagnostics&);
-/// The component under its names in the renamed system.
+/// Returns the component under its names in the renamed system.
 [[nodiscard]] ir::ComponentRef renamed_component(const RenamedSystem&, const ir::ComponentRef&);
 
 struct RenamedModel {
@@ -30,7 +30,7 @@ struct RenamedModel {
     ir::ComponentRef component;
 };
 
-/// The renamed system and component.
+/// Returns the renamed system and component.
 [[nodiscard]] RenamedModel renamed_model(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&,
                                          diagnostics::Diagnostics&);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values that represent a data independent type (Lazić 1999; Roscoe UCS 17.2).
+// Computes the values that represent a data independent type (Lazić 1999; Roscoe UCS 17.2).
 #include "conformance/model/representatives.hpp"
 
 #include <algorithm>
@@ -41,8 +41,8 @@ public:
           next_(attempt % attempts_with_distance),
           distance_(1 + attempt / attempts_with_distance) {}
 
-    /// A value of the type; no value for functions and relations, whose values have no fixed shape. Recursion depth:
-    /// the depth of types.
+    /// Returns a value of the type. Returns no value for functions and relations, whose values have no fixed shape.
+    /// Recursion depth: the depth of types.
     std::optional<ir::Value> sample_value(ir::TypeId id) {
         const ir::Type& type = system_.type(id);
         switch (type.kind) {
@@ -170,13 +170,13 @@ public:
     }
 
 private:
-    /// Whether no operator depends on a list, and the values in all lists are represented.
+    /// Returns whether no operator depends on a list, and the values in all lists are represented.
     [[nodiscard]] bool lists_are_passed_on() const {
         return !independent_.inspects_lists && std::ranges::all_of(boundary_types(), [&](ir::TypeId type) {
             return !contains_lists(type) || is_represented(system_, result_, type);
         });
     }
-    /// Recursion depth: the depth of types.
+    /// Returns whether the type contains lists. Recursion depth: the depth of types.
     [[nodiscard]] bool contains_lists(ir::TypeId id) const {
         const ir::Type& type = system_.type(id);
         const auto inside = [&](ir::TypeId part) { return contains_lists(part); };
@@ -235,14 +235,14 @@ private:
         return true;
     }
 
-    /// The initial values of variables and constants of the type.
+    /// Returns the initial values of variables and constants of the type.
     [[nodiscard]] std::set<ir::Value> fixed_values(ir::TypeId id) const {
         std::set<ir::Value> values{ir::default_value(system_, result_.instantiation, id)};
         for_each_fixed([&](ir::TypeId type, const ir::Value& value) { collect_values(type, value, id, values); });
         return values;
     }
 
-    /// The values of a type in a value. Recursion depth: the depth of types.
+    /// Collects the values of a type in a value. Recursion depth: the depth of types.
     void collect_values(ir::TypeId id, const ir::Value& value, ir::TypeId wanted, std::set<ir::Value>& found) const {
         if (same_type(system_, wanted, id)) found.insert(value);
         for_each_part(system_.type(id), value, [&](ir::TypeId part_type, const ir::Value& part) {
@@ -289,7 +289,7 @@ private:
         }
     }
 
-    /// The numbers of a kind in a value. Recursion depth: the depth of types.
+    /// Collects the numbers of a kind in a value. Recursion depth: the depth of types.
     void collect_numbers(ir::TypeId id, const ir::Value& value, ir::TypeKind kind,
                          std::set<std::int64_t>& found) const {
         const ir::Type& type = system_.type(id);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses finite carriers for a component that only passes values on. For such a component, a few values represent all
-// values. See docs/conformance.md, "Few values for all".
+// Chooses finite carriers for a component that only passes values on. A few values then represent all values. See
+// docs/conformance.md, "Few values for all".
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct RepresentedType {
     ir::TypeId type;
     std::string name;        ///< name in the model
     std::size_t values = 0;  ///< number of values that represent all
-    /// The values among them that are neither initial values nor values of constants. Each of them can stand for any
+    /// The representatives that are neither initial values nor values of constants. Each of them can represent any
     /// value of the type.
     std::vector<ir::Value> names;
 };
@@ -29,7 +29,7 @@ struct RepresentedType {
 struct Representatives {
     ir::Instantiation instantiation;
     std::vector<RepresentedType> types;
-    /// The lists of the instantiation stand for lists of any length.
+    /// True if the lists of the instantiation represent lists of any length.
     bool lists_of_any_length = false;
 };
 
@@ -39,14 +39,14 @@ inline constexpr std::size_t least_names = 2;
 /// Chooses representatives for a component whose inputs or outputs have more values than can be explored. For each data
 /// independent type, the representatives are the values of constants, the initial values, and `names` further values.
 /// The first two names differ from the other values and from each other in every part. The parts of one value also
-/// differ from each other if the carriers allow it, so that lost or exchanged parts are detected. A type that has too
-/// few values for the names is not represented. Carriers of lists with bounds contain all lists of the represented
+/// differ from each other if the carriers allow it, so that lost or exchanged parts are detected. If a type has too few
+/// values for the names, it is not represented. Carriers of lists with bounds contain all lists of the represented
 /// values up to these bounds.
 [[nodiscard]] Representatives choose_representatives(const ir::System&, const ir::Instantiation&,
                                                      const cpp_emit::Component&, std::size_t names = least_names,
                                                      const ListBounds& bounds = {});
 
-/// Whether few values represent the type or one of its parts.
+/// Returns whether few values represent the type or one of its parts.
 [[nodiscard]] bool is_represented(const ir::System&, const Representatives&, ir::TypeId);
 
 /// A set of names: one bit for each name of Representatives::types, in their order.
@@ -54,14 +54,14 @@ using NameSet = std::uint64_t;
 /// The number of names that a NameSet can contain.
 inline constexpr std::size_t most_bits = 64;
 
-/// For each represented type, the set of its names. Requires at most `most_bits` names of all types together.
+/// Returns, for each represented type, the set of its names. All types together must have at most `most_bits` names.
 [[nodiscard]] std::vector<NameSet> names_by_type(const Representatives&);
 /// The parts of a value that have represented types.
 struct RepresentedParts {
-    NameSet names = 0;                ///< of these parts
+    NameSet names = 0;                ///< the names in these parts
     std::vector<std::size_t> counts;  ///< for each represented type, the number of parts
 };
-/// Requires at most `most_bits` names of all types together.
+/// Finds the parts of a value. All types together must have at most `most_bits` names.
 [[nodiscard]] RepresentedParts represented_parts(const ir::System&, const Representatives&, ir::TypeId,
                                                  const ir::Value&);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about errors in a log of a run that are detected before the log is compared with the model (docs/traces.md).
-// Also contains the rules about models that cannot be run in control cycles, or only by some robots
+// Declares rules about errors in a log that are detected before the log is compared with the model (docs/traces.md).
+// Also declares the rules about models that cannot be run in control cycles, or only by some robots
 // (docs/conformance.md, "Why a model is not schedulable").
 #pragma once
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// See tick_tock.hpp. Breadth-first search over pairs: a state of the implementation, and the set of states that the
-// specification may have reached after the same observation, including refusals before tocks. Only the largest refusal
-// of each state is followed, because the model is closed under smaller ones (its healthiness condition TT1).
+// See tick_tock.hpp. The search is breadth-first over pairs: a state of the implementation, and the set of states that
+// the specification may have reached after the same observation, including refusals before tocks. Only the largest
+// refusal of each state is followed, because the model is closed under smaller refusals (its healthiness condition
+// TT1).
 #include "conformance/model/tick_tock.hpp"
 
 #include <algorithm>
@@ -29,14 +30,14 @@ public:
         : graph_(system, budget), budget_(budget), tock_(tock) {}
 
     SetNumber initial_set() { return tau_closure({graph_.initial()}); }
-    /// The set after an event other than tock; empty if the specification does not have the event.
+    /// Returns the set after an event other than tock; empty if the specification does not have the event.
     SetNumber set_after(SetNumber set, Event event) {
         Members next;
         for (const StateIndex state : Members(set_members(set)))
             for (const auto& edge : graph_.edges(state, event)) next.push_back(edge.target);
         return tau_closure(next);
     }
-    /// The set after a tock before which every event except `offered` was refused.
+    /// Returns the set after a tock. Only states that refuse every event outside `offered` take part.
     SetNumber after_tock(SetNumber set, const EventSet& offered) {
         Members next;
         for (const StateIndex state : Members(set_members(set))) {
@@ -46,7 +47,7 @@ public:
         }
         return tau_closure(next);
     }
-    /// Whether some state refuses everything except `offered`.
+    /// Returns whether some state refuses everything except `offered`.
     bool refuses(SetNumber set, const EventSet& offered) {
         for (const EventSet& accepted : acceptances(set))
             if (is_subset(accepted, offered)) return true;
@@ -59,7 +60,7 @@ public:
         diagnostics::sort_unique(all);
         return all;
     }
-    /// The initial events of the specification, including tocks that maximal progress allows.
+    /// Returns the initial events of the specification, including tocks that maximal progress allows.
     EventSet initial_events(SetNumber set) {
         EventSet all;
         for (const StateIndex state : Members(set_members(set))) {
@@ -84,7 +85,7 @@ private:
         states.push_back(state);
     }
 
-    /// The states reachable by τ from the seeds.
+    /// Returns the states reachable by τ from the seeds.
     SetNumber tau_closure(const Members& seeds) {
         ++round_;
         Members states;

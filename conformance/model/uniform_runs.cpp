@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // See uniform_runs.hpp. As in NormalFormSystem, rules of docs/conformance.md are cited: A1 registers, A2 outputs and
-// time, A3 the cycle, P priority. A report of an output (A2) follows its output before any other output, and M's silent
-// steps commute with it; so an output and its report are one step here.
+// time, A3 the cycle, P priority. An output and its report are one step here: the report (A2) follows its output before
+// any other output, and M's silent steps commute with it.
 #include "conformance/model/uniform_runs.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace robochart::conformance {
 
 namespace {
 
-/// The model after its ✓.
+/// The state of the model after its ✓.
 constexpr ModelState ended = 0xffffffffU;
 
 using Kind = ModelRole::Kind;
@@ -49,7 +49,7 @@ std::uint32_t UniformRuns::intern_held(std::vector<Reading> readings) {
     return place->second;
 }
 
-/// Readings that M cannot receive any more before the next tock are forgotten (ModelGraph::hears).
+/// Removes readings that M cannot receive any more before the next tock (ModelGraph::hears).
 HeldState UniformRuns::narrowed(ModelState model, std::uint32_t held) {
     if (held == 0 || model == ended) return {model, 0};
     const std::vector<bool>& hears = model_->heard_inputs(model);
@@ -140,7 +140,7 @@ std::optional<std::uint32_t> UniformRuns::awaits(ModelState state, const std::ve
     return std::nullopt;
 }
 
-/// The states of M after a cycle's tocks. No value if time stops in all of them.
+/// Returns the states of M after a cycle's tocks, or no value if time stops in all of them.
 std::optional<UniformRuns::Set> UniformRuns::after_time(const States& stable) {
     States now = stable;
     for (std::uint32_t t = 0; t < cycle_length_; ++t) {
@@ -155,7 +155,7 @@ std::optional<UniformRuns::Set> UniformRuns::after_time(const States& stable) {
     return intern(std::move(now));
 }
 
-/// Within a cycle of several tocks, M performs no event of E (A3); its own steps come before time (P).
+/// Follows M between the tocks of a cycle. M performs no event of E there (A3), and its own steps come before time (P).
 UniformRuns::States UniformRuns::settled_between_tocks(States states) {
     std::set<HeldState> seen(states.begin(), states.end());
     std::vector<HeldState> open(seen.begin(), seen.end());
@@ -173,7 +173,7 @@ UniformRuns::States UniformRuns::settled_between_tocks(States states) {
     return settled;
 }
 
-/// Recursion depth: the number of unread registers for which M waits.
+/// Ends the cycle. Recursion depth: the number of unread registers for which M waits.
 bool UniformRuns::finish(Set states, const std::vector<bool>& unread, rc_result outcome,
                          std::vector<Completion>& completions, Completion& refused) {
     if (outcome == RC_TERMINATED && closure(states).terminated) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of NF_c(M) that match code that has read only some registers: the runs that are possible for all contents of the
-// other registers (docs/conformance.md, "Reading on demand").
+// Follows code that has read only some registers with uniform runs of NF_c(M): runs that are possible for all contents
+// of the other registers (docs/conformance.md, "Reading on demand").
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace robochart::conformance {
 
-/// A state of M in a cycle. `held` is the number of the set of readings that M may still receive.
+/// A state of M in a cycle. `held` is the number of a set of readings: those that M may still receive.
 struct HeldState {
     ModelState model = 0;
     std::uint32_t held = 0;
@@ -25,25 +25,25 @@ struct HeldState {
 
 class UniformRuns {
 public:
-    /// A set of states in which M may be, before it acts further.
+    /// The number of a set of states in which M may be before it acts further.
     using Set = std::uint32_t;
-    /// Registers that a leaf of the code's cycle has not read, and the readings assumed for them.
+    /// The readings that are assumed for registers that the code has not read at a leaf of its cycle.
     struct Completion {
-        Set states = 0;  ///< the states at the beginning of the next cycle; has no meaning if there is no next cycle
+        Set states = 0;  ///< the states at the beginning of the next cycle, if there is a next cycle
         std::vector<std::pair<std::uint32_t, std::uint32_t>> readings;  ///< registers and readings
     };
 
     UniformRuns(ModelGraph& model, const Alphabet& alphabet, std::uint32_t cycle_length);
 
     [[nodiscard]] Set start();
-    /// The set of states after the code has read a register that is present.
+    /// Returns the set of states after the code has read a register that is present.
     [[nodiscard]] Set with(Set states, std::uint32_t input, std::uint32_t reading);
-    /// The set of states after M has made this output. No value if M cannot make the output when the registers that the
-    /// code has not read are empty.
+    /// Returns the set of states after M has made this output. Returns no value if M cannot make the output when the
+    /// registers that the code has not read are empty.
     [[nodiscard]] std::optional<Set> after(Set states, process::Event write);
     /// Follows the end of the code's cycle. Adds completions that together cover all readings of the unread registers.
-    /// Returns false if NF_c(M) cannot end its cycle in this way for the readings in `refused`, with all other
-    /// registers empty.
+    /// Returns false if NF_c(M) cannot end its cycle in this way; `refused` then contains the readings for which it
+    /// cannot, with all other registers empty.
     [[nodiscard]] bool finish(Set states, const std::vector<bool>& unread, rc_result outcome,
                               std::vector<Completion>& completions, Completion& refused);
 
@@ -52,7 +52,7 @@ public:
 private:
     using Reading = std::pair<std::uint32_t, std::uint32_t>;  ///< register and reading
     using States = std::vector<HeldState>;
-    /// The steps of M that are possible from a set, either without input or with the readings that M may still receive.
+    /// The steps of M that are possible from a set, without input or with the readings that M may still receive.
     struct Closure {
         bool known = false;
         bool terminated = false;
@@ -65,10 +65,11 @@ private:
     [[nodiscard]] HeldState narrowed(ModelState model, std::uint32_t held);
     [[nodiscard]] const Closure& closure(Set);
     [[nodiscard]] bool holds(std::uint32_t held, std::uint32_t input, std::uint32_t reading) const;
-    /// Whether M cannot do anything in this state before time passes.
+    /// Returns whether M cannot do anything in this state before time passes.
     [[nodiscard]] bool stable(const HeldState&);
     [[nodiscard]] bool lets_time_pass(ModelState);
-    /// A register that M waits for in a stable state and that the code has not read; no value if there is none.
+    /// Returns a register that M waits for in a stable state and that the code has not read, or no value if there is
+    /// none.
     [[nodiscard]] std::optional<std::uint32_t> awaits(ModelState, const std::vector<bool>& unread);
     [[nodiscard]] std::optional<Set> after_time(const States& stable);
     [[nodiscard]] States settled_between_tocks(States);

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t slots = 2048;
 constexpr std::size_t most_inputs = 48;  ///< number of bits of a key
 
-/// One of eight slots, selected by the exponent: constants of a model usually differ in magnitude.
+/// Returns one of eight slots, which the exponent selects, because constants of a model usually differ in magnitude.
 std::size_t slot_of(std::uint64_t bits) {
     return bits >> 52U & 7U;
 }
@@ -43,7 +43,7 @@ CycleCache::Channel CycleCache::make_channel(const MonitorChannel& table, const 
     return result;
 }
 
-/// Arguments with the same range share a carrier.
+/// Returns the number of a carrier. Arguments with the same range share a carrier.
 std::uint32_t CycleCache::carrier_number(const MonitorValues& values, bool real) {
     const auto same = [&](const Carrier& other) {
         const MonitorValues& others = *other.values;
@@ -75,7 +75,8 @@ inline std::uint32_t CycleCache::carrier_place(std::uint32_t number, rc_value va
     return new_place(carrier, value);
 }
 
-/// Handles rare calls in a separate function, so that the frequent path is small.
+/// Computes a place that is not stored yet. Such calls are rare, so they are in a separate function, which keeps the
+/// frequent path small.
 [[gnu::noinline]] std::uint32_t CycleCache::new_place(Carrier& carrier, rc_value value) {
     if (!carrier.real) return Monitor::place_of(*carrier.values, value.whole);
     std::uint64_t bits = 0;
@@ -104,7 +105,7 @@ inline std::uint32_t CycleCache::carrier_place(std::uint32_t number, rc_value va
     return output.column[at];
 }
 
-/// Returns false if a reading is not finite.
+/// Makes the key of a cycle. Returns false if a reading is not finite.
 inline bool CycleCache::make_key(const rc_signal* inputs, Key& key) {
     std::uint64_t present = 0;
     for (const rc_signal* input = inputs; input != inputs + input_count_; ++input)
@@ -120,15 +121,16 @@ inline bool CycleCache::make_key(const rc_signal* inputs, Key& key) {
     return true;
 }
 
-/// Multiplication by odd random constants; the upper bits of a product depend on all bits of its factor.
+/// Hashes the key by multiplication by odd random constants. The upper bits of a product depend on all bits of its
+/// factor.
 inline CycleCache::Slot& CycleCache::slot_for_key(const Key& key) {
     const std::uint64_t mixed = key.head * 0x9E3779B97F4A7C15ULL + key.values * 0xC2B2AE3D27D4EB4FULL;
     static_assert(slots == std::size_t{1} << 11U);
     return slots_[mixed >> 53U];
 }
 
-/// Compares most values by their bits. Numbers that the model only passes on are compared by the values that represent
-/// them.
+/// Compares an output with a stored one. Most values are compared by their bits. Numbers that the model only passes on
+/// are compared by the values that represent them.
 inline bool CycleCache::matches_recorded(const Done& done, const rc_action& action) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &action.argument[0], sizeof bits);
@@ -174,7 +176,7 @@ void CycleCache::pass_cycle(Monitor& monitor, const rc_signal* inputs, const rc_
     try_second_slot(first, key, monitor, inputs, outputs);
 }
 
-/// A pair of slots stores two outcomes, the latest first.
+/// Looks in the second slot of a pair. A pair of slots stores two outcomes, the latest first.
 [[gnu::noinline]] void CycleCache::try_second_slot(Slot& first, const Key& key, Monitor& monitor,
                                                    const rc_signal* inputs, const rc_actions& outputs) {
     Slot& second = slots_[static_cast<std::size_t>(&first - slots_.data()) ^ 1U];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cache for monitors of many controllers of one component. It stores results of whole cycles. If a controller has
-// performed the same cycle from the same state before, a single look-up replaces the look-ups for all events of the
-// cycle.
+// Caches results of whole cycles, for monitors of many controllers of one component. If a controller has performed the
+// same cycle from the same state before, one look-up replaces the look-ups for all events of the cycle.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +12,9 @@
 
 namespace robochart::conformance {
 
-/// The cache is exact: a result is used only for the same state, the same readings, and the same columns of outputs in
-/// the same order. Outputs seldom differ for equal states and readings, so few outcomes are stored for each. Not
-/// thread-safe.
+/// A cache of cycles. It is exact: a result is used only for the same state, the same readings, and the same columns of
+/// outputs in the same order. Outputs seldom differ for equal states and readings, so few outcomes are stored for each.
+/// Not thread-safe.
 class CycleCache {
 public:
     /// `inputs` and `outputs` are as in the tables.
@@ -25,11 +24,11 @@ public:
     /// Passes a cycle's inputs and outputs to a monitor with these tables.
     void pass_cycle(Monitor&, const rc_signal* inputs, const rc_actions& outputs, rc_drive_result);
 
-    /// Number of cycles answered by one look-up.
+    /// Returns the number of cycles that were answered by one look-up.
     [[nodiscard]] std::uint64_t hit_count() const { return remembered_; }
 
 private:
-    /// The range of arguments of one type.
+    /// The values of arguments of one type.
     struct Carrier {
         const MonitorValues* values = nullptr;
         bool real = false;
@@ -55,17 +54,17 @@ private:
 
         friend bool operator==(const Key&, const Key&) = default;
     };
-    /// An output of a cycle.
+    /// An output that occurred in a cycle.
     struct Done {
         std::uint64_t bits = 0;  ///< bits of its single argument
-        std::uint64_t mask = 0;  ///< mask for these bits; zero without an argument
+        std::uint64_t mask = 0;  ///< mask for these bits; 0 if there is no argument
         std::uint32_t output = 0;
         std::uint16_t column = 0;
         std::uint16_t many = 0;  ///< not 0: the output has several arguments
     };
     static constexpr std::uint32_t most_done = 6;
     struct alignas(64) Slot {
-        Key key{~std::uint64_t{0}, 0};  ///< a key that matches no cycle
+        Key key{~std::uint64_t{0}, 0};  ///< initially, matches no cycle
         std::uint32_t count = 0;
         std::uint16_t next = Monitor::dead;
         Done done[most_done];
@@ -90,7 +89,7 @@ private:
     std::vector<std::uint32_t> valued_;  ///< inputs that carry a value
     std::size_t input_count_ = 0;
     unsigned width_ = 1;     ///< number of bits of a value in a key
-    bool has_keys_ = false;  ///< all inputs fit into one key
+    bool has_keys_ = false;  ///< true if all inputs fit into one key
     std::vector<Slot> slots_;
     std::uint64_t remembered_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// See monitor.hpp. Minimisation: Moore's algorithm (1956) on the deterministic automaton whose missing arcs are
-// violations.
+// See monitor.hpp. The automaton is minimised by Moore's algorithm (1956). It is deterministic, and its missing arcs
+// are violations.
 #include "conformance/monitor/monitor.hpp"
 
 #include <fmt/format.h>
@@ -32,7 +32,7 @@ struct Arc {
     std::uint32_t target;
 };
 
-/// The deterministic automaton of NF_c(M), as explored.
+/// The deterministic automaton of NF_c(M), before minimisation.
 struct Automaton {
     std::vector<std::vector<Arc>> arcs;              ///< by node, then by event
     std::vector<std::vector<std::string>> elements;  ///< by node, for nodes in which cycles begin
@@ -76,7 +76,7 @@ Automaton explore_model(CyclicModel& model, refine::Budget& budget, const diagno
     return result;
 }
 
-/// The class of each node. Two nodes in the same class allow the same runs.
+/// Returns the class of each node. Two nodes in the same class allow the same runs.
 std::vector<std::uint32_t> minimise_automaton(const Automaton& automaton, refine::Budget& budget) {
     std::vector<std::uint32_t> classes(automaton.size(), 0);
     for (std::size_t count = 0;;) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal form of a component as dense tables for a monitor (cpp_emit/runtime/monitor.hpp): NF_c(M), determinised
-// and minimised, with equal columns shared. The tables represent only traces, because a monitor sees only the events
-// that happen.
+// Builds the normal form of a component as dense tables for a monitor (cpp_emit/runtime/monitor.hpp): NF_c(M),
+// determinised and minimised, with equal columns shared. The tables represent only traces, because a monitor sees only
+// the events that happen.
 #pragma once
 
 #include <deque>
@@ -19,12 +19,12 @@ namespace robochart::conformance {
 /// The tables and all data to which they point.
 class MonitorBuild {
 public:
-    /// Builds the tables. Throws std::length_error if they would be too large, process::Interrupted at a limit.
+    /// Builds the tables. Throws std::length_error if they would be too large, and process::Interrupted at a limit.
     [[nodiscard]] static std::unique_ptr<MonitorBuild> make(CyclicModel&, const refine::Limits&,
                                                             const diagnostics::SourceManager&);
     [[nodiscard]] const MonitorTables& tables() const { return tables_; }
     [[nodiscard]] std::size_t table_bytes() const { return next_.size() * sizeof next_[0]; }
-    /// Number of nodes of the normal form before minimisation.
+    /// Returns the number of nodes of the normal form before minimisation.
     [[nodiscard]] std::uint32_t node_count() const { return nodes_; }
 
 private:
@@ -47,7 +47,8 @@ private:
     MonitorTables tables_{};
 };
 
-/// The tables as a header that needs only robochart/monitor.hpp, and that header. `subject` describes their content.
+/// Returns a header with the tables, and robochart/monitor.hpp, which is the only file that the header includes.
+/// `subject` describes the content of the tables.
 [[nodiscard]] std::vector<cpp_emit::OutputFile> monitor_files(const MonitorTables&, const std::string& name,
                                                               const std::string& subject = "what its model allows");
 

@@ -14,8 +14,8 @@ std::string text_literal(const char* text) {
     return text == nullptr ? "nullptr" : diagnostics::cpp_string(text);
 }
 
-/// The text of a place, "in S1 (models/a.rct:56)", without the folder, so that generated text does not depend on the
-/// location of the model.
+/// Returns the text of a place, "in S1 (models/a.rct:56)", without the folder, so that generated text does not depend
+/// on where the model is.
 std::string without_folders(const char* text) {
     std::string result;
     std::size_t bracket = std::string::npos;
@@ -32,7 +32,7 @@ std::string place_literal(const char* text) {
     return text == nullptr ? "nullptr" : text_literal(without_folders(text).c_str());
 }
 
-/// The text of a table of numbers, with several numbers on each line.
+/// Returns the text of a table of numbers, with several numbers on each line.
 template <class Number>
 std::string array_definition(const std::string& type, const std::string& name, const Number* numbers, std::size_t count,
                              std::size_t a_line) {

@@ -79,11 +79,11 @@ private:
         Node node;
         std::uint32_t tocks;
         process::EventSet events;
-        bool written = false;  ///< the event that led to it is the last of the writes
+        bool written = false;  ///< true: the event that led to the node is the last of the writes
         std::size_t next = 0;
     };
 
-    /// Follows every path to the end of the cycle. Throws for a path that returns to a node before time passes, which
+    /// Follows every path to the end of the cycle. Throws if a path returns to a node before time passes, because it
     /// has no end.
     void follow_paths(Node from, std::vector<CycleStep>& branches) {
         std::vector<Place> way;
@@ -129,7 +129,8 @@ private:
         branches.push_back(std::move(step));
     }
 
-    /// Moore 1956: words of increasing length distinguish states. States are numbered in the order of the search.
+    /// Minimises the machine (Moore 1956): words of increasing length distinguish states. States are numbered in the
+    /// order of the search.
     ChoiceAutomaton minimise_states(const ChoiceAutomaton& machine) {
         std::vector<std::uint32_t> classes(machine.state_count(), 0);
         for (std::size_t count = 0;;) {
@@ -173,7 +174,7 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// The first difference between two paths through a cycle, as text.
+/// Describes the first difference between two paths through a cycle.
 std::string describe_first_difference(const CyclicModel& model, const CycleStep& a, const CycleStep& b) {
     const auto text_of = [&](const CycleStep& step, std::size_t at) -> std::string {
         if (at < step.writes.size()) return model.alphabet().describe_event(step.writes[at]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal form as a finite state machine over control cycles. A state is a possible beginning of a cycle, an input
-// symbol is one reading of every register, and an output symbol is the sequence of writes in the cycle. The machine is
-// complete and minimal. It is deterministic unless the model has choices. With choices, an input may have several
-// steps, which differ in their writes.
+// Computes the normal form as a finite state machine over control cycles. In a state of the machine a cycle may begin.
+// An input symbol is one reading of every register, and an output symbol is the sequence of writes in the cycle. The
+// machine is complete and minimal. It is deterministic unless the model has choices. With choices, an input may have
+// several steps, which differ in their writes.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct ChoiceAutomaton {
     std::vector<std::vector<std::vector<CycleStep>>> branches;  ///< [state][symbol], at least one
 
     [[nodiscard]] std::size_t state_count() const { return branches.size(); }
-    /// Whether every input has a single branch.
+    /// Returns whether every input has a single branch.
     [[nodiscard]] bool is_deterministic() const;
 };
 

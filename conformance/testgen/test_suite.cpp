@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The HSI method: a state cover, all words of M + 1 symbols from each state, and harmonised identifiers.
+// Implements the HSI method with a state cover, all words of M + 1 symbols from each state, and harmonised identifiers.
 #include "conformance/testgen/test_suite.hpp"
 
 #include <fmt/format.h>
@@ -105,8 +105,8 @@ private:
         }
     }
 
-    /// Adds all words of at most `more` symbols after `word`, each followed by the identifiers of the state to which it
-    /// leads.
+    /// Adds all words that extend `word` by at most `more` symbols. Each is followed by the identifiers of the state to
+    /// which it leads.
     void add_extensions(const TestWord& word, std::uint32_t state, std::uint32_t more) {
         if (state == over || identifiers_[state].empty()) add_test(word);
         if (state == over) return;
@@ -130,8 +130,8 @@ private:
         if (cycles_ > most_) throw std::length_error(fmt::format("a complete suite has more than {} cycles", most_));
     }
 
-    /// The words that are not a prefix of another word. In lexicographic order, a word is followed by those that begin
-    /// with it.
+    /// Returns the words that are not a prefix of another word. In lexicographic order, a word is followed by the words
+    /// that begin with it.
     [[nodiscard]] std::vector<TestWord> without_beginnings() const {
         std::vector<TestWord> result;
         for (auto at = tests_.begin(); at != tests_.end(); ++at) {

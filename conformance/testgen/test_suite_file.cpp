@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a test suite as a log of runs, and as GoogleTest; see test_suite.hpp.
+// Writes a test suite as a log of runs, and as a GoogleTest program; see test_suite.hpp.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -236,8 +236,8 @@ std::string insert_name(const std::string& text, const std::string& name) {
     return replace_mark(text, "@NAME@", name);
 }
 
-/// The function that compares words. It is copied from the header of adaptive tests, because the test of a suite is a
-/// single file.
+/// Returns the function that compares words. It is copied from the header of adaptive tests, because the test of a
+/// suite is a single file.
 std::string same_word() {
     const std::string header = cpp_emit::adaptive_header();
     const std::size_t begin = header.find("/// Compares words. Numbers are compared by value");

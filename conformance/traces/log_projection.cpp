@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NF_c(M) with unobserved events hidden, and with every beginning of a cycle as an initial state for logs that start
-// late.
+// Implements log_projection.hpp: hides unobserved events of NF_c(M). For logs that start late, every beginning of a
+// cycle is an initial state.
 #include "conformance/traces/log_projection.hpp"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace robochart::conformance {
 
 namespace {
 
-/// First word of the packed state while the initial state is unknown. Neither a phase of NF_c(M) nor a state of S(M)
-/// has this number.
+/// The first word of the packed state while the initial state is unknown. Neither a phase of NF_c(M) nor a state of
+/// S(M) has this number.
 constexpr lts::Word anywhere = 0xffffffffU;
 
 bool is_unknown(lts::StateView state) {

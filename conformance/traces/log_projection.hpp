@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of NF_c(M) that is visible in a log: unobserved events are hidden, and a log that starts late may start in
+// Projects NF_c(M) to what is visible in a log: unobserved events are hidden, and a log that starts late may start in
 // any cycle.
 #pragma once
 
@@ -9,20 +9,19 @@
 
 namespace robochart::conformance {
 
-/// The kinds of events that a log records. Events of all other kinds may have happened without a record, with any
-/// values.
+/// The kinds of events that a log records. Events of other kinds may have happened without a record, with any values.
 struct Observation {
     std::vector<bool> inputs;   ///< by register
     std::vector<bool> outputs;  ///< by output
     friend bool operator==(const Observation&, const Observation&) = default;
 };
 
-/// All reachable packed states of NF_c(M) in which a cycle may begin. Throws process::Interrupted at a limit.
+/// Returns all reachable packed states of NF_c(M) in which a cycle may begin. Throws process::Interrupted at a limit.
 [[nodiscard]] std::vector<std::vector<lts::Word>> cycle_starts(CycleSystem&, const refine::Limits&);
 
 class ObservedSystem final : public lts::TransitionSystem {
 public:
-    /// `starts`: the possible initial states; empty: the initial state of NF_c(M).
+    /// `starts` contains the possible initial states. If it is empty, the only initial state is that of NF_c(M).
     ObservedSystem(CycleSystem&, const Alphabet&, Observation, std::vector<std::vector<lts::Word>> starts);
 
     [[nodiscard]] std::size_t width() const override { return normal_form_->width(); }
@@ -31,9 +30,9 @@ public:
     [[nodiscard]] const process::EventTable& events() const override { return alphabet_->events(); }
     [[nodiscard]] std::string describe(lts::StateView state) const override;
     [[nodiscard]] bool is_hidden(process::Event event);
-    /// Whether no hidden step is possible.
+    /// Returns whether no hidden step is possible.
     [[nodiscard]] bool is_stable(lts::StateView state);
-    /// The description of the model's state (CycleSystem::describe_model); "" if the state is not known yet.
+    /// Returns the description of the model's state (CycleSystem::describe_model); "" if the state is not known yet.
     [[nodiscard]] std::string describe_model(lts::StateView state) const;
 
 private:

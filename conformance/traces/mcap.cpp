@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view mcap_magic("\x89MCAP0\r\n", 8);
 
-/// The CRC-32 of zlib, as MCAP uses it.
+/// Computes the CRC-32 of zlib, as MCAP uses it.
 std::uint32_t mcap_crc(std::string_view bytes) {
     static constexpr auto table = [] {
         std::array<std::uint32_t, 256> rows{};
@@ -32,8 +32,8 @@ std::uint32_t mcap_crc(std::string_view bytes) {
     return ~crc;
 }
 
-/// The content of a record, or a sequence of records, that is read from its front. Every length is compared with the
-/// bytes that are left before it is used.
+/// Reads the content of a record, or a sequence of records, from its front. Before a length is used, it is compared
+/// with the number of bytes that are left.
 class McapPiece {
 public:
     McapPiece(std::string_view bytes, std::uint64_t offset) : bytes_(bytes), offset_(offset) {}
@@ -50,7 +50,7 @@ public:
         offset_ += head.size();
         return head;
     }
-    /// A number of `size` bytes, the lowest first.
+    /// Reads a number of `size` bytes, the lowest byte first.
     std::uint64_t number(std::size_t size, std::string_view what) {
         std::uint64_t result = 0;
         const std::string_view digits = take(size, what);
@@ -90,7 +90,7 @@ private:
     enum class Encoding { plain, cdr };
     struct Channel {
         std::string topic;
-        std::optional<Encoding> encoding;  ///< of a log
+        std::optional<Encoding> encoding;  ///< the encoding of a log
     };
 
     static constexpr std::uint64_t code_schema = 3, code_channel = 4, code_message = 5, code_chunk = 6,
@@ -155,8 +155,8 @@ private:
         if (!text.ends_with('\n')) text_ += '\n';
     }
 
-    /// A string in CDR (OMG DDS-XTYPES 7.4; rosidl): four bytes, of which the second is 1 if the lowest byte comes
-    /// first; the length with the zero at its end; the characters.
+    /// Reads a string in CDR (OMG DDS-XTYPES 7.4; rosidl). It begins with four bytes, of which the second is 1 if the
+    /// lowest byte comes first. The length, which includes the zero at the end, and the characters follow.
     static std::string_view cdr_string(McapPiece content) {
         const std::uint64_t begin = content.offset();
         const std::string_view head = content.take(4, "a message");

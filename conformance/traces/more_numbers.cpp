@@ -19,10 +19,10 @@ namespace {
 constexpr std::int64_t fineness = 1000;
 /// The number of further numbers between two neighbours.
 constexpr std::int64_t further = 7;
-/// Numbers stay exact in double, and their products by small factors stay in 64 bits.
+/// The limit for numbers. With it, numbers stay exact in double, and their products by small factors stay in 64 bits.
 constexpr double greatest = 1e14;
 
-/// The same value in finer units. Recursion depth: the depth of the type.
+/// Returns the same value in finer units. Recursion depth: the depth of the type.
 ir::Value in_finer_units(const ir::System& system, ir::TypeId id, ir::Value value) {
     const ir::Type& type = system.type(id);
     if (type.kind == ir::TypeKind::real) value.number *= fineness;
@@ -44,7 +44,7 @@ ir::Value in_finer_units(const ir::System& system, ir::TypeId id, ir::Value valu
     return value;
 }
 
-/// Numbers between each two neighbours of `ends`, and beyond the first and the last.
+/// Returns numbers between each two neighbours of `ends`, and beyond the first and the last.
 std::vector<std::int64_t> numbers_among(const std::vector<std::int64_t>& ends, std::int64_t unit) {
     std::vector<std::int64_t> result;
     for (std::int64_t j = 1; j <= further; ++j) {

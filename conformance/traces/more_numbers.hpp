@@ -9,8 +9,8 @@
 
 namespace robochart::conformance {
 
-/// The instantiation with further reals between, below and above the constants with which the component compares reals.
-/// The scale is finer, so that there are numbers between them. Returns the unchanged instantiation if the component
+/// Adds reals to the instantiation: numbers between, below and above the constants with which the component compares
+/// reals. The scale becomes finer, so that there are such numbers. Returns the unchanged instantiation if the component
 /// does not compare reals with constants, or if the numbers would be too large.
 [[nodiscard]] ir::Instantiation with_more_numbers(const ir::System&, const ir::Instantiation&, const ir::ComponentRef&);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps names and values of a log to events of NF_c(M). The names are the model's, or those of the generated interface
-// if two elements share a name.
+// Maps names and values of a log to events of NF_c(M). The names are the model's names. If two elements share a name,
+// the names of the generated interface are used.
 #include "conformance/traces/trace_alphabet.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ std::vector<std::string> full_names(const std::vector<Channel>& channels) {
     return names;
 }
 
-/// The index of each name, under its full and its short form.
+/// Returns the index of each name, under its full and its short form.
 std::unordered_map<std::string, std::uint32_t> number_names(const std::vector<std::string>& full,
                                                             const std::vector<std::string>& shown) {
     std::unordered_map<std::string, std::uint32_t> ids;

@@ -22,8 +22,7 @@ struct LoggedEvent {
     std::vector<LoggedValue> values;      ///< empty for events without values
     process::Event event = process::tau;  ///< valid if all values are in their carriers
     /// For a write with values close to numbers of their carriers: the event with these numbers. Otherwise tau. The
-    /// component may have computed these numbers, with a rounding error, or may have passed on numbers that it has
-    /// read.
+    /// component may have computed such a value with a rounding error, or may have passed on a number that it has read.
     process::Event rounded = process::tau;
 
     [[nodiscard]] bool is_inside() const;
@@ -33,11 +32,11 @@ class TraceAlphabet {
 public:
     explicit TraceAlphabet(const CyclicModel&);
 
-    /// The event for a word. Throws TraceFault. The reference is valid until the next call.
+    /// Returns the event for a word. Throws TraceFault. The reference is valid until the next call.
     [[nodiscard]] const LoggedEvent& read_event(const TraceToken&);
-    /// The kind of event for a name with `?` or `!`. Throws TraceFault.
+    /// Returns the kind of event for a name with `?` or `!`. Throws TraceFault.
     [[nodiscard]] LoggedEvent parse_kind(const TraceToken&) const;
-    /// The event with representatives in place of values outside their carriers.
+    /// Returns the event with representatives in place of values outside their carriers.
     [[nodiscard]] process::Event replacement_event(const LoggedEvent&, std::uint64_t salt) const;
     [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
     [[nodiscard]] const std::vector<std::string>& outputs() const { return outputs_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See trace_check.hpp. A run is followed in the normal form of NF_c(M) with unobserved events hidden: a node is the set
-// of states the model may be in after the logged events (Roscoe UCS 10.4.2, normalisation; computed on demand).
+// See trace_check.hpp. A run is followed in the normal form of NF_c(M) with unobserved events hidden. A node of this
+// normal form is the set of states in which the model may be after the logged events (Roscoe UCS 10.4.2, normalisation;
+// computed on demand).
 #include "conformance/traces/trace_check.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +80,7 @@ public:
     }
 
 private:
-    /// Whether the run continues after a word, or its remaining words are skipped.
+    /// What happens after a word: the run continues, or its remaining words are skipped.
     enum class Next { go_on, stop };
 
     void next_line() { more_ = lines_.read_line(); }
@@ -177,7 +178,7 @@ private:
         done_ = ended_ = false;
     }
 
-    /// Handles a log that starts late, and lost cycles. In both cases the state of the run is unknown.
+    /// Forgets the state of the run, because the log starts late or cycles were lost.
     void forget_state(std::string_view word) {
         if (tokens_.size() > 1 || (word == "late" && run_->cycles > 0))
             fault_here("`late` alone before the first cycle, or `lost`");
@@ -212,7 +213,7 @@ private:
         for (const TraceToken& token : tokens_) {
             if (token.text == "run" || token.text == "late" || token.text == "lost")
                 fault_here("one event after the other");
-            // words after a verdict are still parsed, because syntax errors are always reported
+            // Words after a verdict are still parsed, because syntax errors are always reported.
             const Next next = check_word(token);
             if (next == Next::stop) done_ = true;
         }
@@ -242,8 +243,8 @@ private:
         return next;
     }
 
-    /// The event in NF_c(M). If the component only passes a value on, a value inside the finite instantiation replaces
-    /// a value outside. If any other value is outside, the run is undecided.
+    /// Returns the event of NF_c(M) for a logged event. If the component only passes on a value outside the finite
+    /// instantiation, a value inside replaces it. If any other value is outside, the run is undecided.
     std::optional<process::Event> in_carrier(const LoggedEvent& event, const TraceToken& token) {
         if (event.event != process::tau) return event.event;
         for (const LoggedValue& value : event.values) {
@@ -280,7 +281,7 @@ private:
         return can ? Next::go_on : reject_event(std::string(token.text));
     }
 
-    /// A3: all registers are read, in the order of the interface, before anything else happens.
+    /// Reads all registers, in the order of the interface, before anything else happens (A3).
     bool finish_reads() {
         if (acted_) return true;
         acted_ = true;
@@ -345,8 +346,8 @@ private:
         return Next::stop;
     }
 
-    /// Reports the elements of the states at the cycle's beginning: of the stable states, or of all states if none is
-    /// stable.
+    /// Reports the elements of the model at the cycle's beginning. They belong to the stable states, or to all states
+    /// if none is stable.
     void tell_elements() {
         const std::vector<lts::StateView> states = form_->normal_form.states(cycle_node_);
         for (const bool still : {true, false}) {
@@ -382,11 +383,11 @@ private:
     std::vector<process::Event> reads_;        ///< readings of this cycle; tau: absent
     std::vector<std::string> so_far_;          ///< words of this cycle
     std::vector<std::string> before_;          ///< the preceding lines
-    bool clean_ = true;                        ///< no word of this cycle has been read
-    bool acted_ = false;                       ///< the reads are done
+    bool clean_ = true;                        ///< true if no word of this cycle has been read
+    bool acted_ = false;                       ///< true if the reads are done
     std::uint32_t tocks_ = 0;
-    bool ended_ = false;  ///< terminated
-    bool done_ = false;   ///< the verdict is known; the rest of the run is only parsed
+    bool ended_ = false;  ///< true if the run has terminated
+    bool done_ = false;   ///< true if the verdict is known; the rest of the run is only parsed
 };
 
 LogReport TraceChecker::check_log(std::istream& in, const std::vector<std::string>& constants,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks whether recorded runs are runs of the model: membership in traces(NF_c(M)), run by run and cycle by cycle, for
-// logs of any size (docs/traces.md; trace validation after Cirstea et al., "Validating traces of distributed programs
-// against TLA+ specifications", 2024).
+// Checks whether recorded runs are runs of the model. A run must be in traces(NF_c(M)), which is checked cycle by
+// cycle, for logs of any size (docs/traces.md; trace validation after Cirstea et al., "Validating traces of distributed
+// programs against TLA+ specifications", 2024).
 #pragma once
 
 #include <deque>
@@ -35,18 +35,18 @@ struct RunReport {
     std::uint64_t cycles = 0;    ///< number of complete cycles that were checked
     std::uint64_t replaced = 0;  ///< number of values outside the finite instantiation that the component only passes
                                  ///< on
-    // rejected, inconclusive:
+    // The following members are for rejected and inconclusive runs.
     std::uint64_t at_line = 0;
     std::uint64_t cycle = 0;                ///< counted from 1
     std::string what;                       ///< "StartTurning!0.5", "the end of the cycle"
-    std::string reason;                     ///< inconclusive
+    std::string reason;                     ///< why the run is inconclusive
     std::vector<std::string> cycle_so_far;  ///< preceding words of the cycle
     std::vector<std::string> before;        ///< preceding cycles, as logged
     std::vector<std::string> allowed;       ///< events that the model would have allowed, with places
-    std::vector<std::string> elements;      ///< possible states of the model at the beginning of the cycle
+    std::vector<std::string> elements;      ///< possible elements of the model at the beginning of the cycle
 };
 
-/// A log that cannot be parsed; nothing after the error is checked.
+/// An error in a log that cannot be parsed. Nothing after the error is checked.
 struct LogFault {
     TraceFault fault;
     std::uint64_t line = 0;
@@ -63,7 +63,7 @@ struct LogReport {
 
 class TraceChecker {
 public:
-    /// `component` contains the names that logs may use for the component; `unit` is the declared length of a time
+    /// `component` contains the names that logs may use for the component. `unit` is the declared length of a time
     /// unit.
     TraceChecker(CyclicModel&, std::vector<std::string> component, const refine::Limits&,
                  const diagnostics::SourceManager&, durations::Unit unit = {});

@@ -22,7 +22,7 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// The end of the word that begins at `begin`.
+/// Returns the end of the word that begins at `begin`.
 std::size_t end_of_word(std::string_view line, std::size_t begin) {
     int depth = 0;
     bool quoted = false;
@@ -62,7 +62,7 @@ std::string constant_of(const std::vector<TraceToken>& tokens) {
     throw TraceFault{&rules::log_syntax, {"`const NAME=VALUE`", fmt::format("`const {}`", text)}, tokens[0].column, 5};
 }
 
-/// The length in `unit 0.1 s`; no value for other texts.
+/// Returns the length in `unit 0.1 s`, or no value for other texts.
 durations::Unit unit_of(const std::vector<TraceToken>& tokens) {
     if (tokens.size() != 3 || tokens[2].text != "s") return std::nullopt;
     return durations::nanoseconds_of_seconds(tokens[1].text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text of logs (docs/traces.md): lines, tokens, the header, errors with their places. Reads line by line, so a log
-// may be larger than memory.
+// Parses the text of logs (docs/traces.md): lines, tokens, the header, errors with their places. Reads line by line, so
+// a log may be larger than memory.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct TraceFault {
     std::uint32_t length = 1;
 };
 
-/// "expected `run`, found `tock`": the message of a fault.
+/// Returns the message of a fault, such as "expected `run`, found `tock`".
 [[nodiscard]] std::string fault_text(const TraceFault& fault);
 
 /// Splits `line` into words and drops its comment. Blanks inside brackets and quotes do not separate words.
@@ -41,8 +41,8 @@ struct TraceHeader {
     std::vector<std::string> constants;          ///< "pace=3": constants of the model in the recorded runs
     std::uint32_t cycle = 1;                     ///< number of time units in a control cycle
     durations::Unit unit;                        ///< `unit 0.1 s`; other texts after `unit` are for readers
-    std::vector<std::string> unobserved;         ///< "seeRobot?", "Move!"
-    std::vector<std::uint32_t> unobserved_line;  ///< line of each, for errors
+    std::vector<std::string> unobserved;         ///< kinds of events that the log does not record: "seeRobot?", "Move!"
+    std::vector<std::uint32_t> unobserved_line;  ///< for each of them, its line, for errors
 };
 
 /// Reads one line of the header. Returns false if the line does not belong to the header. Throws TraceFault.
@@ -51,13 +51,13 @@ struct TraceHeader {
 /// Throws TraceFault if the log has time units of another length than the declared one.
 void compare_units(const TraceHeader& header, durations::Unit declared);
 
-/// Reads the lines of a stream without its byte order mark. A line has at most `longest` bytes.
+/// Reads the lines of a stream, without its byte order mark. A line has at most `longest` bytes.
 class LineReader {
 public:
     static constexpr std::size_t longest = 1U << 20U;
 
     explicit LineReader(std::istream& in) : in_(in) {}
-    /// Reads the next line; returns false at the end. Throws TraceFault for lines that are too long or contain zero
+    /// Reads the next line. Returns false at the end. Throws TraceFault for lines that are too long or contain zero
     /// bytes.
     [[nodiscard]] bool read_line();
     [[nodiscard]] std::string_view line_text() const { return line_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides the contents and names of the classes.
+// Plans the classes: decides their contents and names.
 #include "cpp_emit/api/class_api.hpp"
 
 #include <algorithm>
@@ -58,8 +58,8 @@ private:
         return found == api_.bases.end() ? api_.own : *found;
     }
 
-    /// The name itself if it is free. Otherwise the name with `suffix`, for example if an event and an operation have
-    /// the same name.
+    /// Returns the name itself if it is free, and otherwise the name with `suffix`. For example, an event and an
+    /// operation may have the same name.
     std::string unique_member(const std::string& name, const char* suffix) {
         NameScope trial = members_;
         const std::string plain = trial.unique_name(name);
@@ -111,7 +111,7 @@ private:
                     .variables.push_back({&stored, unique_member(stored.name(), "_variable"), copy_paths(stored)});
     }
 
-    /// The members of the other machines that store copies of the variable.
+    /// Returns the members of the other machines that store copies of the variable.
     [[nodiscard]] std::vector<std::string> copy_paths(const StoredVariable& first) const {
         std::vector<std::string> paths;
         for (const StoredVariable& stored : component_.variables)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment": a class for each
-// interface (variables as members, events as flags, operations as methods to override), and a class for each machine
-// that inherits them (states as an enumeration, a timer for each clock, MakeTransition). Only the core implements
-// behaviour.
+// Plans the classes that users of the generated code see, after Li et al. 2017, "Simulation and deployment". Each
+// interface has a class, with variables as members, events as flags, and operations as methods to override. Each
+// machine has a class that inherits these classes, with states as an enumeration, a timer for each clock, and
+// MakeTransition. Only the core implements behaviour.
 #pragma once
 
 #include <string>
@@ -22,13 +22,13 @@ struct ApiOperation {
     bool modelled = false;    ///< true if the model defines the operation; overriding it is optional
 };
 
-/// A received or sent event: a flag, and a value if the event has one.
+/// A received or sent event: a flag, and a value if the event carries one.
 struct ApiEvent {
     const EventPort* port = nullptr;
     std::string flag;
     std::string value;
     bool sent = false;
-    /// Method that raises a received event; for a sent event, method that is called when it is sent.
+    /// For a received event, the method that raises it. For a sent event, the method that is called when it is sent.
     std::string method;
 };
 
@@ -39,7 +39,7 @@ struct ApiVariable {
                                       ///< propagates writes to them
 };
 
-/// A class made from an interface, or the machine's own members ("" as interface).
+/// A class made from an interface. If `interface` is "", the machine's own members.
 struct ApiClass {
     std::string interface;
     std::string cpp_name;
@@ -90,18 +90,18 @@ void each_class(const ClassApi& api, const Visit& visit) {
 [[nodiscard]] std::string interface_header(const Generation&, const Core&, const ClassApi&, const ApiClass&);
 [[nodiscard]] std::string machine_header(const Generation&, const Core&, const ClassApi&);
 [[nodiscard]] std::string machine_source(const Generation&, const Core&, const ClassApi&);
-/// A program that reads the inputs of each cycle from a line of text and prints the controller's outputs.
+/// Returns a program that reads the inputs of each cycle from a line of text and prints the controller's outputs.
 [[nodiscard]] std::string console_source(const Generation&, const Core&, const ClassApi&);
 [[nodiscard]] std::string build_file(const ClassApi&);
 
-/// The C++ name of a type in the deployed code: double, std::int64_t, bool, or a type declared in the core. `core` is
-/// the core's namespace as seen from the user's namespace.
+/// Returns the C++ names of types in the deployed code: double, std::int64_t, bool, or a type declared in the core.
+/// `core` is the core's namespace as seen from the user's namespace.
 [[nodiscard]] Spelling deployed_spelling(const std::string& core);
 [[nodiscard]] std::string deployed_type(const Generation&, const std::string& core, ir::TypeId);
-/// The C++ text of a value in the deployed types: `-0.75`, `3`, `true`, `core::Light::Red`.
+/// Returns the C++ text of a value in the deployed types: `-0.75`, `3`, `true`, `core::Light::Red`.
 [[nodiscard]] std::string deployed_value(const Generation&, const Core&, ir::TypeId, const ir::Value&);
 
-/// The name, extended if the class already has a member with this name.
+/// Returns the name, with a suffix if the class already has a member with this name.
 [[nodiscard]] std::string free_member(const ClassApi&, std::string name);
 
 }  // namespace robochart::cpp_emit

@@ -21,14 +21,14 @@ std::string typed_parameters(const Generation& generation, const Core& core, con
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-/// Parameter names for a definition that does not use its parameters. They may be equal to names of members.
+/// Returns parameter names for a definition that does not use its parameters. They may be equal to names of members.
 std::vector<std::string> unused_names(const std::vector<std::string>& model_names) {
     std::vector<std::string> names = parameter_identifiers(model_names);
     for (std::string& name : names) name = "/*" + name + "*/";
     return names;
 }
 
-/// Parameter names for a definition that passes its parameters on. They differ from the names of all members.
+/// Returns parameter names for a definition that passes its parameters on. They differ from the names of all members.
 std::vector<std::string> passed_names(std::size_t count) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("a{}", i));
@@ -97,7 +97,7 @@ void write_event_method(const Generation& generation, const Core& core, CodeWrit
     out.close();
 }
 
-/// Whether some action may take time while the machine awaits the event.
+/// Returns whether some action may take time while the machine awaits the event.
 bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent& event) {
     std::size_t place = 0;  // index among the received events
     for (const EventPort& port : generation.component.events) {
@@ -107,7 +107,7 @@ bool may_be_lost(const Generation& generation, const Core& core, const ApiEvent&
     return lost_in_actions(generation, core)[place];
 }
 
-/// The comment on the member that stores whether the event is raised.
+/// Returns the comment on the member that stores whether the event is raised.
 const char* describe_flag(const Generation& generation, const Core& core, const ApiEvent& event) {
     if (event.sent) return "sent in the last cycle";
     if (generation.component.robosim) return "raise it before a cycle, whose register it fills";
@@ -202,7 +202,8 @@ void write_platform(const Generation& generation, const Core& core, const ClassA
     out.close("};");
 }
 
-/// In the classes, variables that others write are members. A log contains those members whose values have changed.
+/// Writes the outside writes to the log. In the classes, variables that others write are members. A log contains the
+/// members whose values have changed.
 void write_outside_writes(const Core& core, const ClassApi& api, CodeWriter& out) {
     std::vector<const ApiVariable*> written;
     each_class(api, [&](const ApiClass& part) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the class `Console` of main.cpp: raising inputs by name, printing outputs, asking for choices.
+// Writes the class `Console` of main.cpp, which raises inputs by name, prints outputs, and asks for choices.
 #include "cpp_emit/api/console_class.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ public:
     ReadingWriter(const Generation& generation, const Core& core, CodeWriter& out)
         : generation_(generation), core_(core), out_(out) {}
 
-    /// Writes functions that read values of the declared types by their names in the model; literals also by their
-    /// number.
+    /// Writes functions that read values of the declared types by their names in the model. Literals can also be given
+    /// by their number.
     void write() {
         const std::vector<ir::TypeId>& declared = generation_.component.enumerations;
         if (declared.empty()) return;

@@ -10,14 +10,14 @@
 
 namespace robochart::cpp_emit {
 
-/// Whether the controller of the console class asks for decisions of choices. The class then has a member
+/// Returns whether the controller of the console class asks how choices are decided. The class then has a member
 /// `console_choices` of type robochart::ConsoleChoices.
 [[nodiscard]] bool console_asks(const Generation&);
-/// The command for a choice: "pick", or another word if an input has this name.
+/// Returns the command for a choice: "pick", or another word if an input has this name.
 [[nodiscard]] std::string pick_word(const ClassApi&);
 /// Writes functions that read values of the model's own types (robochart/console_values.hpp), in the core's namespace.
 void console_reading(const Generation&, const Core&, CodeWriter&);
-/// The inputs, one on each line, with a description of their values: "heading=VALUE  a real".
+/// Returns one text per input that describes its values: "heading=VALUE  a real".
 [[nodiscard]] std::vector<std::string> console_inputs(const Generation&, const ClassApi&);
 /// Writes the class `Console`.
 void console_class(const Generation&, const Core&, const ClassApi&, CodeWriter&);

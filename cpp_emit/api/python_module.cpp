@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes module.cpp and robot.py of `--target python`. Conversions of values are in projects/python/python_values.hpp;
-// here are those of the types that the model declares.
+// Writes module.cpp and robot.py of `--target python`. Conversions of values are in projects/python/python_values.hpp.
+// The conversions of the types that the model declares are written here.
 #include "cpp_emit/api/python_module.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 using diagnostics::cpp_string;
 
-/// Keywords of Python 3, which no attribute can have as its name (The Python Language Reference, 2.3.1).
+/// The keywords of Python 3, which cannot be names of attributes (The Python Language Reference, 2.3.1).
 constexpr std::array python_keywords{
     "False",  "None",     "True", "and",    "as",   "assert",  "async",  "await",  "break", "class",  "continue", "def",
     "del",    "elif",     "else", "except", "for",  "finally", "from",   "global", "if",    "import", "in",       "is",
@@ -31,7 +31,7 @@ std::string python_name(const std::string& name) {
     return std::ranges::find(python_keywords, name) == python_keywords.end() ? name : name + "_";
 }
 
-/// The name as a C++ string.
+/// Returns the name as a C++ string.
 std::string quoted(const std::string& name) {
     return cpp_string(python_name(name));
 }
@@ -77,7 +77,7 @@ private:
         return deployed_type(generation_, "::" + core_.name_space, id);
     }
 
-    /// The name of a declared type in the module.
+    /// Returns the name of a declared type in the module.
     const std::string& name_in_module(ir::TypeId id) {
         std::string& name = names_[id.index];
         if (name.empty()) {
@@ -87,7 +87,7 @@ private:
         return name;
     }
 
-    /// The struct that converts values of the type.
+    /// Returns the struct that converts values of the type.
     [[nodiscard]] std::string converter(ir::TypeId id) const {
         const ir::Type& of = type(id);
         const std::string name = cpp_name(id);
@@ -143,7 +143,7 @@ private:
         out_.gap();
     }
 
-    /// A literal with arguments is a tuple: its name, its arguments.
+    /// Writes literals. A literal with arguments is a tuple that contains its name and its arguments.
     void write_literals(const ir::Type& of) {
         const std::vector<TypeMember> all = type_members(of);
         out_.open("static Type from(py::handle given) {");
@@ -181,7 +181,7 @@ private:
         out_.close();
     }
 
-    /// A record is a named tuple, a product a tuple.
+    /// Writes a record as a named tuple, or a product as a tuple.
     void write_record(ir::TypeId id, const ir::Type& of) {
         const std::vector<TypeMember> members = type_members(of);
         out_.open("static Type from(py::handle given) {");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the module of `emit cpp --target python`: the controller's class for pybind11, so that test benches in Python
-// drive the core that ships.
+// Writes the module of `emit cpp --target python`: the controller's class for pybind11, with which test benches in
+// Python drive the deployed core.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace robochart::cpp_emit {
 
-/// The name of the module, "NAME_controller".
+/// Returns the name of the module, "NAME_controller".
 [[nodiscard]] std::string python_module_name(const ClassApi&);
-/// The source of the module. Its functions and types have the names of the C++ class; a keyword of Python gets an
-/// underscore.
+/// Returns the source of the module. Its functions and types have the names of the C++ class. If a name is a keyword of
+/// Python, an underscore is appended.
 [[nodiscard]] std::string python_module(const Generation&, const Core&, const ClassApi&);
-/// A class in Python that the user completes: it prints what the controller calls. It also runs cycles.
+/// Returns a Python class that the user completes. It prints what the controller calls, and runs cycles.
 [[nodiscard]] std::string python_robot(const Generation&, const ClassApi&);
 
 }  // namespace robochart::cpp_emit

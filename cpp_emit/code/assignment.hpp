@@ -12,19 +12,19 @@
 
 namespace robochart::cpp_emit {
 
-/// `write_x(value);` or a plain assignment, depending on where the variable is stored. "" if the variable is neither
-/// stored nor visible.
+/// Returns `write_x(value);` or a plain assignment, depending on where the variable is stored. Returns "" if the
+/// variable is neither stored nor visible.
 [[nodiscard]] std::string store_statement(const Generation&, const Unit&, ir::VariableId, const std::string& value);
-/// Whether a write of the variable may have to wait until earlier writes are propagated (semantics 3.7).
+/// Returns whether a write of the variable may have to wait until earlier writes are propagated (semantics 3.7).
 [[nodiscard]] bool may_be_held_up(const Generation&, const Unit&, ir::VariableId);
-/// `!held_up_x()`, the condition that a write does not have to wait. Empty if writes of the variable never have to
-/// wait.
+/// Returns `!held_up_x()`, the condition that a write does not have to wait. The condition is empty if writes of the
+/// variable never have to wait.
 [[nodiscard]] CppExpr may_write(const Generation&, const Unit&, ir::VariableId);
-/// The statement that resets a clock, `f.T = 0;`; "" for clocks that are never read.
+/// Returns the statement that resets a clock, `f.T = 0;`, or "" for a clock that is never read.
 [[nodiscard]] std::string clock_reset(const Generation&, const Unit&, ir::ClockId);
-/// Writes a line for each clock that is read somewhere.
+/// Writes a reset for each of these clocks that is read somewhere.
 void reset_clocks(const Generation&, const Unit&, const std::vector<ir::ClockId>&, CodeWriter&);
-/// The statement that starts a deadline here: `f.d = duration(3) + 1;`.
+/// Returns the statement that starts a deadline here: `f.d = duration(3) + 1;`.
 [[nodiscard]] std::string watch_from(const Generation&, const Unit&, const std::string& field, const ir::Expr& bound);
 
 }  // namespace robochart::cpp_emit

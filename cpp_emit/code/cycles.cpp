@@ -23,7 +23,7 @@ std::string written_member(const Component& component, const EventUse& use) {
     return written_member(use.outlets.empty() ? to_identifier(use.once) : component.events[use.outlets.front()].output);
 }
 
-/// The written members of all outputs, without duplicates.
+/// Returns the written members of all outputs, without duplicates.
 std::vector<std::string> written_members(const Component& component) {
     std::vector<std::string> members;
     const auto add = [&](std::string member) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The event API of a component: `Event` and `dispatch(state, event, platform)`, in addition to `step`.
+// Writes the event API of a component: `Event` and `dispatch(state, event, platform)`, in addition to `step`.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 
 namespace robochart::cpp_emit {
 
-/// The events that the platform may raise one at a time, in the order of Inputs; none in RoboSim.
+/// Returns the events that the platform may raise one at a time, in the order of Inputs. There are none in RoboSim.
 [[nodiscard]] std::vector<const EventPort*> input_events(const Component&);
-/// The events that drop others according to the declared order. If dispatch() is called with one of these events, the
-/// state stores this until time passes.
+/// Returns the events that drop others according to the declared order. When dispatch() is called with one of these
+/// events, the state stores this until time passes.
 [[nodiscard]] std::vector<const EventPort*> dropping_events(const Generation&);
-/// Writes the code that clears dropped events, so that they do not count as raised.
+/// Writes the code that clears dropped events, so that they are not raised.
 void write_drops(const Generation&, CodeWriter&);
-/// Writes the code that runs when time passes: events that were raised before no longer drop others.
+/// Writes the code that runs when time passes. Events that were raised before then no longer drop others.
 void forget_raised(const Generation&, CodeWriter&);
-/// The name of the enumeration of these events: `Event`, unless the model has a type with that name.
+/// Returns the name of the enumeration of these events: `Event`, unless a type of the model has that name.
 [[nodiscard]] std::string event_type(const Generation&);
 /// Writes the enumeration `Event`.
 void write_event_type(const Generation&, CodeWriter&);
-/// Writes Step::dispatch. `direct` is its text for a machine whose programs never wait. For other machines it is "",
-/// and dispatch runs a cycle with one input.
+/// Writes Step::dispatch. For a machine whose programs never wait, `direct` is the text of the function. For other
+/// machines it is "", and dispatch runs a cycle with one input.
 void write_dispatch(const Generation&, const std::string& direct, CodeWriter&);
-/// The members of Inputs whose values contain lists, which may have more items than their capacity.
+/// Returns the members of Inputs whose values contain lists. Such lists may have more items than their capacity.
 [[nodiscard]] std::vector<std::string> list_inputs(const Generation&);
 /// Writes the functions of the event API in the core's namespace.
 void write_dispatch_functions(const Generation&, CodeWriter&);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The control points of a machine: the names of its nodes and transitions in the code, and the decision which of them
-// need separate code (semantics 3.3, 3.4).
+// Plans the control points of a machine: names its nodes and transitions in the code, and decides which of them need
+// separate code (semantics 3.3, 3.4).
 #pragma once
 
 #include <cassert>
@@ -23,54 +23,58 @@ public:
         return machine().nodes[id.index];
     }
 
-    /// The label of a node. It is the place at which control rests (states and final nodes) or chooses a transition
-    /// (initial nodes and junctions).
+    /// Returns the label of a node. In states and final nodes, control rests at the label. In initial nodes and
+    /// junctions, control chooses a transition there.
     [[nodiscard]] const std::string& label_of(ir::NodeId id) const { return labels_[id.index]; }
     [[nodiscard]] const std::string& enter_label(ir::NodeId id) const { return enter_[id.index]; }
     [[nodiscard]] const std::string& exit_label(ir::NodeId id) const { return exit_[id.index]; }
     [[nodiscard]] const std::string& take_label(ir::TransitionId id) const { return take_[id.index]; }
-    /// Whether entering the node requires an action before control reaches this label.
+    /// Returns whether entering the node requires an action before control reaches this label.
     [[nodiscard]] bool needs_entry(ir::NodeId) const;
-    /// Whether control enters the node and reaches the end of the node's program without waiting. The entry is then a
-    /// function. It is not if the program may wait, or if the junction is part of a loop, which takes one step in each
-    /// round.
+    /// Returns whether control enters the node and reaches the end of the node's program without waiting. The entry is
+    /// then a function. This is false if the program may wait, or if the junction is part of a loop, which takes one
+    /// step in each round.
     [[nodiscard]] bool is_straight(ir::NodeId id) const { return straight_[id.index]; }
-    /// Whether no exit action of the state or of its inner states ever waits.
+    /// Returns whether no exit action of the state or of its inner states ever waits.
     [[nodiscard]] bool straight_exits(ir::NodeId id) const { return straight_exits_[id.index]; }
-    /// Whether some inner state of the composite state has an exit action.
+    /// Returns whether some inner state of the composite state has an exit action.
     [[nodiscard]] bool exits_below(ir::NodeId) const;
-    /// Whether the node is an initial node with a single transition, which has no trigger and no guard. Entering the
-    /// node then takes the transition.
+    /// Returns whether the node is an initial node with a single transition, which has no trigger and no guard. The
+    /// transition is then taken together with the entry.
     [[nodiscard]] bool is_passed_through(ir::NodeId) const;
 
-    /// RoboSim: whether transitions from junctions may have to wait, because a during action has ended the cycle.
+    /// For RoboSim: returns whether transitions from junctions may have to wait, because a during action has ended the
+    /// cycle.
     [[nodiscard]] bool awaits_registers() const;
-    /// RoboSim: whether some transition ends the cycle. Frame::next stores it until the next cycle.
+    /// For RoboSim: returns whether some transition ends the cycle. Frame::next then stores the transition until the
+    /// next cycle.
     [[nodiscard]] bool has_exec() const;
 
-    /// Whether control rests in the node between transitions.
+    /// Returns whether control rests in the node between transitions.
     [[nodiscard]] bool is_resting_place(ir::NodeId id) const {
         return node(id).kind == ir::NodeKind::final ||
                (node(id).kind == ir::NodeKind::state && !node(id).is_composite());
     }
-    /// Whether several transitions share a place for the state's exits, because some exit action may wait.
+    /// Returns whether several transitions share a place for the state's exits, because some exit action may wait.
     [[nodiscard]] bool shared_exit(ir::NodeId) const;
-    /// Whether Frame::leaving stores which transition of the state continues after the exits.
+    /// Returns whether Frame::leaving stores which transition of the state continues after the exits.
     [[nodiscard]] bool notes_leaving(ir::NodeId id) const { return shared_exit(id) && !straight_exits(id); }
-    /// Whether the transition has an exit action or an action that may wait and runs after the trigger, at take_label.
+    /// Returns whether the transition has an exit action or an action that may wait and runs after the trigger, at
+    /// take_label.
     [[nodiscard]] bool acts_after_trigger(const ir::Transition&) const;
-    /// Whether entering the state has an effect: a during action, a clock of sinceEntry, or a deadline.
+    /// Returns whether entering the state has an effect: it starts a during action, a clock of sinceEntry, or a
+    /// deadline.
     [[nodiscard]] bool notes_entry(ir::NodeId) const;
-    /// Whether the state must be left in time because some outgoing transition has a deadline.
+    /// Returns whether some outgoing transition has a deadline, so that the state must be left in time.
     [[nodiscard]] bool is_watched(ir::NodeId) const;
-    /// The state and its enclosing states, innermost first.
+    /// Returns the state and its enclosing states, innermost first.
     [[nodiscard]] std::vector<ir::NodeId> state_chain(ir::NodeId) const;
-    /// The enclosing states of a node, innermost first.
+    /// Returns the enclosing states of a node, innermost first.
     [[nodiscard]] std::vector<ir::NodeId> ancestors(ir::NodeId) const;
-    /// Nodes in which control rests: the state itself, or the leaves inside a composite state.
+    /// Returns the nodes in which control rests: the state itself, or the leaves inside a composite state.
     [[nodiscard]] std::vector<ir::NodeId> resting_leaves(ir::NodeId) const;
     [[nodiscard]] bool has_noted_leaving() const;
-    /// Final nodes at top level, in which the machine has terminated.
+    /// Returns the final nodes at the top level. In these nodes, the machine has terminated.
     [[nodiscard]] std::vector<ir::NodeId> final_nodes() const;
     [[nodiscard]] NameScope& place_labels() { return places_; }
 

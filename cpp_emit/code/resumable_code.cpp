@@ -22,7 +22,7 @@ using ir::StmtKind;
 
 namespace {
 
-/// The statement that runs if the condition does not hold; null if there is none.
+/// Returns the statement that runs if the condition does not hold, or null if there is none.
 ir::StmtPtr else_branch(const ir::Stmt& stmt) {
     return stmt.body.size() > 1 ? stmt.body[1] : nullptr;
 }
@@ -70,7 +70,7 @@ void ProgramWriter::resume_at(const std::string& label, const diagnostics::Forei
     begin_place(label, comment);
 }
 
-/// A place at which the program can resume. It is the current place if that is still empty, otherwise a new place.
+/// Returns a place at which the program can resume: the current place if it is still empty, otherwise a new place.
 std::string ProgramWriter::resume_here(const std::string& stem, const diagnostics::ForeignText& comment) {
     if (current_code().empty()) return thread_.places.back().label;
     std::string label = fresh_label(stem);
@@ -83,8 +83,8 @@ std::string ProgramWriter::fresh_label(const std::string& stem) {
     return thread_.labels->numbered_name(stem);
 }
 
-/// Writes the test of the precondition in `pre & statement` (semantics 3.5). If it does not hold, the thread is
-/// blocked.
+/// Writes the test of the precondition in `pre & statement` (semantics 3.5). If the precondition does not hold, the
+/// thread is blocked.
 void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
     const ExpressionWriter expressions(generation_, unit_);
     CppExpr conditions;
@@ -98,7 +98,8 @@ void ProgramWriter::test_preconditions(const ir::Stmt& stmt) {
     current_code().close();
 }
 
-/// The place in which a thread stays after a false precondition. It is inserted before the place that is being written.
+/// Returns the place in which a thread stays after a false precondition. The place is inserted before the place that is
+/// being written.
 const std::string& ProgramWriter::stuck_place() {
     assert(!thread_.places.empty() && thread_.labels != nullptr);
     const auto found = thread_.stuck.find(state_.index);
@@ -135,12 +136,12 @@ void ProgramWriter::write_statement(const ir::StmtPtr& stmt, const std::string& 
         case StmtKind::exec:
             return end_cycle(stem);
         case StmtKind::skip:
-        case StmtKind::choose:  // only in models that are decided
+        case StmtKind::choose:  // only in models for the CSP checker
             return;
     }
 }
 
-/// RoboSim: a statement that touches registers waits if the cycle has ended, and a write waits if the cycle has already
+/// For RoboSim: a statement that uses registers waits if the cycle has ended. A write waits if the cycle has already
 /// written its output.
 void ProgramWriter::await_cycle(const ir::Stmt& stmt, const std::string& stem) {
     const std::string waits = awaits_cycle(generation_, unit_, stmt);
@@ -153,7 +154,7 @@ void ProgramWriter::await_cycle(const ir::Stmt& stmt, const std::string& stem) {
         current_code().line(written + " = true;");
 }
 
-/// RoboSim: `exec` ends the cycle; the thread goes on in the next one.
+/// For RoboSim: `exec` ends the cycle, and the thread continues in the next cycle.
 void ProgramWriter::end_cycle(const std::string& stem) {
     if (generation_.mutation.hits(Fault::cycle_exec_dropped)) return;
     const std::string ended = ended_member(generation_.component, unit_);
@@ -196,13 +197,13 @@ void ProgramWriter::suspending_if(const ir::Stmt& stmt, const std::string& stem)
     resume_at(end_label, "end if");
 }
 
-/// The call that must precede effects that others can observe; empty if no deadline depends on a guard.
+/// Returns the call that must precede effects that others can observe; empty if no deadline depends on a guard.
 std::string ProgramWriter::look_at_deadlines() const {
     if (!guards_deadlines(*unit_.machine)) return {};
     return fmt::format("watch({});", frame_arguments(generation_.component, unit_));
 }
 
-/// Waits until the last write of the variable has been propagated; the variable accepts no other write before
+/// Waits until the last write of the variable has been propagated, because the variable accepts no other write before
 /// (semantics 3.7).
 void ProgramWriter::await_propagation(const ir::Stmt& assignment, const std::string& stem) {
     const CppExpr free = may_write(generation_, unit_, assignment.variable);
@@ -223,8 +224,8 @@ void ProgramWriter::write_assignment(const ir::Stmt& stmt, const std::string& st
     write_line(store_statement(generation_, unit_, stmt.variable, expressions.write_as(*stmt.value, type)));
 }
 
-/// Writes an assignment to a part of a variable: changes the value in a copy and stores the copy, as the semantics
-/// does.
+/// Writes an assignment to a part of a variable. Like the semantics, the code changes the value in a copy and stores
+/// the copy.
 void ProgramWriter::assign_part(const ir::Stmt& stmt, ir::TypeId whole) {
     const ExpressionWriter expressions(generation_, unit_);
     const std::string place = expressions.variable_member(stmt.variable);
@@ -287,7 +288,7 @@ void ProgramWriter::await_input(const ir::Stmt& stmt, const std::string& stem) {
     write_line(store_received(generation_, unit_, communication, value));
 }
 
-/// Awaits an event with several sources, or from another machine: a separate function tries the sources.
+/// Awaits an event that has several sources or comes from another machine. A separate function tries the sources.
 void ProgramWriter::await_any(const ir::Stmt& stmt, const EventUse& use, const std::string& stem) {
     const std::string at = fresh_label(stem);
     const std::string next = fresh_label(stem);
@@ -324,14 +325,14 @@ void ProgramWriter::write_send(const ir::Stmt& stmt, const std::string& stem) {
     write_offer(use, value, at, fresh_label(stem));
 }
 
-/// RoboSim: the platform and the machines that read the event in the next cycle.
+/// For RoboSim: writes the value for the machines that read the event in the next cycle, and to the platform.
 void ProgramWriter::write_registers(const EventUse& use, const std::string& value) {
     fill_buffers(use, value);
     for (const std::size_t outlet : use.outlets)
         current_code().line(fmt::format("platform_.{}({});", generation_.component.events[outlet].output, value));
 }
 
-/// The writer never waits, and the newest value replaces the older value (semantics 3.9).
+/// Fills buffers. The writer never waits, and the newest value replaces the older value (semantics 3.9).
 void ProgramWriter::fill_buffers(const EventUse& use, const std::string& value) {
     for (const std::size_t index : use.filled) {
         const std::string place = "state_." + generation_.component.buffers[index].field;
@@ -381,8 +382,8 @@ void ProgramWriter::write_call(const ir::Stmt& stmt, const std::string& stem) {
     }
 }
 
-/// If the thread resumes at this call, writes of other machines may have to wait for the call (semantics 3.7). The call
-/// is then also one of the thread's prompt steps, and it ends its place.
+/// Writes a call of the platform. If the thread resumes at this call, writes of other machines may have to wait for the
+/// call (semantics 3.7). The call is then also one of the thread's prompt steps, and it ends its place.
 void ProgramWriter::call_platform(const ir::Stmt& stmt, const std::vector<std::string>& texts,
                                   const std::string& stem) {
     std::optional<PromptStep> prompt = reads_variables(stmt) ? std::nullopt : std::move(resumed_);
@@ -432,7 +433,8 @@ void ProgramWriter::call_operation(const ir::Stmt& stmt, const std::vector<std::
     current_code().line(place + " = {};");
 }
 
-/// Writes the test of an operation's preconditions. If one is false, nothing after the call happens, as in the model.
+/// Writes the test of an operation's preconditions. If a precondition is false, nothing after the call happens, as in
+/// the model.
 void ProgramWriter::require_preconditions(const ir::Stmt& call, const Unit& operation, const std::string& frame) {
     const ExpressionWriter expressions(generation_, operation, unit_, frame);
     for (const auto& condition : operation.machine->preconditions) {
@@ -446,8 +448,8 @@ void ProgramWriter::require_preconditions(const ir::Stmt& call, const Unit& oper
     }
 }
 
-/// The place of a thread after a false precondition of an operation, before the place that is being written. Later
-/// cycles end there too.
+/// Returns the place of a thread after a false precondition of an operation. The place is inserted before the place
+/// that is being written. Later cycles end there too.
 std::string ProgramWriter::outside_place(const ir::Stmt& call, const Unit& operation, const ir::Expr& condition) {
     const std::string& name = operation.machine->name;
     const std::string label = thread_.labels->numbered_name("outside_" + to_identifier(name));
@@ -460,7 +462,7 @@ std::string ProgramWriter::outside_place(const ir::Stmt& call, const Unit& opera
 }
 
 /// Writes code that offers the operation to the platform. If the platform performs it, the operation's definition in
-/// the model is treated as finished: its frame goes to the final state.
+/// the model counts as finished: its frame moves to the final state.
 void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& frame) {
     const std::size_t parameters = generation_.component.modelled_call(operation.id).signature->parameters.size();
     std::vector<std::string> texts;
@@ -479,8 +481,8 @@ void ProgramWriter::offer_to_platform(const Unit& operation, const std::string& 
     }
 }
 
-/// `S <{d}` (semantics 3.10): if S may have to wait, a counter measures its waiting time. A thread that continues with
-/// a communication holds up writes at once.
+/// Writes `S <{d}` (semantics 3.10). If S may have to wait, a counter measures its waiting time. If a thread continues
+/// with a communication, it holds up writes at once.
 void ProgramWriter::write_deadline(const ir::Stmt& stmt, const std::string& stem) {
     assert(stmt.body.size() == 1 && stmt.value != nullptr);
     if (!may_suspend(generation_, unit_, stmt.body[0])) return write_statement(stmt.body[0], stem);

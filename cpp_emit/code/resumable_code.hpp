@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes resumable programs as the cases of one switch. Each case runs to the next place where the program may have to
-// wait (for time, for an input, for an operation), stores the place and returns.
+// wait (for time, for an input, for an operation), stores this place and returns.
 #pragma once
 
 #include <map>
@@ -24,14 +24,14 @@ struct Place {
     CodeWriter code{5};
 };
 
-/// The state of an operation called by a thread, a member of the caller's frame.
+/// The frame of an operation that a thread calls, which is a member of the caller's frame.
 struct CallFrame {
     std::string field;
     std::size_t operation = 0;      ///< the operation's Unit::number
-    std::vector<std::string> live;  ///< labels of the thread at which the operation runs
+    std::vector<std::string> live;  ///< labels of the thread at which it waits for the operation
 };
 
-/// A place where a thread waits until another machine receives its event.
+/// A place where a thread waits until another machine receives the event that it sends.
 struct SendSite {
     std::string channel;
     std::string thread;  ///< "f.at"
@@ -40,20 +40,20 @@ struct SendSite {
     std::string value;   ///< "" if the event carries no value
 };
 
-/// A prompt step of a thread: the thread executes it before other machines write. It is a call of the platform at which
-/// the thread resumes, or the arrival at a communication with a deadline.
+/// A prompt step of a thread, which the thread executes before other machines write. It is a call of the platform at
+/// which the thread resumes, or the arrival at a communication with a deadline.
 struct PromptStep {
     std::string there;               ///< the condition that the thread is before the step: "f.at == At::S1_1 && f.wait
                                      ///< == 0"
-    std::vector<std::string> lines;  ///< the step, and the thread's place after it
+    std::vector<std::string> lines;  ///< the code of the step, and the assignment of the thread's place after it
 };
 
-/// One thread of control of a machine: its transitions and entries, or a state's during action.
+/// One thread of control of a machine: its transitions and entries, or the during action of a state.
 struct Thread {
-    std::string variable;     ///< the member that stores its place: "f.at"
+    std::string variable;     ///< the member that stores the thread's place: "f.at"
     std::string enumeration;  ///< "At"
-    std::string wait;         ///< its wait counter: "f.wait"
-    std::string prefix;       ///< prefix of its operations' frames
+    std::string wait;         ///< the member that counts its waiting time: "f.wait"
+    std::string prefix;       ///< prefix of the frames of operations that it calls
     NameScope* labels = nullptr;
     NameScope* fields = nullptr;  ///< names in the frame, for frames of operations
     std::vector<Place> places;    ///< in textual order
@@ -61,12 +61,12 @@ struct Thread {
     std::vector<SendSite> sites;
     std::vector<ViolationPlace> violations;  ///< places at which it stays after a false precondition of an operation
     std::vector<PromptStep> prompt_steps;
-    std::vector<std::string> holding;            ///< labels of waits with a deadline for a communication
+    std::vector<std::string> holding;            ///< labels of places at which it awaits communications with deadlines
     std::vector<std::string> held_up;            ///< labels of places at which it must write before time passes
     std::vector<std::string> deadlines;          ///< members of the frame: remaining time plus one, 0 when no deadline
                                                  ///< runs
-    CodeWriter helpers{1};                       ///< functions that its places call
-    std::map<std::uint32_t, std::string> stuck;  ///< by the state shown: the place after a false precondition
+    CodeWriter helpers{1};                       ///< functions that the code of its places calls
+    std::map<std::uint32_t, std::string> stuck;  ///< by the shown state: the place after a false precondition
     bool waits = false;
 
     [[nodiscard]] std::string qualified_label(const std::string& label) const { return enumeration + "::" + label; }
@@ -81,7 +81,7 @@ public:
     /// `state` is the state that the machine shows while the program runs.
     ProgramWriter(const Generation&, const Unit&, Thread&, ir::NodeId state);
 
-    /// Starts a place. The following code belongs to it until the next place starts.
+    /// Starts a place. The code that is written until the next place starts belongs to it.
     void begin_place(const std::string& label, const diagnostics::ForeignText& comment);
     /// Ends the current place. Control continues at another place.
     void write_jump(const std::string& label);
@@ -134,7 +134,7 @@ private:
     const Unit& unit_;
     Thread& thread_;
     ir::NodeId state_;
-    std::string waiting_;  ///< label of the place at which the last communication waits; "" if it does not wait
+    std::string waiting_;                ///< label of the place at which the last communication waits; "" if none
     std::optional<PromptStep> resumed_;  ///< the place where the thread resumes contains only these lines
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structural recursion over statements; the source or target of an event decides whether it waits (semantics 3.9).
+// Decides by structural recursion over statements. Whether an event waits depends on its source or target (semantics
+// 3.9).
 #include "cpp_emit/code/suspension.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ std::vector<const ir::Expr*> evaluated_first(const ir::Stmt& stmt) {
 
 namespace {
 
-/// Whether the statement blocks forever if a function is called outside its precondition.
+/// Returns whether the statement blocks forever if a function is called outside its precondition.
 bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto expressions = evaluated_first(stmt);
     return std::ranges::any_of(expressions, [&](const ir::Expr* expr) {
@@ -41,7 +42,7 @@ bool may_be_stuck(const Generation& generation, const Unit& unit, const ir::Stmt
     });
 }
 
-/// Whether the statement itself may suspend, ignoring nested statements.
+/// Returns whether the statement itself may suspend, without its nested statements.
 bool suspends_itself(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     if (may_be_stuck(generation, unit, stmt) || may_await_cycle(generation, unit, stmt)) return true;
     switch (stmt.kind) {
@@ -78,7 +79,7 @@ bool may_suspend(const Generation& generation, const Unit& unit, const ir::StmtP
 
 namespace {
 
-/// Whether the statement itself takes time, ignoring nested statements.
+/// Returns whether the statement itself takes time, without its nested statements.
 bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& stmt) {
     const auto zero = [](const ir::ExprPtr& expr) { return expr->kind == ir::ExprKind::integer && expr->number == 0; };
     if (stmt.kind == StmtKind::wait && zero(stmt.value)) return false;
@@ -89,7 +90,8 @@ bool takes_time(const Generation& generation, const Unit& unit, const ir::Stmt& 
     return suspends_itself(generation, unit, stmt);
 }
 
-/// Whether an operation may rest in a state. It may, if none of the state's transitions is always enabled.
+/// Returns whether an operation may rest in a state. This is possible if none of the state's transitions is always
+/// enabled.
 bool may_rest(const ir::Machine& operation) {
     const auto leaves = [&](const ir::TransitionId id) {
         const ir::Transition& transition = operation.transitions[id.index];

@@ -17,7 +17,7 @@ struct TransitionName {
 };
 
 [[nodiscard]] std::uint32_t transition_number(const Unit&, ir::TransitionId);
-/// The transitions by number.
+/// Returns the names of the transitions, in the order of their numbers.
 [[nodiscard]] std::vector<TransitionName> transition_names(const Generation&);
 
 }  // namespace robochart::cpp_emit

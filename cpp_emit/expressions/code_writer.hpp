@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Indented text of generated files. The writer opens and closes blocks, so the output needs no formatter.
+// Writes indented text of generated files. The writer opens and closes blocks, so the output needs no formatter.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,7 @@ public:
     void open_declaration(const diagnostics::ForeignText& comment, std::string_view head);
     /// Calls `body` to write lines. If there is a condition, the lines are inside an `if`.
     void write_if(const CppExpr& condition, const std::function<void()>& body);
-    /// Ends a block: writes "}", "};", "} else {" one level less deep.
+    /// Ends a block: writes "}", "};" or similar text one level less deep.
     void close(std::string_view text = "}");
     /// Writes "public:" and similar lines one level less deep.
     void write_label(std::string_view text);
@@ -53,7 +53,7 @@ private:
     std::string text_;
     std::size_t depth_ = 0;
     [[maybe_unused]] std::size_t outermost_ = 0;  ///< the depth at the beginning, for assertions
-    bool fresh_ = true;                           ///< at the beginning of a file or block
+    bool fresh_ = true;                           ///< true at the beginning of a file or block
 };
 
 }  // namespace robochart::cpp_emit

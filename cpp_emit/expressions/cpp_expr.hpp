@@ -1,46 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text of a C++ expression together with the precedence of its outermost operator.
+// Stores the text of a C++ expression together with the precedence of its outermost operator.
 #pragma once
 
 #include <string>
 
 namespace robochart::cpp_emit {
 
-/// The precedence of an expression's outermost operator, from the lowest. Generated expressions contain no comma
+/// The precedences of the outermost operator of an expression, lowest first. Generated expressions contain no comma
 /// operator and no assignment.
 enum class Binding { conditional, disjunction, conjunction, equality, order, sum, product, prefix, primary };
 
-/// Gives access to the text only together with the required precedence, so that parentheses are added wherever they are
+/// A C++ expression. Its text can be read only for a given precedence, so parentheses are added wherever they are
 /// needed.
 class CppExpr {
 public:
-    /// An empty condition, which is always true.
+    /// Makes an empty condition, which is always true.
     CppExpr() = default;
     CppExpr(std::string text, Binding binding) : text_(std::move(text)), binding_(binding) {}
-    /// A name, a literal, a call, or an expression in parentheses.
+    /// Makes an expression from a name, a literal, a call, or an expression in parentheses.
     explicit CppExpr(std::string text) : text_(std::move(text)) {}
-    /// A test whether `operand` is equal to a constant, or differs from it.
+    /// Makes a test whether `operand` equals a constant or, with `differs`, differs from it.
     [[nodiscard]] static CppExpr equality_test(std::string text, std::string operand, bool differs);
 
     [[nodiscard]] bool empty() const { return text_.empty(); }
-    /// The text as a complete expression: an argument, an initial value, a returned value, a condition inside
-    /// parentheses.
+    /// Returns the text as a complete expression: an argument, an initial value, a returned value, or a condition
+    /// inside parentheses.
     [[nodiscard]] const std::string& whole_text() const { return text_; }
-    /// The text as an operand, in parentheses if its precedence is lower than `least`.
+    /// Returns the text as an operand, in parentheses if its precedence is lower than `least`.
     [[nodiscard]] std::string as_operand(Binding least = Binding::primary) const {
         return binding_ < least ? "(" + text_ + ")" : text_;
     }
-    /// The expression in parentheses.
+    /// Returns the expression in parentheses.
     [[nodiscard]] CppExpr in_parentheses() const;
 
-    /// The conjunction; either condition may be empty. Operands with lower precedence than `least` get parentheses.
+    /// Returns the conjunction. Either condition may be empty. Operands with a lower precedence than `least` get
+    /// parentheses.
     friend CppExpr conjunction(const CppExpr& first, const CppExpr& second, Binding least);
     friend CppExpr disjunction(const CppExpr& first, const CppExpr& second, Binding least);
-    /// `!condition`.
+    /// Returns `!condition`.
     friend CppExpr negation(const CppExpr& condition);
 
 private:
-    /// A single condition, or conditions joined by `&&` or by `||`.
+    /// How the expression is joined: a single condition, or conditions joined by `&&` or by `||`.
     enum class Joined { alone, all, any };
 
     /// The last test of a chain of conditions.

@@ -19,7 +19,7 @@ using ir::TypeKind;
 
 namespace {
 
-/// The wider of two numeric types: nat, int, real in this order.
+/// Returns the wider of two numeric types: nat, int, real in this order.
 TypeKind wider_kind(TypeKind left, TypeKind right) {
     const auto rank = [](TypeKind kind) {
         if (kind == TypeKind::real) return 2;
@@ -28,7 +28,7 @@ TypeKind wider_kind(TypeKind left, TypeKind right) {
     return rank(left) >= rank(right) ? left : right;
 }
 
-/// Whether the expression has the same value everywhere in the machine.
+/// Returns whether the expression has the same value everywhere in the machine.
 bool is_fixed(const ir::Expr& expr) {
     bool result = true;
     ir::visit_operands(expr, [&](const ir::Expr& part) {
@@ -106,7 +106,8 @@ std::string ExpressionWriter::fitting(ir::TypeId type, const std::string& value)
     return has_lists(generation_.system, type) ? fmt::format("fit<Types>({})", value) : value;
 }
 
-/// RoboSim: whether the register of an event is full, or its value. A register that nothing fills is empty.
+/// Returns the text of a RoboSim variable that is an event's register: whether the register is full, or its value. A
+/// register that nothing fills is empty.
 std::string ExpressionWriter::register_text(const EventUse& use, ir::VariableId id) const {
     const Component& component = generation_.component;
     const ir::Variable& variable = unit_.machine->variables[id.index];
@@ -142,7 +143,7 @@ std::string ExpressionWriter::clock_member(ir::ClockId id) const {
     return frame_of(*owner) + "." + owner->clock_fields[own.index];
 }
 
-/// The frame of the unit, of a unit that called it, or of the part's machine.
+/// Returns the frame of the unit, of a unit that called it, or of the part's machine.
 std::string ExpressionWriter::frame_of(const Unit& owner) const {
     if (&owner == &unit_) return frame_;
     if (owner.root) return generation_.component.part_of(unit_).frame_expression();
@@ -227,7 +228,7 @@ std::string ExpressionWriter::built_value(const ir::Expr& expr, const char* make
     return fmt::format("{}::{}({})", type_text(expr.type), maker, pairs);
 }
 
-/// Conversion to a coarser unit rounds down (semantics 3.13).
+/// Writes a conversion. Conversion to a coarser unit rounds down (semantics 3.13).
 std::string ExpressionWriter::write_cast(const ir::Expr& expr) const {
     const ir::Expr& from = *expr.args[0];
     if (is_composed(generation_.system.type(expr.type))) return write_as(from, expr.type);
@@ -237,13 +238,13 @@ std::string ExpressionWriter::write_cast(const ir::Expr& expr) const {
     return down ? fmt::format("rounded_down<{}>({})", type, write(from)) : fmt::format("{}({})", type, write(from));
 }
 
-/// The pair as an element of a function or relation.
+/// Returns the pair as an element of a function or relation.
 std::string ExpressionWriter::pair_text(const ir::Type& whole, const ir::Expr& pair) const {
     return fitting(pair.type,
                    fmt::format("robochart::convert<{}>({})", cpp_pair(generation_.system, whole), write(pair)));
 }
 
-/// Functions are specified only by contracts: the platform computes them.
+/// Writes a call of a function. The platform computes functions that are specified only by contracts.
 std::string ExpressionWriter::write_call(const ir::Expr& expr) const {
     return platform_call(expr.function, call_arguments(expr));
 }
@@ -278,7 +279,7 @@ std::string ExpressionWriter::write_index(const ir::Expr& expr) const {
     return text;
 }
 
-/// Tests membership in a range by its bounds, because ranges may be large.
+/// Tests membership in a range by comparison with its bounds, because ranges may be large.
 std::string ExpressionWriter::write_membership(const ir::Expr& expr) const {
     const ir::Expr& value = *expr.args[0];
     assert(expr.args.size() == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of the model as C++ text over the Types policy.
+// Writes expressions of the model as C++ text over the Types policy.
 #pragma once
 
 #include <cstdint>
@@ -13,62 +13,66 @@
 
 namespace robochart::cpp_emit {
 
-/// The struct member for the number in ExprKind::member: the index of a field, or a position counted from 1.
+/// Returns the struct member for the number in ExprKind::member, which is the index of a field, or a position counted
+/// from 1.
 [[nodiscard]] std::string member_name(const ir::Type&, std::int64_t number);
 
-/// The parameters of a unit's functions: its frame f, and the frames of units whose variables or clocks it uses.
+/// Returns the parameters of a unit's functions: its frame f, and the frames of units whose variables or clocks it
+/// uses.
 [[nodiscard]] std::string frame_parameters(const Component&, const Unit&);
-/// The arguments in calls between the unit's functions: "f", "f, TurnFrame_f".
+/// Returns the arguments in calls between the unit's functions: "f", "f, TurnFrame_f".
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&);
-/// The arguments with which a function of `caller` calls the unit's functions. `frame` is the expression for the unit's
-/// frame there.
+/// Returns the arguments with which a function of `caller` calls the unit's functions. `frame` is the expression for
+/// the unit's frame in this function.
 [[nodiscard]] std::string frame_arguments(const Component&, const Unit&, const Unit& caller, const std::string& frame);
-/// The name of the parameter for the frame of an operation that lends variables or clocks.
+/// Returns the name of the parameter for the frame of a unit whose variables or clocks an operation uses.
 [[nodiscard]] std::string lent_frame(const Unit& owner);
 
 class ExpressionWriter {
 public:
-    /// Writes expressions in the unit's functions.
+    /// Writes expressions inside the unit's own functions.
     ExpressionWriter(const Generation& generation, const Unit& unit) : ExpressionWriter(generation, unit, unit, "f") {}
-    /// Writes the unit's expressions in a function of `caller`. `frame` is the expression for the unit's frame there,
-    /// for example "f.Turn".
+    /// Writes the unit's expressions inside a function of `caller`. `frame` is the expression for the unit's frame in
+    /// this function, for example "f.Turn".
     ExpressionWriter(const Generation& generation, const Unit& unit, const Unit& caller, std::string frame)
         : generation_(generation), unit_(unit), caller_(caller), frame_(std::move(frame)) {}
 
     /// Sets the C++ text of `trigger_value`, the incoming value.
     void set_incoming(std::string text) { incoming_ = std::move(text); }
 
-    /// Every list that the code builds passes `Cycle::fit`, so that no list is cut without StepResult::capacity.
+    /// Returns the expression. Every list that the code builds passes `Cycle::fit`, so that a list that is cut always
+    /// causes StepResult::capacity.
     [[nodiscard]] CppExpr cpp_expression(const ir::Expr&) const;
-    /// The expression converted to a numeric type; unchanged for other types.
+    /// Returns the expression, converted to a numeric type; unchanged for other types.
     [[nodiscard]] CppExpr expression_as(const ir::Expr&, ir::TypeId) const;
-    /// The text as a complete expression: an argument, an initial value, a condition inside parentheses.
+    /// Returns the text as a complete expression: an argument, an initial value, a condition inside parentheses.
     [[nodiscard]] std::string write(const ir::Expr& expr) const { return cpp_expression(expr).whole_text(); }
     [[nodiscard]] std::string write_as(const ir::Expr& expr, ir::TypeId type) const {
         return expression_as(expr, type).whole_text();
     }
-    /// The text as an operand of any operator, in parentheses unless it has the highest precedence.
+    /// Returns the text as an operand of any operator, in parentheses unless it has the highest precedence.
     [[nodiscard]] std::string write_operand(const ir::Expr& expr) const { return cpp_expression(expr).as_operand(); }
-    /// The condition that all preconditions of called functions hold, innermost calls first (semantics 3.5); empty if
-    /// none can be false. It is tested before the expression is evaluated.
+    /// Returns the condition that the preconditions of all called functions hold, innermost calls first (semantics
+    /// 3.5). It must be tested before the expression is evaluated. It is empty if no precondition can be false.
     [[nodiscard]] CppExpr precondition_test(const ir::Expr&) const;
-    /// The condition preceded by its preconditions. It is false if the code cannot build the lists that it needs.
+    /// Returns the condition preceded by its preconditions. It is false if the code cannot build the lists that the
+    /// condition needs.
     [[nodiscard]] CppExpr expression_asked(const ir::Expr& condition) const;
-    /// The member that stores a variable; "" for shared variables that are never read.
+    /// Returns the member that stores a variable; "" for shared variables that are never read.
     [[nodiscard]] std::string register_text(const EventUse&, ir::VariableId) const;
     [[nodiscard]] std::string variable_member(ir::VariableId) const;
     [[nodiscard]] std::string clock_member(ir::ClockId) const;
-    /// The index of an item, counted from 1.
+    /// Returns the index of an item, counted from 1.
     [[nodiscard]] std::string item_index(const ir::Expr& index) const;
 
 private:
     [[nodiscard]] CppExpr of_kind(const ir::Expr&) const;  ///< empty for a kind that C++ cannot express
-    /// The value; if it contains lists, without the items beyond their capacity (Cycle::fit).
+    /// Returns the value. If it contains lists, the items beyond their capacity are removed (Cycle::fit).
     [[nodiscard]] std::string fitting(ir::TypeId, const std::string& value) const;
     [[nodiscard]] std::string pair_text(const ir::Type& whole, const ir::Expr& pair) const;
     [[nodiscard]] std::string operand_as(const ir::Expr&, ir::TypeKind) const;
-    /// Arithmetic on two operands. Reals use the operator. Whole numbers use the function with that name, which is
-    /// defined at the limits of the type, too.
+    /// Writes arithmetic on two operands. Reals use the operator. Whole numbers use the function with that name, which
+    /// is also defined at the limits of the type.
     [[nodiscard]] CppExpr write_arithmetic(const ir::Expr&, const char* symbol, const char* name, Binding) const;
     [[nodiscard]] CppExpr write_negation(const ir::Expr&) const;
     [[nodiscard]] std::string write_function(const ir::Expr&, const char* name) const;
@@ -90,7 +94,7 @@ private:
     // expression_conditions.cpp: preconditions of functions
     [[nodiscard]] std::vector<CppExpr> preconditions(const ir::Expr&) const;
     [[nodiscard]] std::vector<CppExpr> bound_preconditions(const ir::Expr&) const;
-    /// The text with the first `count` names of the `let` bound around it.
+    /// Returns the text inside the first `count` names that the `let` binds.
     [[nodiscard]] std::string bound_by_let(const ir::Expr&, std::size_t count, std::string text) const;
 
     // expression_composed.cpp: binders, functions as values, toolkits, vectors and matrices

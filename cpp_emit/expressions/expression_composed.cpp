@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions over values with parts: binders (over the carriers of the instantiation, semantics 3.13), functions and
-// relations as values, the toolkit libraries, vectors and matrices.
+// Writes expressions over values with parts: binders (over the carriers of the instantiation, semantics 3.13),
+// functions and relations as values, the toolkit libraries, vectors and matrices.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,8 @@ std::string ExpressionWriter::write_any(const ir::Expr& expr, std::size_t from, 
                        bound_identifier(expr.bound_names[from]), body);
 }
 
-/// The test whether the body holds for all, for some, or for exactly one of the values that satisfy the predicate.
+/// Writes the test whether the body holds for all, for some, or for exactly one of the values that satisfy the
+/// predicate.
 CppExpr ExpressionWriter::write_quantifier(const ir::Expr& expr) const {
     assert(expr.args.size() >= 2);
     const std::string body = write_operand(*expr.args[1]);
@@ -44,7 +45,7 @@ CppExpr ExpressionWriter::write_quantifier(const ir::Expr& expr) const {
                                write_any(expr, 0, fmt::format("if ({}{}) ++found; return false;", premise, body))));
 }
 
-/// The bound variables as one value of the type: the variable itself, or a tuple.
+/// Returns the bound variables as one value of the type: the variable itself, or a tuple.
 std::string ExpressionWriter::bound_values(const ir::Expr& expr, ir::TypeId type) const {
     std::string names;
     for (const std::string& name : expr.bound_names) names += (names.empty() ? "" : ", ") + bound_identifier(name);
@@ -60,8 +61,8 @@ std::string ExpressionWriter::collected_item(const ir::Expr& expr) const {
     return expr.args.size() > 1 && expr.args[1] ? write_as(*expr.args[1], item) : bound_values(expr, item);
 }
 
-/// Collects the value of the body for each value that satisfies the predicate. Used for lambdas as sets of pairs,
-/// comprehensions, and `the`.
+/// Collects the value of the body for each value that satisfies the predicate. Used for lambdas as sets of pairs, for
+/// comprehensions, and for `the`.
 std::string ExpressionWriter::write_collection(const ir::Expr& expr) const {
     const std::string item = collected_item(expr);
     const std::string take =
@@ -84,7 +85,8 @@ std::string ExpressionWriter::write_application(const ir::Expr& expr) const {
     return write_lookup(*expr.args[0], arguments, domain);
 }
 
-/// A function that is written as an expression is called directly, so that it need not be finite on the robot.
+/// Looks up a value of a function. A function that is written as an expression is called directly, so that it need not
+/// be finite on the robot.
 std::string ExpressionWriter::write_lookup(const ir::Expr& function, const std::vector<std::string>& arguments,
                                            ir::TypeId domain) const {
     std::string listed;
@@ -123,7 +125,7 @@ std::string ExpressionWriter::beta_reduced(const ir::Expr& lambda, const std::ve
     return fmt::format("[&]({}) {{ return {}; }}({})", parameters, write_as(*lambda.args[1], result), values);
 }
 
-/// A function of the model as the set of its pairs, restricted to its precondition.
+/// Returns a function of the model as the set of its pairs, restricted to its precondition.
 std::string ExpressionWriter::function_value(const ir::Expr& expr) const {
     const ir::Type& whole = generation_.system.type(expr.type);
     const ir::TypeId domain = whole.args.at(0);
@@ -154,7 +156,7 @@ std::string ExpressionWriter::write_toolkit_call(const ir::Expr& expr) const {
     return fmt::format("robochart::toolkit::{}<{}>({})", name, type_text(expr.type), arguments);
 }
 
-/// The whole numbers between the bounds, or the reals of the carrier between them.
+/// Returns the whole numbers between the bounds, or the reals of the carrier between them.
 std::string ExpressionWriter::write_range(const ir::Expr& expr) const {
     const ir::TypeId member = generation_.system.type(expr.type).args.at(0);
     const bool written = expr.kind == ExprKind::range;
@@ -172,7 +174,7 @@ std::string ExpressionWriter::write_range(const ir::Expr& expr) const {
         open_low ? "<" : "<=", open_high ? "<" : "<=");
 }
 
-/// The test whether a number is a value of another numeric type.
+/// Returns the test whether a number is a value of another numeric type.
 std::string ExpressionWriter::is_type(const ir::Expr& expr) const {
     const ir::TypeId type = expr.bound_types.at(0);
     const bool natural = generation_.system.type(type).kind == TypeKind::nat;
@@ -184,7 +186,7 @@ bool ExpressionWriter::block_arithmetic(const ir::Expr& expr) const {
         expr.args, [&](const ir::ExprPtr& arg) { return is_block_type(generation_.system.type(arg->type)); });
 }
 
-/// A vector or matrix with entries of the type, or a number of that type.
+/// Returns a vector or matrix with entries of the type, or a number of that type.
 std::string ExpressionWriter::block_operand(const ir::Expr& expr, ir::TypeId entry) const {
     const ir::Type& type = generation_.system.type(expr.type);
     if (!is_block_type(type)) return operand_as(expr, generation_.system.type(entry).kind);

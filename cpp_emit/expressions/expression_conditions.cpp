@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preconditions of the functions that an expression calls (semantics 3.5). The code tests the same preconditions as the
-// semantics, in the same order. Preconditions of inner calls come first, because those of an outer call may need their
-// values. Under a binder they are tested for every value for which the body is evaluated. They are tested in both
+// Writes preconditions of the functions that an expression calls (semantics 3.5). The code tests the same preconditions
+// as the semantics, in the same order. Preconditions of inner calls come first, because those of an outer call may need
+// their values. Under a binder they are tested for every value for which the body is evaluated. They are tested in both
 // operands of a logical operator, even if one operand decides the result. A call is evaluated only after its
 // preconditions have been found true.
 #include <fmt/format.h>
@@ -55,8 +55,8 @@ std::vector<CppExpr> ExpressionWriter::preconditions(const ir::Expr& expr) const
     return result;
 }
 
-/// The conditions hold for all values of the bound variables: preconditions of the predicate for all values,
-/// preconditions of the body for the values that satisfy the predicate.
+/// Returns preconditions for all values of the bound variables: those of the predicate for all values, and those of the
+/// body for the values that satisfy the predicate.
 std::vector<CppExpr> ExpressionWriter::bound_preconditions(const ir::Expr& expr) const {
     std::vector<CppExpr> result;
     const auto never_false = [&](const CppExpr& where, const std::vector<CppExpr>& conditions) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folds over collections that are visited in place (plan/views.hpp, runtime/views.hpp).
+// Writes folds over collections that are visited in place (plan/views.hpp, runtime/views.hpp).
 #include <fmt/format.h>
 
 #include <cassert>
@@ -21,7 +21,7 @@ std::string toolkit_function(const ir::Expr& expr) {
 
 }  // namespace
 
-/// `robochart::view::Interval<Nat>(low, high)`; open bounds are excluded.
+/// Returns `robochart::view::Interval<Nat>(low, high)`. Open bounds are excluded.
 std::string ExpressionWriter::view_of_interval(const ir::Expr& expr) const {
     const ir::TypeId member = generation_.system.type(expr.type).args.at(0);
     const bool written = expr.kind == ExprKind::range;
@@ -32,7 +32,7 @@ std::string ExpressionWriter::view_of_interval(const ir::Expr& expr) const {
                        write_as(*expr.args[1], member), less);
 }
 
-/// The elements of the generator that satisfy the rest of the predicate, and the results of the body for them.
+/// Returns the elements of the generator that satisfy the rest of the predicate, and the results of the body for them.
 std::string ExpressionWriter::view_of_comprehension(const ir::Expr& expr) const {
     const std::string parameter = fmt::format("[[maybe_unused]] const {}& {}", type_text(expr.bound_types.at(0)),
                                               bound_identifier(expr.bound_names.at(0)));
@@ -46,7 +46,7 @@ std::string ExpressionWriter::view_of_comprehension(const ir::Expr& expr) const 
                        write_as(*expr.args[1], member));
 }
 
-/// The collection as a view. A collection that cannot be visited in place is built first.
+/// Returns the collection as a view. A collection that cannot be visited in place is built first.
 std::string ExpressionWriter::write_view(const ir::Expr& expr) const {
     if (const ir::Expr* const sequence = sequence_of_pairs(generation_.system, expr)) return write_view(*sequence);
     if (!is_view(generation_.system, expr)) return fmt::format("robochart::view::items({})", write(expr));
@@ -61,12 +61,12 @@ std::string ExpressionWriter::write_view(const ir::Expr& expr) const {
                        write_view(*expr.args.at(0)), write_view(*expr.args.at(1)));
 }
 
-/// The condition that the view has an element.
+/// Returns the condition that the view has an element.
 CppExpr ExpressionWriter::view_has_elements(const ir::Expr& view) const {
     return negation(CppExpr(fmt::format("robochart::view::empty({})", write_view(view))));
 }
 
-/// `min`, `size` and similar functions of a view.
+/// Writes `min`, `size` and similar functions of a view.
 CppExpr ExpressionWriter::fold_of_toolkit(const ir::Expr& expr) const {
     const std::string function = toolkit_function(expr);
     const ir::Expr& first = *expr.args.at(0);
@@ -93,7 +93,7 @@ CppExpr ExpressionWriter::membership_in_view(const ir::Expr& expr) const {
                                write_as(*expr.args.at(0), generation_.system.type(set.type).args.at(0))));
 }
 
-/// Empty unless the operator is a fold of a view.
+/// Writes a fold. The result is empty unless the operator is a fold of a view.
 CppExpr ExpressionWriter::write_fold(const ir::Expr& expr) const {
     for (std::size_t i = 0; i < expr.args.size(); ++i) {
         if (!expr.args[i] || !folds(generation_.system, expr, i)) continue;
@@ -106,7 +106,8 @@ CppExpr ExpressionWriter::write_fold(const ir::Expr& expr) const {
     return {};
 }
 
-/// The predicate without the conditions over whose collections the bound variables range; empty if nothing remains.
+/// Returns the predicate without the conditions over whose collections the bound variables range; empty if nothing
+/// remains.
 CppExpr ExpressionWriter::predicate_of(const ir::Expr& binder) const {
     if (!has_generator(generation_.system, binder)) return cpp_expression(*binder.args.at(0));
     CppExpr result;

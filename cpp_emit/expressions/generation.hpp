@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data that all emitters of one run share.
+// Declares the data that all emitters of one run share.
 #pragma once
 
 #include <string>
@@ -19,15 +19,16 @@ struct Generation {
     const Component& component;
     Mutation& mutation;
 
-    /// "S1 (aggregation.rct:83)"; only the element if its place is unknown. File names may contain any characters.
+    /// Returns an element with its place, "S1 (aggregation.rct:83)", or only the element if its place is unknown. File
+    /// names may contain any characters.
     [[nodiscard]] diagnostics::ForeignText place_text(std::string_view element, diagnostics::Span) const;
-    /// "aggregation.rct:83"; "" if unknown.
+    /// Returns the file and line, "aggregation.rct:83"; "" if unknown.
     [[nodiscard]] diagnostics::ForeignText line_text(diagnostics::Span) const;
-    /// "aggregation.rct"; "" if unknown.
+    /// Returns the file name, "aggregation.rct"; "" if unknown.
     [[nodiscard]] diagnostics::ForeignText file_text(diagnostics::Span) const;
-    /// The test for the bound on steps in a loop's condition; "" with Fault::loop_never_ends.
+    /// Returns the test in a loop's condition that bounds the number of steps; "" with Fault::loop_never_ends.
     [[nodiscard]] std::string bound_test() const;
-    /// The same for the loop of a cycle, which is not inside another loop.
+    /// Returns this test for the loop of a cycle, which is not inside another loop.
     [[nodiscard]] std::string round_test() const;
     [[nodiscard]] diagnostics::ForeignText place_text(const ir::Origin& origin) const {
         return place_text(origin.element, origin.span);

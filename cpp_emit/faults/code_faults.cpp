@@ -10,15 +10,15 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The lines that a fault changes, and the changes. Patterns are those of std::regex and must match the whole line.
+/// A fault that changes lines: which lines, and how. Patterns are those of std::regex and must match the whole line.
 struct LineRule {
     Fault fault;
     const char* function;  ///< pattern for the name of the function in Step
-    const char* line;      ///< without its indentation
-    const char* wrong;     ///< as in std::regex_replace; "" deletes the line
+    const char* line;      ///< pattern for the line, without its indentation
+    const char* wrong;     ///< the replacement, as in std::regex_replace; "" deletes the line
 };
 
-/// The functions that do not belong to the event API.
+/// A pattern for the functions that do not belong to the event API.
 constexpr const char* of_cycle = "(?!dispatch$|begin$|pass$).*";
 constexpr const char* of_events = "dispatch|begin|pass";
 
@@ -54,11 +54,11 @@ constexpr LineRule line_rules[] = {
     {Fault::pass_timeless, "pass", R"(if \(result == robochart::StepResult::quiescent\) advance\(f\);)", ""},
 };
 
-/// Faults of order change lines whose middle is a list of calls, joined by ` || `.
+/// A fault of order, which changes lines whose middle is a list of calls, joined by ` || `.
 struct OrderRule {
     Fault fault;
     const char* function;
-    const char* line;  ///< three groups: the text before the list, the list, the text after it
+    const char* line;  ///< pattern with three groups: the text before the list, the list, the text after it
 };
 
 constexpr OrderRule order_rules[] = {
@@ -78,7 +78,7 @@ std::string reverse_calls(std::string_view list) {
     return result;
 }
 
-/// Processes the functions of the class Step, whose heads are indented once.
+/// Changes lines in the functions of the class Step, whose heads are indented once.
 class FaultyCode {
 public:
     explicit FaultyCode(Mutation& mutation) : mutation_(mutation) {}

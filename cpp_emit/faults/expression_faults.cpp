@@ -33,7 +33,7 @@ constexpr Exchange logic[] = {{ExprKind::conjunction, ExprKind::disjunction},
                               {ExprKind::implies, ExprKind::iff}};
 constexpr Exchange quantifiers[] = {{ExprKind::forall, ExprKind::exists}, {ExprKind::exists, ExprKind::forall}};
 
-/// Pairs of functions with the same signature; each may be exchanged for the other.
+/// Pairs of functions with the same signature. A fault exchanges one for the other.
 constexpr std::pair<std::string_view, std::string_view> functions[] = {
     {"set_toolkit_union", "set_toolkit_inter"},         {"set_toolkit_diff", "set_toolkit_union"},
     {"set_toolkit_Union", "set_toolkit_Inter"},         {"set_toolkit_subset", "set_toolkit_subseteq"},
@@ -60,7 +60,7 @@ bool is_commutative(ExprKind kind) {
     return kind != ExprKind::minus && kind != ExprKind::divide && kind != ExprKind::modulus && kind != ExprKind::concat;
 }
 
-/// The faults of one expression, excluding its operands.
+/// The possible faults of one expression, without those of its operands.
 class OneExpression {
 public:
     OneExpression(const ir::System& system, Mutation& mutation, const Expr& expr)
@@ -93,7 +93,7 @@ private:
     [[nodiscard]] bool hits(Fault fault) const { return mutation_.hits(fault); }
     [[nodiscard]] ir::TypeKind kind_of(const Expr& expr) const { return system_.type(expr.type).kind; }
 
-    /// Whether all operands are single numbers, not vectors or matrices.
+    /// Returns whether all operands are single numbers, not vectors or matrices.
     [[nodiscard]] bool has_number_operands() const {
         return std::ranges::all_of(expr_.args, [&](const ir::ExprPtr& operand) {
             const ir::TypeKind type = kind_of(*operand);
@@ -139,7 +139,7 @@ private:
         return changed;
     }
 
-    /// Changes a literal within its carrier: to one less, or to 1 for 0.
+    /// Changes a literal within its carrier: to one less, or from 0 to 1.
     [[nodiscard]] std::optional<Expr> wrong_literal() const {
         const bool number = expr_.kind == ExprKind::integer || expr_.kind == ExprKind::boolean;
         const ir::Type& type = system_.type(expr_.type);
@@ -176,13 +176,14 @@ ir::ExprPtr number_literal(const ir::System& system, ir::TypeId type, std::int64
     return std::make_shared<Expr>(literal_of(type, real ? ExprKind::real : ExprKind::integer, value));
 }
 
-/// Whether the operands are the parts of a value, with types given by `Type::args` or by one type for all parts.
+/// Returns whether the operands are the parts of a value. Their types are given by `Type::args`, or by one type for all
+/// parts.
 bool builds_value(ExprKind kind) {
     return kind == ExprKind::tuple || kind == ExprKind::record || kind == ExprKind::sequence || kind == ExprKind::set ||
            kind == ExprKind::matrix || kind == ExprKind::enum_literal;
 }
 
-/// The type of one part of the value that `whole` builds; invalid if the part has none.
+/// Returns the type of one part of the value that `whole` builds; invalid if the part has no type.
 ir::TypeId part_type(const ir::System& system, const Expr& whole, std::size_t place) {
     const ir::Type& type = system.type(whole.type);
     if (whole.kind == ExprKind::enum_literal) {

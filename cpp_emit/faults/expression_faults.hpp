@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults in expressions: the expression as a faulty generator would read it.
+// Seeds faults in expressions: rewrites an expression as a faulty generator would read it.
 #pragma once
 
 #include <map>
@@ -10,28 +10,28 @@
 
 namespace robochart::cpp_emit {
 
-/// A literal with the default value of a type; null if no literal can express it.
+/// Returns a literal with the default value of a type, or null if no literal can express it.
 [[nodiscard]] ir::ExprPtr default_literal(const ir::System&, const ir::Instantiation&, ir::TypeId);
-/// The number one as a literal of a numeric type.
+/// Returns the number one as a literal of a numeric type.
 [[nodiscard]] ir::ExprPtr one_literal(const ir::System&, ir::TypeId);
-/// The expression `expr` + 1. In a finite carrier the largest number stays unchanged (semantics 3.13), except for a
-/// literal.
+/// Returns the expression `expr` + 1. In a finite carrier the largest number stays unchanged (semantics 3.13), except
+/// for a literal.
 [[nodiscard]] ir::ExprPtr one_more(const ir::System&, const ir::ExprPtr& expr);
-/// The expression `expr` - 1, or 0 if that is negative; null for the literal 0.
+/// Returns the expression `expr` - 1, or 0 if that is negative. Returns null for the literal 0.
 [[nodiscard]] ir::ExprPtr one_less(const ir::System&, const ir::ExprPtr& expr);
-/// The expression `not expr`.
+/// Returns the expression `not expr`.
 [[nodiscard]] ir::ExprPtr negate_condition(const ir::ExprPtr& expr);
 
-/// Rewrites the expressions of one machine. A subexpression that several expressions share counts as one place.
+/// Rewrites the expressions of one machine. A subexpression that several expressions share is one place for a fault.
 class ExpressionFaults {
 public:
     ExpressionFaults(const ir::System& system, const ir::Instantiation& inst, Mutation& mutation)
         : system_(system), inst_(inst), mutation_(mutation) {}
 
-    /// The expression with the fault; operands are rewritten before operators. Returns the same object if the fault is
-    /// elsewhere, and null for null.
+    /// Returns the expression with the fault. Operands are rewritten before operators. Returns the same object if the
+    /// fault is elsewhere, and null for null.
     [[nodiscard]] ir::ExprPtr rewrite(const ir::ExprPtr&);
-    /// Rewrites the index of an item in the same way. The fault index_off_by_one changes it, too.
+    /// Rewrites the index of an item in the same way. The fault index_off_by_one can also change it.
     [[nodiscard]] ir::ExprPtr rewrite_place(const ir::ExprPtr&);
 
 private:

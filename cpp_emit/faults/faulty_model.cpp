@@ -21,7 +21,7 @@ FaultyModel::FaultyModel(const ir::System& system, const ir::Instantiation& inst
     change_functions(inst, mutation);
 }
 
-/// Fault::initial_lost: the variable starts with the default value of its type.
+/// Changes initial values. With Fault::initial_lost, the variable starts with the default value of its type.
 void FaultyModel::change_initials(const ir::Instantiation& inst, Mutation& mutation) {
     const auto change = [&](const ir::Variable& variable, ir::Value& initial) {
         const ir::Value lost = ir::default_value(system_, inst, variable.type);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model with the seeded fault of a run, together with the plan of the unchanged model.
+// Makes the model with the seeded fault of a run. The plan is that of the unchanged model.
 #pragma once
 
 #include <deque>
@@ -12,8 +12,8 @@
 
 namespace robochart::cpp_emit {
 
-/// The input of the emitters. Without a fault it is the model and its component. A fault changes the units' machines,
-/// initial values and the preconditions of functions. The rest of the plan (stored variables, the boundary, capacities)
+/// The input of the emitters. Without a fault, it is the model and its component. A fault changes the units' machines,
+/// initial values, or the preconditions of functions. The rest of the plan (stored variables, the boundary, capacities)
 /// is that of the model, so that code with a fault has the same interface.
 class FaultyModel {
 public:

@@ -72,7 +72,8 @@ private:
         if (mutation_.hits(Fault::guard_dropped)) transition.guard = nullptr;
     }
 
-    /// If a deadline depends on a guard over the received value, the trigger must name the variable.
+    /// Rewrites a trigger. If a deadline depends on a guard over the received value, the trigger must name the
+    /// variable.
     void rewrite_trigger(ir::Transition& transition) {
         const ir::VariableId stored = transition.trigger->variable;
         statements_.rewrite_reception(*transition.trigger);
@@ -93,7 +94,7 @@ private:
         return stored == nullptr || stored->has_member();
     }
 
-    /// The guard with the variable in place of the incoming value.
+    /// Returns the guard with the variable in place of the incoming value.
     [[nodiscard]] static ir::ExprPtr with_old_value(const ir::ExprPtr& expr, ir::VariableId variable) {
         if (!expr) return expr;
         ir::Expr changed = *expr;
@@ -120,7 +121,7 @@ private:
             mutation_.hits(Fault::deadline_ignored) ? nullptr : statements_.rewrite_bound(transition.deadline);
     }
 
-    /// The next state after a node in the same parent, cyclically; invalid if there is no other state.
+    /// Returns the next state after a node in the same parent, cyclically; invalid if there is no other state.
     [[nodiscard]] NodeId next_sibling(NodeId target) const {
         const NodeId parent = machine_.nodes[target.index].parent;
         const auto& siblings = parent.is_valid() ? machine_.nodes[parent.index].children : machine_.top;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults in machines: the machine as a faulty generator would read it. The IR must be able to express the fault;
-// for other faults (order of exits, places, dispatch) the emitters call Mutation.
+// Seeds faults in machines: rewrites a machine as a faulty generator would read it. The IR must be able to express the
+// fault. For other faults (order of exits, places, dispatch), the emitters call Mutation.
 #pragma once
 
 #include "cpp_emit/faults/mutation.hpp"
@@ -10,8 +10,8 @@
 
 namespace robochart::cpp_emit {
 
-/// The machine of a unit with the fault. It has the same variables, clocks, events, nodes and transitions under the
-/// same numbers, so the unit's plan is valid for it. Nodes are visited before transitions, both in textual order.
+/// Returns the machine of a unit with the fault. It has the same variables, clocks, events, nodes and transitions under
+/// the same numbers, so the unit's plan is valid for it. Nodes are visited before transitions, both in textual order.
 [[nodiscard]] ir::Machine faulty_machine(const ir::System&, const ir::Instantiation&, const Component&, const Unit&,
                                          Mutation&);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The seeded fault of one generator run: its kind, and the place to which it applies.
+// Stores the seeded fault of one generator run: its kind, and the place to which it applies.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,16 @@
 
 namespace robochart::cpp_emit {
 
-/// Code that could contain a fault calls `hits` at every place to which the fault applies. The answer is true for at
-/// most one place, and always false in production. First the code that rewrites the model calls it (faulty_model.hpp),
-/// then the emitters, for faults that the IR cannot express.
+/// Decides where the seeded fault applies. Code that could contain a fault calls `hits` at every place to which the
+/// fault applies. The answer is true for at most one place, and always false in production. First the code that
+/// rewrites the model calls `hits` (faulty_model.hpp). Then the emitters call it, for faults that the IR cannot
+/// express.
 class Mutation {
 public:
     Mutation(Fault fault, std::uint32_t site) : fault_(fault), site_(site) {}
 
-    /// Must be called once for each place to which `fault` applies, in textual order.
+    /// Returns whether the fault applies to this place. Must be called once for each place to which `fault` applies, in
+    /// textual order.
     [[nodiscard]] bool hits(Fault fault) { return is_seeded(fault) && sites_++ == site_; }
     /// Like `hits`, for a part of the model whose code is written more than once because machines run in several
     /// places. The answer for a part is always the same.
@@ -27,11 +29,11 @@ public:
         if (fresh) ++sites_;
         return place->second == site_;
     }
-    /// Whether this run has the fault at some place.
+    /// Returns whether this run has the fault at some place.
     [[nodiscard]] bool is_seeded(Fault fault) const { return fault == fault_ && fault != Fault::none; }
     /// This run's kind of fault; `none` in production.
     [[nodiscard]] Fault fault() const { return fault_; }
-    /// The number of places found so far to which the requested fault applies.
+    /// Returns the number of places found so far to which the requested fault applies.
     [[nodiscard]] std::uint32_t site_count() const { return sites_; }
 
 private:

@@ -64,7 +64,7 @@ void StatementFaults::rewrite_parts(ir::Stmt& stmt) {
         stmt.communication.value = expressions_.rewrite(stmt.communication.value);
 }
 
-/// Path steps to a field are field numbers; steps to an item are expressions.
+/// Rewrites the path of an assignment. Steps to a field are field numbers; steps to an item are expressions.
 void StatementFaults::rewrite_path(ir::Stmt& stmt) {
     if (stmt.path.empty()) return;
     ir::TypeId type = unit_.machine->variables[stmt.variable.index].type;
@@ -161,7 +161,7 @@ void StatementFaults::rewrite_reception(ir::Communication& what) {
     if (what.variable.is_valid() && mutation_.hits(Fault::value_not_stored)) what.variable = {};
 }
 
-/// The machine's next event of the same type at the component's boundary, cyclically; invalid if there is none.
+/// Returns the machine's next event of the same type at the component's boundary, cyclically; invalid if there is none.
 ir::EventId StatementFaults::other_event(ir::EventId own, bool received) const {
     const EventUse& use = component_.find_event(unit_, own);
     const auto& all = unit_.machine->events;
@@ -198,7 +198,7 @@ void StatementFaults::exchange_arguments(ir::Stmt& stmt) {
     if (alike && mutation_.hits(Fault::argument_swapped)) std::swap(stmt.args[0], stmt.args[1]);
 }
 
-/// The machine's next platform operation with the same parameters, cyclically; invalid if there is none.
+/// Returns the machine's next platform operation with the same parameters, cyclically; invalid if there is none.
 ir::OperationId StatementFaults::other_operation(ir::OperationId own) const {
     const auto& all = unit_.machine->operations;
     for (std::size_t step = 1; step < all.size(); ++step) {

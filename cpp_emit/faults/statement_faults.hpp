@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults in statements.
+// Seeds faults in statements.
 #pragma once
 
 #include "cpp_emit/faults/expression_faults.hpp"
@@ -19,17 +19,17 @@ public:
           mutation_(mutation),
           expressions_(system, inst, mutation) {}
 
-    /// The statement with the fault; parts are rewritten before the whole. Null for null.
+    /// Returns the statement with the fault, or null for null. Parts are rewritten before the whole.
     [[nodiscard]] ir::StmtPtr rewrite(const ir::StmtPtr&);
     /// Rewrites a trigger or the communication of an input statement.
     void rewrite_reception(ir::Communication&);
     /// Rewrites the deadline of a statement or transition. This function does not handle the fault that ignores a
     /// deadline.
     [[nodiscard]] ir::ExprPtr rewrite_bound(const ir::ExprPtr& bound);
-    /// A program that runs a second time, one time unit after it has ended.
+    /// Returns a program that runs the given one a second time, one time unit after it has ended.
     [[nodiscard]] ir::StmtPtr run_again(const ir::StmtPtr&) const;
     [[nodiscard]] ExpressionFaults& expressions() { return expressions_; }
-    /// Whether resetting the clock has any effect.
+    /// Returns whether resetting the clock has any effect.
     [[nodiscard]] bool has_effect(ir::ClockId) const;
 
 private:

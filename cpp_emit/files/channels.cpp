@@ -14,13 +14,13 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// A running unit and the expression for its frame.
+/// A running unit, with the expression for its frame.
 struct Running {
     const Unit* unit = nullptr;
     std::string frame;
 };
 
-/// A send site, and the frame in which its thread runs, preceded by the frames of the operations that called it.
+/// A site that sends, with the frame in which its thread runs. The frames of the operations that called it come before.
 struct Place {
     std::vector<Running> calls;
     const SendSite* site = nullptr;
@@ -52,8 +52,8 @@ public:
     }
 
 private:
-    /// Collects the sites of the last unit in `calls`, then the sites of the operations that its threads run, through
-    /// all nested calls.
+    /// Collects the sites of the last unit in `calls`. Then collects the sites of the operations that its threads run,
+    /// through all nested calls.
     void collect_places(const std::vector<Running>& calls, const std::string& channel) {
         const Component& component = generation_.component;
         const Running& running = calls.back();
@@ -112,7 +112,7 @@ private:
     std::vector<Place> places_;
 };
 
-/// The expression for the frame of each part: "state_.stm0".
+/// Returns the expression for the frame of each part: "state_.stm0".
 std::vector<std::string> each_part(const Generation& generation, const char* format) {
     std::vector<std::string> result;
     for (const Part& part : generation.component.parts)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The core header: one translation of the machine, used by the deployed controller and by the explorer.
+// Writes the core header. The deployed controller and the explorer use the same translation of the machine.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -27,9 +27,9 @@ void numeric_aliases(CodeWriter& out) {
 }
 
 std::string bound_text(const Core& core) {
-    // Bounds the steps of a cycle. The bound is larger if there are more places, because a loop over a variable may
-    // visit each of its places many times in one cycle. A model that needs more steps without the passing of time is
-    // assumed to diverge.
+    // The bound on the steps of a cycle is larger if there are more places, because a loop over a variable may visit
+    // each of its places many times in one cycle. A model that needs more steps without the passing of time is assumed
+    // to diverge.
     std::size_t places = 0;
     for (const MachineCode& machine : core.machines)
         for (const Enumeration& enumeration : machine.enumerations) places += enumeration.values.size();
@@ -102,7 +102,7 @@ void write_makers(const Generation& generation, CodeWriter& out, const ir::Type&
     }
 }
 
-/// Writes the members of a struct with lists that find out whether a list has overflowed.
+/// Writes the members with which a struct that contains lists tells whether a list has overflowed.
 void write_overflow(const Generation& generation, CodeWriter& out, const ir::Type& type) {
     std::vector<std::string> tests, drops;
     for (const TypeMember& member : type_members(type)) {
@@ -317,8 +317,8 @@ void write_variables(const Generation& generation, CodeWriter& out) {
     }
 }
 
-/// Writes the propagation. The memories that propagate writes to the machines accept one write at a time. A machine
-/// that holds up a write holds up the later writes too (semantics 3.7).
+/// Writes the propagation. The memories that propagate writes to the machines accept one write at a time. If a machine
+/// holds up a write, it holds up the later writes too (semantics 3.7).
 void write_propagation(const Generation& generation, CodeWriter& out) {
     const Component& component = generation.component;
     for (const StoredVariable& variable : component.variables) {
@@ -366,7 +366,7 @@ void write_outside(const Generation& generation, const StoredVariable& variable,
         out.line(line);
 }
 
-/// RoboSim: if a component can neither continue nor end its cycle, time stops.
+/// For RoboSim: writes the end of a cycle. If a component can neither continue nor end its cycle, time stops.
 void write_end_of_cycle(const Generation& generation, CodeWriter& out) {
     if (generation.mutation.hits(Fault::cycle_stop_hidden)) return;
     std::string ended;
@@ -478,7 +478,7 @@ void write_step_class(const Generation& generation, const Core& core, CodeWriter
 
 namespace {
 
-/// The members of the state for inputs that outlive their cycle.
+/// Returns the members of the state for inputs that outlive their cycle.
 std::vector<Field> kept_fields(const Generation& generation, const Core& core) {
     std::vector<Field> fields;
     for (const EventPort* event : core.kept_inputs) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the event API of the core: `Event`, `begin`, `dispatch` and `pass`, with a switch or a table if no action
-// waits.
+// Writes the event API of the core: `Event`, `begin`, `dispatch` and `pass`. If no action waits, they use a switch or a
+// table.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The name of the member that shows the state of the part's machine.
+/// Returns the name of the member that shows the state of the part's machine.
 std::string member_of(const Part& part) {
     return part.tag.empty() ? "state" : part.tag + ".state";
 }
@@ -55,7 +55,7 @@ private:
         }
     }
 
-    /// For each event that the platform raises, whether it is connected to this event of the machine.
+    /// Returns, for each event that the platform raises, whether it is connected to this event of the machine.
     [[nodiscard]] std::vector<bool> raised_events(const EventUse& use) const {
         std::vector<bool> result(events_.size());
         for (const std::size_t port : use.ports) {
@@ -68,9 +68,9 @@ private:
     /// The events that the transitions of a state and of its enclosing states await.
     struct Awaited {
         explicit Awaited(std::size_t events) : all(events), taken(events), level(events, EventPlace::no_level) {}
-        std::vector<bool> all;    ///< some transition awaits it
-        std::vector<bool> taken;  ///< some transition awaits it without a condition
-        /// Number of levels between the state and the source of the innermost such transition.
+        std::vector<bool> all;    ///< some transition awaits the event
+        std::vector<bool> taken;  ///< some transition awaits the event without a condition
+        /// The number of levels between the state and the source of the innermost such transition.
         std::vector<std::uint32_t> level;
         [[nodiscard]] std::vector<bool> conditional_events() const {
             std::vector<bool> result = all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the exploration interface: the core over finite carriers or tracked numbers, called through the C functions of
-// explore_abi.h. With tracked numbers, also the core over the types of deployment.
+// explore_abi.h. With tracked numbers, also writes the core over the types of deployment.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -74,7 +74,7 @@ private:
         out_.gap();
         out_.line("namespace {");
         out_.gap();
-        // not from the global scope, because batches wrap it
+        // The name is not relative to the global scope, because batches wrap this code.
         out_.line(fmt::format("namespace core = {};", core_.name_space));
     }
 
@@ -171,8 +171,8 @@ private:
 
     std::string type_text(ir::TypeId id) const { return cpp_type(generation_.system, id, spelling()); }
 
-    /// The table of all values of a composed type at the boundary. The numbers of the type are indices into it. A table
-    /// is used because compilers limit the work for a constant expression.
+    /// Returns the name of the table of all values of a composed type at the boundary. The numbers of the type are
+    /// indices into it. A table is used because compilers limit the work for a constant expression.
     std::string table_name(ir::TypeId id) const { return fmt::format("all_values_{}", id.index); }
 
     void value_tables() {
@@ -200,7 +200,7 @@ private:
         return static_cast<std::size_t>(std::ranges::find(tracked_, id) - tracked_.begin());
     }
 
-    /// The numbers of a value of a tracked type, as arguments. Recursion depth: the depth of types.
+    /// Returns the numbers of a value of a tracked type, as arguments. Recursion depth: the depth of types.
     std::string number_arguments(ir::TypeId id, const std::string& value) const {
         const ir::Type& type = generation_.system.type(id);
         if (is_numeric(type.kind)) return ", " + value;
@@ -210,7 +210,8 @@ private:
         return text;
     }
 
-    /// The value at `place` of a tracked type, from its part number `part` on. Recursion depth: the depth of types.
+    /// Returns the value at `place` of a tracked type, from its part number `part` on. Recursion depth: the depth of
+    /// types.
     std::string tracked_value(ir::TypeId id, std::size_t table, const std::string& place, std::size_t& part) const {
         const ir::Type& type = generation_.system.type(id);
         if (type.kind == ir::TypeKind::sequence)
@@ -228,7 +229,7 @@ private:
         return fmt::format("{}::make({})", type_text(id), parts);
     }
 
-    /// The value of an input whose register contains `place`.
+    /// Returns the value of an input whose register contains `place`.
     std::string input_value(const Register& input, const std::string& place) const {
         std::size_t part = 0;
         if (is_tracked(*input.type)) return tracked_value(*input.type, tracked_number(*input.type), place, part);
@@ -246,7 +247,8 @@ private:
                    : fmt::format("robochart::to_raw({})", value);
     }
 
-    /// Functions may have any value that the semantics allows; the default value is one of these (semantics 3.13).
+    /// Writes the functions of the model. They may have any value that the semantics allows; the default value is one
+    /// of these (semantics 3.13).
     void functions_of_the_model() {
         for (const FunctionHook& hook : generation_.component.functions) {
             const ir::Function& function = generation_.system.functions[hook.id.index];
@@ -352,8 +354,8 @@ private:
         out_.close();
     }
 
-    /// Writes a cycle that reads its registers on demand. The explorer compares the bytes of the object, so the code
-    /// clears them before.
+    /// Writes a cycle that reads its registers on demand. The code clears the bytes of the object first, because the
+    /// explorer compares them.
     void probe_function() {
         out_.gap();
         out_.open("Inputs unread_inputs() noexcept {");
@@ -427,7 +429,7 @@ private:
         out_.close();
     }
 
-    /// The types of numbers at the boundary, and what the code did with their values.
+    /// Writes the types of numbers at the boundary, and the functions that report what the code did with their values.
     void tracking_table() {
         std::vector<std::size_t> parts;
         for (const ir::TypeId type : tracked_) parts.push_back(ir::number_parts(generation_.system, type).size());
@@ -458,7 +460,7 @@ private:
         out_.close("};");
     }
 
-    /// Writes the same functions over the types of deployment. They use types of their own, because the inputs of other
+    /// Writes the same functions over the types of deployment. They have their own types, because the inputs of other
     /// sources do not record when they are read.
     void write_deployed() {
         numbers_ = Numbers::deployed;
@@ -486,7 +488,7 @@ private:
         numbers_ = Numbers::tracked;
     }
 
-    /// The interface of these functions.
+    /// Writes the table of these functions.
     void deployed_table() {
         out_.gap();
         out_.open("constexpr rc_deployed deployed_code = {");
@@ -524,7 +526,7 @@ private:
         out_.close();
     }
 
-    /// Registers are numbered with 16 bits there.
+    /// Returns whether registers can be read on demand. Registers are numbered with 16 bits there.
     [[nodiscard]] bool probed() const { return !registers_.empty() && registers_.size() <= UINT16_MAX; }
 
     const Generation& generation_;

@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::string_view buffer = "robochart::Buffer<";
 
-/// The type inside the brackets of a buffer. If the field is not a buffer, its type.
+/// Returns the type inside the brackets of a buffer. If the field is not a buffer, returns its type.
 std::string held_type(const std::string& type) {
     return type.starts_with(buffer) ? type.substr(buffer.size(), type.size() - buffer.size() - 1) : type;
 }
 
-/// Whether the field has parts. Sequences, sets, vectors, matrices and strings are types of the runtime; records and
-/// similar types have the carriers as template argument.
+/// Returns whether the field has parts. Sequences, sets, vectors, matrices and strings are types of the runtime;
+/// records and similar types have the carriers as template argument.
 bool is_compound(const std::string& type) {
     return type != "robochart::Flag" && (type.starts_with("robochart::") || type.ends_with(">"));
 }
@@ -31,7 +31,7 @@ bool is_filler(const Field& field) {
     return field.name.starts_with("filler[");
 }
 
-/// Whether values of the type have a name in the model and no parts.
+/// Returns whether values of the type have a name in the model and no parts.
 bool named_type(const ir::Type& type) {
     return type.kind == ir::TypeKind::enumeration && !is_struct(type);
 }
@@ -65,7 +65,7 @@ bool StatePrinters::words_of_logs() const {
            std::ranges::any_of(core_.machines, [&](const MachineCode& machine) { return any(machine.layout); });
 }
 
-/// Whether the type is an enumeration of the machines' code, or one of the model.
+/// Returns whether the type is an enumeration of the machines' code, or one of the model.
 bool StatePrinters::is_named_type(const std::string& type) const {
     const auto of_code = [&](const MachineCode& machine) {
         return std::ranges::any_of(machine.enumerations,
@@ -88,7 +88,7 @@ std::string StatePrinters::value_printer(const std::string& type, const std::str
     return fmt::format("text.add(static_cast<std::int64_t>({}), 1);", value);
 }
 
-/// An operation that does not run is in its initial state.
+/// Prints a frame. An operation that does not run is in its initial state.
 void StatePrinters::print_frame(CodeWriter& out, const Field& field) const {
     out.open(fmt::format("if (!(f.{} == core::{}<Checking>{{}})) {{", field.name,
                          field.type.substr(0, field.type.size() - std::string_view("<Types>").size())));

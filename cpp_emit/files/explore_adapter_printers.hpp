@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the functions with which the exploration interface prints a state: they print the name and value of each
+// Writes the functions with which the exploration interface prints a state. They print the name and value of each
 // field.
 #pragma once
 
@@ -16,7 +16,8 @@ class StatePrinters {
 public:
     StatePrinters(const Generation& generation, const Core& core) : generation_(generation), core_(core) {}
 
-    /// Whether some field has parts. Such values are printed as in logs (robochart/explore_values.hpp, NAME_trace.hpp).
+    /// Returns whether some field has parts. Such values are printed as in logs (robochart/explore_values.hpp,
+    /// NAME_trace.hpp).
     [[nodiscard]] bool words_of_logs() const;
     /// Writes the functions `print`; the last one prints the whole state.
     void write(CodeWriter&, Numbers numbers);

@@ -9,43 +9,43 @@
 
 namespace robochart::cpp_emit {
 
-/// The parts of the core's text that several files use.
+/// The data of the core's text that several files use.
 struct Core {
-    std::string name_space;                     ///< "aggregation::AggregationFSM_core"
+    std::string name_space;                     ///< qualified namespace: "aggregation::AggregationFSM_core"
     std::string relative;                       ///< the same namespace, relative to the package's
     std::string header;                         ///< file name
     std::vector<MachineCode> machines;          ///< in the order of Component::units
     FrameLayout layout;                         ///< layout of State
-    std::vector<const EventPort*> kept_inputs;  ///< Fault::event_kept: inputs that outlive the cycle
+    std::vector<const EventPort*> kept_inputs;  ///< Fault::event_kept: inputs that are not cleared after the cycle
 };
 
 /// Generates the code of all machines.
 [[nodiscard]] Core make_core(const Generation&);
-/// The core file: enumerations, State, Inputs, Step and step().
+/// Returns the core file: enumerations, State, Inputs, Step and step().
 [[nodiscard]] std::string core_header(const Generation&, const Core&);
-/// The file with the layout of State as a table, and the names of places (runtime/layout.hpp).
+/// Returns the file with the layout of State as a table, and the names of places (runtime/layout.hpp).
 [[nodiscard]] std::string layout_header(const Generation&, const Core&);
-/// Writes the concept that corresponds to the comment with the platform's methods, for calls like
+/// Writes the platform as a concept. The methods are also listed in a comment. `calls` contains calls such as
 /// "turn(std::declval<Real>())".
 void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
-/// Whether the code computes with tracked numbers and has inputs that are sequences of numbers.
+/// Returns whether the code computes with tracked numbers and has inputs that are sequences of numbers.
 [[nodiscard]] bool tracks_sequences(const Generation&);
-/// The source that exports robochart_explore() (runtime/explore_abi.h).
+/// Returns the source that exports robochart_explore() (runtime/explore_abi.h).
 [[nodiscard]] std::string shim_source(const Generation&, const Core&);
 
-/// The places in which a machine is busy while its state awaits events, and the states in which every transition on an
-/// event has a condition.
+/// Returns the places in which a machine is busy while its state awaits events, and the states in which every
+/// transition on an event has a condition.
 [[nodiscard]] std::vector<EventPlace> event_places(const Generation&, const Core&);
-/// For each event that the platform raises, in the order of Inputs: whether it can be lost while a machine is busy. It
-/// can be lost if the machine awaits it and has an action that may take time.
+/// Returns, for each event that the platform raises, in the order of Inputs, whether it can be lost while a machine is
+/// busy. This is possible if the machine awaits the event and has an action that may take time.
 [[nodiscard]] std::vector<bool> lost_in_actions(const Generation&, const Core&);
 
-/// The header for a traced controller. It lists the transitions by number and writes runs as logs (runtime/trace.hpp,
-/// docs/traces.md).
+/// Returns the header for a traced controller. It lists the transitions by number and writes runs as logs
+/// (runtime/trace.hpp, docs/traces.md).
 [[nodiscard]] std::string trace_header(const Generation&, const Core&);
 [[nodiscard]] std::string trace_header_name(const Generation&);
 
-/// The texts of the headers in cpp_emit/runtime, which are built into this program.
+/// The following functions return the texts of the headers in cpp_emit/runtime, which are built into this program.
 [[nodiscard]] std::string runtime_header();
 [[nodiscard]] std::string finite_header();
 [[nodiscard]] std::string tracked_header();
@@ -74,7 +74,7 @@ void write_platform_concept(const std::vector<std::string>& calls, CodeWriter&);
 
 /// Writes "Generated from RoboChart ... edit the model" at the top of a file.
 void file_comment(const Generation&, CodeWriter&, const std::string& what);
-/// The C++ namespace for a package: "a::b", or "robot" for the unnamed package.
+/// Returns the C++ namespace for a package: "a::b", or "robot" for the unnamed package.
 [[nodiscard]] std::string package_namespace(const std::string& package);
 
 }  // namespace robochart::cpp_emit

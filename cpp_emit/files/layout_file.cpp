@@ -55,7 +55,7 @@ private:
             "\"no padding\");");
     }
 
-    /// The layout of the frame with this type; null if the type is not a frame.
+    /// Returns the layout of the frame with this type, or null if the type is not a frame.
     [[nodiscard]] const FrameLayout* find_layout(const std::string& type) const {
         const auto& units = generation_.component.units;
         assert(core_.machines.size() == units.size());
@@ -83,7 +83,7 @@ private:
         }
     }
 
-    /// The number of values of the type; 0 if the type is not an enumeration of the core.
+    /// Returns the number of values of the type, or 0 if the type is not an enumeration of the core.
     [[nodiscard]] std::size_t values_of(const std::string& type) const {
         for (const MachineCode& machine : core_.machines)
             for (const Enumeration& enumeration : machine.enumerations)

@@ -30,7 +30,7 @@ Surroundings context_of_part(const Generation& generation, const Part& part) {
     return {};
 }
 
-/// The name under which a machine or operation runs in its controller.
+/// Returns the name under which a machine or operation runs in its controller.
 std::string name_in(const Surroundings& around, const Unit& unit, const Part& part) {
     if (around.controller == nullptr) return "";
     const ir::Controller& controller = *around.controller;
@@ -39,7 +39,7 @@ std::string name_in(const Surroundings& around, const Unit& unit, const Part& pa
     return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
 }
 
-/// Whether `--const` can set constants of the type.
+/// Returns whether `--const` can set constants of the type.
 bool is_settable(const ir::Type& type) {
     switch (type.kind) {
         case ir::TypeKind::boolean:

@@ -18,8 +18,8 @@ struct OpenConstant {
     std::string literal;  ///< the value as RoboChart text, as for `--const`
 };
 
-/// The open constants of the component's machines that an option can set: truth values, numbers, and literals without
-/// arguments. Ordered by their names in CSP.
+/// Returns the open constants of the component's machines that an option can set: truth values, numbers, and literals
+/// without arguments. They are ordered by their names in CSP.
 [[nodiscard]] std::vector<OpenConstant> open_constants(const Generation&);
 
 }  // namespace robochart::cpp_emit

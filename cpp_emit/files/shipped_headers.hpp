@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The headers that are delivered with generated code, below robochart/.
+// Lists the headers that are delivered with generated code, below robochart/.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace robochart::cpp_emit {
 
-/// All headers that generated code may include, below robochart/.
+/// Returns all headers that generated code may include.
 [[nodiscard]] std::vector<OutputFile> shipped_headers();
-/// The headers among these that the component needs.
+/// Returns those of these headers that the component needs.
 [[nodiscard]] std::vector<OutputFile> value_headers(const Component&);
 
 }  // namespace robochart::cpp_emit

@@ -84,7 +84,8 @@ private:
             cpp_string(constant_lines()), transitions_));
     }
 
-    /// The code contains the values of these constants, so a log is a log of the model with these values.
+    /// Returns lines for the constants whose values the code contains. A log is therefore a log of the model with these
+    /// values.
     [[nodiscard]] std::string constant_lines() const {
         std::string lines;
         for (const OpenConstant& constant : open_constants(generation_))
@@ -262,7 +263,7 @@ private:
         out_.close();
     }
 
-    /// In the classes, variables that others write are members, not inputs.
+    /// Writes the outside writes. In the classes, variables that others write are members, not inputs.
     void outside_writes() {
         for (const StoredVariable& variable : generation_.component.variables) {
             if (variable.input.empty() || variable.copy) continue;

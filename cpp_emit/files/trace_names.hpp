@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of inputs and outputs in logs of runs (docs/traces.md): the names of the model if they are unique.
+// Names inputs and outputs in logs of runs (docs/traces.md). The names are those of the model if they are unique.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace robochart::cpp_emit {
 
-/// Version of the log format.
+/// The version of the log format.
 inline constexpr int trace_version = 1;
 
-/// Converts names of the interfaces in runtime/ ("seeRobot.in", "set_EXT_reached", "MoveCall", "set_linearSpeed") to
-/// "seeRobot", "reached", "Move", "linearSpeed". A name stays unchanged if two would become equal. Inputs and outputs
-/// are converted separately.
+/// Converts names of the interfaces in runtime/, such as "seeRobot.in", "set_EXT_reached", "MoveCall" and
+/// "set_linearSpeed", to "seeRobot", "reached", "Move" and "linearSpeed". If two names would become equal, they stay
+/// unchanged. Inputs and outputs must be converted separately.
 [[nodiscard]] std::vector<std::string> trace_names(const std::vector<std::string>& interface_names);
-/// `trace_names` of channels, which have a member `name`.
+/// Applies `trace_names` to channels, which must have a member `name`.
 template <class Channel>
 [[nodiscard]] std::vector<std::string> trace_names_of(const std::vector<Channel>& channels) {
     std::vector<std::string> names;

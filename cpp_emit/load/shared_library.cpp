@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiles and loads code; see shared_library.hpp. The flags separate two loaded controllers: each symbol is local to
 // its object (hidden visibility, RTLD_LOCAL), and inline variables are not merged across objects (-fno-gnu-unique).
-// Otherwise one controller would use the other's tables, and every comparison would succeed.
+// Otherwise one controller would use the tables of the other one, and every comparison would succeed.
 #include "cpp_emit/load/shared_library.hpp"
 
 #include <dlfcn.h>
@@ -43,12 +43,12 @@ std::vector<std::string> command_line(const BuildOptions& options, const fs::pat
     std::vector<std::string> command{options.compiler};
     for (std::string& flag : split_words(options.flags)) command.push_back(std::move(flag));
     command.insert(command.end(), {"-shared", "-fPIC", "-fvisibility=hidden", "-I", folder.string(), "-o", target});
-    // absolute paths, because a compiler does not accept "-x" and "@x" as file names
+    // The paths are absolute, because a compiler does not accept "-x" and "@x" as file names.
     for (const std::string& source : sources) command.push_back(fs::absolute(folder / source).string());
     return command;
 }
 
-/// Whether the compiler ran out of memory. In that case its failure is no evidence about the code.
+/// Returns whether the compiler ran out of memory. In that case its failure tells nothing about the code.
 bool lacked_memory(const std::string& output) {
     const auto says = [&](const char* words) { return output.find(words) != std::string::npos; };
     return says("memory exhausted") || says("out of memory") || says("annot allocate memory") ||
@@ -78,8 +78,9 @@ bool compile_sources(const BuildOptions& options, const fs::path& folder, const 
     return status == 0;
 }
 
-/// The inputs of a compilation other than its command line: the identity of the compiler, from its version text and its
-/// file, and the folders that the environment adds to its search path. No value if the compiler does not answer.
+/// Returns the inputs of a compilation other than its command line: the identity of the compiler (its version text and
+/// its file), and the folders that the environment adds to its search path. Returns no value if the compiler does not
+/// answer.
 std::optional<std::string> compiler_identity(const BuildOptions& options, const fs::path& folder) {
     std::string error;
     const std::string log = (folder / "version.log").string();
@@ -92,7 +93,7 @@ std::optional<std::string> compiler_identity(const BuildOptions& options, const 
     return identity;
 }
 
-/// A key for the cache. Equal keys mean that files and compilers produce the same object.
+/// Returns a key for the cache. Equal keys mean that files and compilers produce the same object.
 std::optional<diagnostics::Digest> key_of(const std::vector<OutputFile>& files, const std::vector<std::string>& sources,
                                           const BuildOptions& options, const fs::path& folder) {
     if (options.cache == nullptr) return std::nullopt;
@@ -120,7 +121,7 @@ bool restore_object(const std::optional<diagnostics::Digest>& key, const BuildOp
     return out.write(object->data(), static_cast<std::streamsize>(object->size())).flush().good();
 }
 
-/// Each build gets a unique name, because the loader would return a loaded object with the same name.
+/// Returns a unique name for each build, because the loader would return a loaded object with the same name.
 std::string object_name(const fs::path& folder, std::string& error) {
     std::string name = (folder / "controller-XXXXXX.so").string();
     const int file = mkstemps(name.data(), 3);

@@ -18,10 +18,10 @@ struct BuildOptions {
     std::string flags;                      ///< separated by blanks
     std::string work_dir;                   ///< "": a new temporary folder, deleted with the object
     diagnostics::Budget* budget = nullptr;  ///< budget of the run; the compiler is killed if a limit is reached
-    diagnostics::Cache* cache = nullptr;    ///< holds objects that earlier runs have compiled from the same files
+    diagnostics::Cache* cache = nullptr;    ///< cache of objects that earlier runs have compiled from the same files
 };
 
-/// Thrown if no compiler can be run. The failure is then no evidence about the code.
+/// Thrown if no compiler can be run. In this case, the failure tells nothing about the code.
 class NoCompiler : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -32,7 +32,7 @@ public:
 class SharedLibrary {
 public:
     /// Writes `files` below the work folder, compiles `sources` (paths as in `files`) into one shared object and loads
-    /// it. On failure returns null and sets `error` to the cause, including the compiler's output if there is any.
+    /// it. If this fails, returns null, and `error` contains the cause and the compiler's output if there is any.
     /// Throws diagnostics::LimitReached and NoCompiler.
     static std::unique_ptr<SharedLibrary> build(const std::vector<OutputFile>& files,
                                                 const std::vector<std::string>& sources, const BuildOptions&,
@@ -41,7 +41,7 @@ public:
     SharedLibrary(const SharedLibrary&) = delete;
     SharedLibrary& operator=(const SharedLibrary&) = delete;
 
-    /// The address of an exported function; null if there is none with this name.
+    /// Returns the address of an exported function, or null if there is none with this name.
     [[nodiscard]] void* find_symbol(const char* name) const;
 
 private:

@@ -17,7 +17,7 @@ using ir::NodeKind;
 
 namespace {
 
-/// The probability of an alternative of a junction; 1 if the model gives none.
+/// Returns the probability of an alternative of a junction, or 1 if the model gives none.
 std::string chance_text(const ir::ExprPtr& probability, const ExpressionWriter& expressions) {
     if (!probability) return "1.0";
     if (probability->kind == ir::ExprKind::real) return decimal_text(probability->decimal);
@@ -63,13 +63,13 @@ void ControlCode::write_choice(NodeId id) {
     program.write_line("break;");
 }
 
-/// RoboSim: no transition is taken after the end of the cycle.
+/// For RoboSim: ensures that no transition is taken after the end of the cycle.
 void ControlCode::await_cycle(ProgramWriter& program) {
     if (plan_.awaits_registers())
         program.write_line(fmt::format("if ({}) return moved;", ended_member(generation_.component, unit_)));
 }
 
-/// Writes the place of a probabilistic junction. The junction is a nondeterministic choice in the semantics; the
+/// Writes the place of a probabilistic junction. In the semantics the junction is a nondeterministic choice; the
 /// platform draws an alternative.
 void ControlCode::draw_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, plan_.node(id).parent);
@@ -122,8 +122,8 @@ void ControlCode::write_exits(NodeId id) {
     if (plan_.shared_exit(id)) exit_place(id);
 }
 
-/// Writes a shared exit place: the state's exit action, then the transition that leaves the state, or the exit of its
-/// parent.
+/// Writes a shared exit place: the state's exit action, followed by the transition that leaves the state, or by the
+/// exit of its parent.
 void ControlCode::exit_place(NodeId id) {
     ProgramWriter program(generation_, unit_, control_, id);
     const ir::Node& node = plan_.node(id);
@@ -156,7 +156,7 @@ void ControlCode::write_taking(ir::TransitionId id) {
 }
 
 /// Writes the place for taking a transition: the exit action of its source, unless that has a separate place, and the
-/// transition's action. One of the two may wait.
+/// transition's action. One of these actions may wait.
 void ControlCode::take_place(ir::TransitionId id) {
     ProgramWriter program(generation_, unit_, control_, shown_while_taking(id));
     const ir::Transition& transition = plan_.machine().transitions[id.index];
@@ -173,8 +173,8 @@ void ControlCode::take_place(ir::TransitionId id) {
     program.write_line("break;");
 }
 
-/// The state that the machine shows during a transition's action: the source, or the parent of an initial node or
-/// junction.
+/// Returns the state that the machine shows during a transition's action: the source, or the parent of an initial node
+/// or junction.
 ir::NodeId ControlCode::shown_while_taking(ir::TransitionId id) const {
     const NodeId source = plan_.machine().transitions[id.index].source;
     return plan_.node(source).kind == NodeKind::state ? source : plan_.node(source).parent;

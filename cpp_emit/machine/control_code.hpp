@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the control and during threads: entry, exit and transition actions in the order of semantics 3.4. That order
-// is exits (innermost first), transition action, target's entry, initial transition and first child, `entered`.
+// Writes the control and during threads: entry, exit and transition actions in the order of semantics 3.4. The order
+// is: exits (innermost first), the transition's action, the target's entry, the initial transition and the first child,
+// and then the target is entered (`entered`).
 #pragma once
 
 #include "cpp_emit/machine/order_fault_code.hpp"

@@ -25,7 +25,7 @@ bool ControlSteps::has_place(const ir::Transition& transition) {
     return plan_.acts_after_trigger(transition) || faults_.acts_late(transition);
 }
 
-/// The lines of a program that never waits.
+/// Returns the lines of a program that never waits.
 std::string ControlSteps::straight_program(const ir::StmtPtr& program, std::size_t depth) {
     Thread lines;
     ProgramWriter writer(generation_, unit_, lines, {});
@@ -35,13 +35,13 @@ std::string ControlSteps::straight_program(const ir::StmtPtr& program, std::size
     return writer.current_code().text();
 }
 
-/// The statement that runs the exits of a state and of its active inner states; "" if there are none.
+/// Returns the statement that runs the exits of a state and of its active inner states; "" if there are none.
 std::string ControlSteps::leave_statement(NodeId id) const {
     if (plan_.exits_below(id)) return function_call("leave_" + plan_.label_of(id)) + ";";
     return plan_.node(id).exit ? function_call(plan_.exit_label(id)) + ";" : "";
 }
 
-/// The statement that moves control into a node.
+/// Returns the statement that moves control into a node.
 std::string ControlSteps::arrive_statement(NodeId id) {
     assert(id.index < unit_.machine->nodes.size());
     if (plan_.needs_entry(id))
@@ -51,7 +51,7 @@ std::string ControlSteps::arrive_statement(NodeId id) {
     return rests ? control_.go_statement(plan_.label_of(id)) : function_call("pass_" + plan_.label_of(id)) + ";";
 }
 
-/// The statement that continues a transition after the exits.
+/// Returns the statement that continues a transition after the exits.
 const std::string& ControlSteps::proceed_statement(const ir::Transition& transition) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     assert(id.index < unit_.machine->transitions.size());
@@ -156,7 +156,7 @@ void ControlSteps::write_blocking(NodeId id, CodeWriter& out, const char* end) {
     out.close();
 }
 
-/// Does the same, but the platform picks one of the transitions whose guards hold.
+/// Like write_ways, but the platform picks one of the transitions whose guards hold.
 bool ControlSteps::pick_way(NodeId id, CodeWriter& out, const char* end) {
     const bool function = *end == 'r';
     const auto& outgoing = plan_.node(id).outgoing;
@@ -197,7 +197,7 @@ std::string ControlSteps::tell_taken(ir::TransitionId id) const {
     return fmt::format("taken({});", transition_number(unit_, id));
 }
 
-/// The guard; if the code has choices, also the condition that the platform has picked the transition.
+/// Returns the guard. If the code has choices, it includes the condition that the platform has picked the transition.
 CppExpr ControlSteps::picked_guard(const CppExpr& guard) const {
     return generation_.options.choices ? conjunction(guard, CppExpr("in_turn()")) : guard;
 }

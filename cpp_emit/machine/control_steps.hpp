@@ -14,38 +14,41 @@ public:
     ControlSteps(MachineContext& context, OrderFaults& faults)
         : MachineCodePart(context), faults_(faults), proceeds_(context.unit.machine->transitions.size()) {}
 
-    /// Whether control enters the node without waiting, according to the plan, and no seeded fault forbids it.
+    /// Returns whether control enters the node without waiting according to the plan, and no seeded fault forbids this.
     [[nodiscard]] bool enters_without_waiting(ir::NodeId);
-    /// Whether the transition continues at a separate place after its trigger, because an exit or its action may wait.
+    /// Returns whether the transition continues at a separate place after its trigger, because an exit or its action
+    /// may wait.
     [[nodiscard]] bool has_place(const ir::Transition&);
-    /// The lines of a program that never waits.
+    /// Returns the lines of a program that never waits.
     [[nodiscard]] std::string straight_program(const ir::StmtPtr& program, std::size_t depth);
-    /// The statement that runs the exits of a state and of its active inner states; "" if there are none.
+    /// Returns the statement that runs the exits of a state and of its active inner states; "" if there are none.
     [[nodiscard]] std::string leave_statement(ir::NodeId) const;
-    /// The statement that moves control into a node.
+    /// Returns the statement that moves control into a node.
     [[nodiscard]] std::string arrive_statement(ir::NodeId);
-    /// The statement that continues a transition after the exits.
+    /// Returns the statement that continues a transition after the exits.
     [[nodiscard]] const std::string& proceed_statement(const ir::Transition&);
-    /// Writes the code after a node's entry action; `end` leaves the code that contains it.
+    /// Writes the code after a node's entry action. `end` is the statement that leaves this code: "return;" or
+    /// "break;".
     void write_settling(ir::NodeId, CodeWriter&, const char* end);
     /// Writes the code with which control enters an initial node and, if its transition has no condition, moves on to
     /// the target.
     void begin(ir::NodeId initial, CodeWriter&);
-    /// Writes the code that marks a state as entered, and each composite state whose first child it is (semantics
-    /// 3.3 a).
+    /// Writes the code that marks a state as entered. Also marks each composite state of which it is the first child
+    /// (semantics 3.3 a).
     void note_entry(ir::NodeId, CodeWriter&);
-    /// Writes the code that takes the first transition whose guard holds. Returns true if there may be none; control
-    /// then stays (semantics 3.3, 3.4).
+    /// Writes the code that takes the first transition whose guard holds. Returns true if there may be no such
+    /// transition; control then stays (semantics 3.3, 3.4).
     bool write_ways(ir::NodeId, CodeWriter&, const char* end);
     void write_blocking(ir::NodeId, CodeWriter&, const char* end);
-    /// The guard preceded by its preconditions; `incoming` is the text of the incoming value. Empty if there is no
-    /// guard.
+    /// Returns the guard preceded by its preconditions. `incoming` is the text of the incoming value. The result is
+    /// empty if there is no guard.
     [[nodiscard]] CppExpr guard_condition(const ir::Transition&, const std::string& incoming) const;
-    /// The call of the trace hook.
+    /// Returns the call of the trace hook.
     [[nodiscard]] std::string tell_taken(ir::TransitionId) const;
-    /// The guard; if the code has choices, also the condition that the platform has picked the transition.
+    /// Returns the guard. If the code has choices, it includes the condition that the platform has picked the
+    /// transition.
     [[nodiscard]] CppExpr picked_guard(const CppExpr& guard) const;
-    /// The statement that starts a deadline.
+    /// Returns the statement that starts a deadline.
     [[nodiscard]] std::string start_of(const Watch&) const;
 
 private:

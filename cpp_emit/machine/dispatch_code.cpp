@@ -23,8 +23,8 @@ constexpr std::size_t leaves_for_table = 5;
 
 }  // namespace
 
-/// Whether every transition is one straight effect, so that control rests only in states (or in a junction without an
-/// enabled transition).
+/// Returns whether every transition is one straight effect, so that control rests only in states (or in a junction
+/// without an enabled transition).
 bool DispatchCode::is_direct() const {
     const auto& nodes = plan_.machine().nodes;
     for (std::uint32_t index = 0; index < nodes.size(); ++index)
@@ -42,7 +42,7 @@ bool DispatchCode::is_direct() const {
            std::ranges::none_of(transitions, waits);
 }
 
-/// Whether the transition waits for no event of the platform.
+/// Returns whether the transition waits for no event of the platform.
 bool DispatchCode::is_urgent(const ir::Transition& transition) const {
     return !transition.trigger || generation_.component.find_event(unit_, transition.trigger->event).is_spontaneous();
 }
@@ -54,7 +54,7 @@ bool DispatchCode::asks_for(const ir::Transition& transition, const EventPort& p
     return &generation_.component.events[use.ports.front()] == &port;
 }
 
-/// Whether a transition of the node or its parents needs no event, or control may continue from a junction.
+/// Returns whether a transition of the node or its parents needs no event, or control may continue from a junction.
 bool DispatchCode::goes_on(NodeId rest) const {
     if (!plan_.is_resting_place(rest)) return true;
     const std::vector<NodeId> chain = plan_.state_chain(rest);
@@ -65,7 +65,7 @@ bool DispatchCode::goes_on(NodeId rest) const {
     });
 }
 
-/// Whether transitions without events must be tried after entering a node.
+/// Returns whether transitions without events must be tried after entering a node.
 bool DispatchCode::look_after(NodeId target) const {
     std::vector<bool> seen(plan_.machine().nodes.size(), false);
     std::vector<NodeId> open = {target};
@@ -98,14 +98,15 @@ std::string DispatchCode::rest_result() const {
                                          "robochart::StepResult::quiescent;";
 }
 
-/// Whether the declared order tries the transition before all others.
+/// Returns whether the declared order tries the transition before all others.
 bool DispatchCode::is_first(const ir::Transition& transition) const {
     const auto& first = generation_.options.order.first;
     const auto found = first.find(unit_.id.index);
     return found != first.end() && std::ranges::find(found->second, transition.trigger->event) != found->second.end();
 }
 
-/// Writes the effect of a transition from a leaf, taken on the event of `port`, or without an event if `port` is null.
+/// Writes the effect of a transition from a leaf. The transition is taken on the event of `port`, or without an event
+/// if `port` is null.
 void DispatchCode::case_effect(const ir::Transition& transition, const EventPort* port, CodeWriter& out) {
     const ir::TransitionId id{static_cast<std::uint32_t>(&transition - plan_.machine().transitions.data())};
     assert(id.index < unit_.machine->transitions.size());
@@ -141,8 +142,8 @@ std::string DispatchCode::incoming_value(const ir::Transition& transition) const
     return "inputs_." + generation_.component.events[use.ports.front()].input + ".get()";
 }
 
-/// The transitions of a leaf and its parents that an event (or, for null, no event) may trigger, in the order in which
-/// they are tried.
+/// Returns the transitions of a leaf and its parents that an event (or, for null, no event) may trigger, in the order
+/// in which they are tried.
 std::vector<const ir::Transition*> DispatchCode::candidate_transitions(NodeId leaf, const EventPort* port) const {
     std::vector<NodeId> chain = plan_.state_chain(leaf);
     std::vector<std::vector<const ir::Transition*>> by_state;
@@ -164,7 +165,7 @@ std::vector<const ir::Transition*> DispatchCode::candidate_transitions(NodeId le
     return all;
 }
 
-/// The condition for a transition in a case; empty if there is none.
+/// Returns the condition for a transition in a case; empty if there is none.
 CppExpr DispatchCode::case_condition(const ir::Transition& transition) const {
     const std::string value = transition.trigger ? incoming_value(transition) : "";
     const CppExpr predicate =
@@ -172,8 +173,8 @@ CppExpr DispatchCode::case_condition(const ir::Transition& transition) const {
     return conjunction(predicate, steps_.guard_condition(transition, value));
 }
 
-/// The code for control that does not rest in a state: at the beginning, or in a junction without an enabled
-/// transition.
+/// Writes the code for control that does not rest in a state. This is so at the beginning, and in a junction without an
+/// enabled transition.
 void DispatchCode::place_body(NodeId place, CodeWriter& out) {
     out.comment("from " + generation_.place_text(plan_.node(place).origin));
     if (place == plan_.machine().initial) {
@@ -188,7 +189,7 @@ void DispatchCode::place_body(NodeId place, CodeWriter& out) {
     out.line("break;");
 }
 
-/// The effect of an event in a leaf; "" if it has none.
+/// Returns the code for the effect of an event in a leaf; "" if it has none.
 std::string DispatchCode::case_body(NodeId leaf, const EventPort* port, std::size_t depth) {
     CodeWriter out(depth);
     if (!plan_.is_resting_place(leaf)) {
@@ -226,7 +227,7 @@ void DispatchCode::dispatch_function() {
         leaves += plan_.is_resting_place(row) ? 1U : 0U;
         quiet = quiet || (plan_.is_resting_place(row) && goes_on(row));
     }
-    // One row is for the machine before it has started. This row does not consume the event.
+    // One row is for the machine before it has started. It does not consume the event.
     const bool places = std::ranges::any_of(
         rows, [&](NodeId row) { return !plan_.is_resting_place(row) && row != plan_.machine().initial; });
     if (quiet || places) columns.push_back(nullptr);
@@ -276,7 +277,7 @@ void DispatchCode::begin_function(const std::vector<const EventPort*>& columns) 
     out_.close();
 }
 
-/// A cycle without inputs: transitions that need no event, then time passes.
+/// Writes a cycle without inputs: transitions that need no event are taken, then time passes.
 void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& columns) {
     out_.open_declaration("A cycle without inputs, once the machine has begun.",
                           "robochart::StepResult pass() noexcept {");
@@ -296,7 +297,8 @@ void DispatchCode::pass_function_of_time(const std::vector<const EventPort*>& co
     out_.close();
 }
 
-/// The event of the case. With Fault::dispatch_shifted, the next event if it belongs to another case.
+/// Returns the event of the case. With Fault::dispatch_shifted, returns the next event instead, if its case has a
+/// different body.
 const EventPort* DispatchCode::taken_for(NodeId row, const EventPort& port,
                                          const std::vector<const EventPort*>& columns) {
     const auto place = static_cast<std::size_t>(std::ranges::find(columns, &port) - columns.begin());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the event API of a machine whose programs never wait. The reaction of a state to an event is one case,
-// selected by a nested switch or, from five states on, by a dense table. Each case tries the transitions in the order
+// Writes the event API of a machine whose programs never wait. The reaction of a state to an event is one case. A
+// nested switch selects the case or, from five states on, a dense table. Each case tries the transitions in the order
 // of step(): inner states first, then textual order (semantics 3.4). Then it takes transitions that need no event until
 // none is enabled.
 #pragma once
@@ -15,8 +15,8 @@ public:
     DispatchCode(MachineContext& context, ControlSteps& steps, const TimeCode& time, const FrameCode& frame)
         : MachineCodePart(context), steps_(steps), time_(time), frame_(frame) {}
 
-    /// Whether every transition is one straight effect, so that control rests only in states (or in a junction without
-    /// an enabled transition), and dispatch can be written as a switch.
+    /// Returns whether every transition is one straight effect. Control then rests only in states (or in a junction
+    /// without an enabled transition), and dispatch can be written as a switch.
     [[nodiscard]] bool is_direct() const;
     /// Writes dispatch, begin and pass.
     void dispatch_function();

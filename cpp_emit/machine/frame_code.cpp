@@ -16,7 +16,7 @@ using ir::NodeKind;
 
 namespace {
 
-/// Enumerations with up to 256 values take one byte.
+/// Returns the size of an enumeration. With up to 256 values, it takes one byte.
 std::size_t enumeration_size(std::size_t values) {
     return values <= 256 ? 1 : 2;
 }
@@ -95,14 +95,14 @@ FrameLayout FrameCode::make_layout(const std::vector<Field>& more) {
     return arrange_fields(std::move(fields), time_.is_timed());
 }
 
-/// The target of the transition that begins at the place; invalid if none begins there.
+/// Returns the target of the transition that begins at the place; invalid if none begins there.
 NodeId FrameCode::target_of(const std::string& label) const {
     for (std::uint32_t index = 0; index < plan_.machine().transitions.size(); ++index)
         if (plan_.take_label(ir::TransitionId{index}) == label) return plan_.machine().transitions[index].target;
     return {};
 }
 
-/// The values of Frame::at: nodes in which control rests, places of programs that may wait.
+/// Returns the values of Frame::at: nodes in which control rests, and places of programs that may wait.
 Enumeration FrameCode::control_points() const {
     Enumeration at{
         unit_.points, fmt::format("Where {} is: in a node, or in the middle of a program.", unit_.machine->name), {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The struct of a machine's state, and the enumerations of its members.
+// Computes the struct of a machine's state, and the enumerations of its members.
 #pragma once
 
 #include "cpp_emit/machine/time_code.hpp"
@@ -11,11 +11,11 @@ class FrameCode : private MachineCodePart {
 public:
     FrameCode(MachineContext& context, const TimeCode& time) : MachineCodePart(context), time_(time) {}
 
-    /// The struct of the machine's state, including the members `more`.
+    /// Returns the struct of the machine's state, including the members `more`.
     [[nodiscard]] FrameLayout make_layout(const std::vector<Field>& more);
-    /// The values of Frame::at: nodes in which control rests, places of programs that may wait.
+    /// Returns the values of Frame::at: nodes in which control rests, and places of programs that may wait.
     [[nodiscard]] Enumeration control_points() const;
-    /// All enumerations of the frame; the first contains the places.
+    /// Returns all enumerations of the frame. The first one contains the places.
     [[nodiscard]] std::vector<Enumeration> all_enumerations() const;
 
 private:

@@ -10,8 +10,8 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The size of a filler member as C++ text, for members whose sizes only the compiler knows. The size is never zero,
-/// because C++ has no empty arrays.
+/// Returns the size of a filler member as C++ text, for members whose sizes only the compiler knows. The size is never
+/// zero, because C++ has no empty arrays.
 std::string filler_text(const FrameLayout& layout) {
     std::string sum;
     for (const Field& field : layout.fields) sum += (sum.empty() ? "sizeof(" : " + sizeof(") + field.type + ")";
@@ -25,7 +25,7 @@ FrameLayout arrange_fields(std::vector<Field> fields, bool timed) {
     FrameLayout layout;
     layout.timed = timed;
     for (const Field& field : fields) {
-        // Members in the order of their alignment have no padding between them.
+        // Members that are sorted by alignment have no padding between them.
         assert(field.alignment > 0 && field.size % field.alignment == 0);
         layout.size += field.size;
         layout.alignment = std::max(layout.alignment, field.alignment);

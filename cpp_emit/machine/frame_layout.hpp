@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The struct of a machine's state and its enumerations, as data.
+// Declares the struct of a machine's state and its enumerations, as data.
 #pragma once
 
 #include <map>
@@ -25,7 +25,8 @@ struct Enumeration {
     std::vector<Enumerator> values;
 };
 
-/// A member of a state struct. Structs have no padding: members are sorted by alignment, and filler members are added.
+/// A member of a state struct. Structs have no padding, because members are sorted by alignment and filler members are
+/// added.
 struct Field {
     std::string type;
     std::string name;
@@ -49,7 +50,7 @@ struct FrameLayout {
 /// The layouts of frames by Unit::number.
 using Layouts = std::map<std::size_t, FrameLayout>;
 
-/// Sorts fields by alignment and fills the struct up to a multiple of its alignment.
+/// Sorts fields by alignment, and fills the struct up to a multiple of its alignment.
 [[nodiscard]] FrameLayout arrange_fields(std::vector<Field> fields, bool timed);
 
 }  // namespace robochart::cpp_emit

@@ -22,8 +22,8 @@ struct MachineCode {
     std::vector<ViolationPlace> violations;
 };
 
-/// `done` contains the layouts of the operations that the unit calls, `type_names` is the scope of the core's
-/// namespace, `more` are further members of the state.
+/// Generates the code. `done` contains the layouts of the operations that the unit calls, `type_names` is the scope of
+/// the core's namespace, and `more` contains further members of the state.
 [[nodiscard]] MachineCode generate_machine(const Generation&, const Unit&, const Layouts& done, NameScope& type_names,
                                            const std::vector<Field>& more);
 

@@ -71,8 +71,8 @@ MachineContext::MachineContext(const Generation& owner, const Unit& described, c
     }
 }
 
-/// The during action of a state without children that never waits and runs alone is executed when the state is entered,
-/// which has the same effect as a separate thread.
+/// Returns whether the during action is executed when the state is entered. This is so if the state has no children,
+/// and the action never waits and runs alone. It then has the same effect as a separate thread.
 bool MachineContext::runs_on_entry(NodeId id) const {
     const ir::Node& node = plan.node(id);
     const std::vector<NodeId> around = plan.ancestors(id);

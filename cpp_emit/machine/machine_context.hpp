@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data that the writers of one machine's code share: the plan, the threads, and the text written so far.
+// Declares the data that the writers of one machine's code share: the plan, the threads, and the text written so far.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct DuringThread {
     Thread thread;
 };
 
-/// The deadline of a transition: after its source is entered, and while its guard holds, the source must be left in
+/// The deadline of a transition. After its source is entered, and while its guard holds, the source must be left in
 /// time (semantics 3.10).
 struct Watch {
     ir::TransitionId transition;
@@ -34,16 +34,16 @@ struct MachineContext {
     MachineContext(const MachineContext&) = delete;
     MachineContext& operator=(const MachineContext&) = delete;
 
-    /// Whether the during action is executed when the state is entered: the state has no children, and the action never
-    /// waits and runs alone, so this has the same effect as a separate thread.
+    /// Returns whether the during action is executed when the state is entered. This is possible if the state has no
+    /// children, and the action never waits and runs alone. It then has the same effect as a separate thread.
     [[nodiscard]] bool runs_on_entry(ir::NodeId) const;
-    /// The head of a function of the unit: `name(frames) noexcept {`.
+    /// Returns the head of a function of the unit: `name(frames) noexcept {`.
     [[nodiscard]] std::string function_head(const std::string& name) const;
-    /// `name(f)`: a call with the frames that the unit's functions take as arguments.
+    /// Returns the call `name(f)`, with the frames that the unit's functions take as arguments.
     [[nodiscard]] std::string function_call(const std::string& name) const;
-    /// The condition that the thread calls the operation: "f.at == At::S1_1 || f.at == At::S1_2".
+    /// Returns the condition that the thread calls the operation: "f.at == At::S1_1 || f.at == At::S1_2".
     [[nodiscard]] static std::string in_call(const Thread&, const CallFrame&);
-    /// The call of the called operation's function: `name(f.turn, ...)`.
+    /// Returns the call of the called operation's function: `name(f.turn, ...)`.
     [[nodiscard]] std::string call_inside(const CallFrame&, const std::string& name) const;
 
     const Generation& generation;
@@ -56,11 +56,11 @@ struct MachineContext {
     std::vector<Watch> watches;
     std::string leaving;                ///< enumeration of transitions in progress; "" if there is none
     std::string next;                   ///< enumeration of transitions that ended the last cycle; "" if there is none
-    std::vector<ir::NodeId> histories;  ///< Fault::composite_resumed
+    std::vector<ir::NodeId> histories;  ///< Fault::composite_resumed: composite states that remember their inner state
     CodeWriter out{1};
 };
 
-/// Base class of the classes that write parts of the code. It gives them short names for the data of the context.
+/// The base class of the classes that write parts of the code. It gives them short names for the data of the context.
 class MachineCodePart {
 protected:
     explicit MachineCodePart(MachineContext& context)

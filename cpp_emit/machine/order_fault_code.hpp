@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The code of seeded faults of order, if programs may wait.
+// Writes the code of seeded faults of order for programs that may wait.
 #pragma once
 
 #include "cpp_emit/machine/control_steps.hpp"
@@ -14,11 +14,10 @@ public:
 
     /// Writes the code that enters a composite state after its first child.
     void enter_child_first(ProgramWriter&, ir::NodeId);
-    /// Writes those exit actions of enclosing states that the fault runs too early, namely in the exit place of the
-    /// inner state.
+    /// Writes the exit actions of enclosing states that the fault runs too early: in the exit place of the inner state.
     void exit_outer_before(ProgramWriter&, ir::NodeId);
-    /// Writes those actions of a state's outgoing transitions that the fault runs too early, namely in the exit place
-    /// of the state.
+    /// Writes the actions of a state's outgoing transitions that the fault runs too early: in the exit place of the
+    /// state.
     void act_before(ProgramWriter&, ir::NodeId);
     /// Writes a transition's action after the entry of its target.
     void act_late(ProgramWriter&, const ir::Transition&, const std::string& label);

@@ -8,7 +8,8 @@ namespace robochart::cpp_emit {
 using ir::NodeId;
 using ir::NodeKind;
 
-/// Fault::entry_inner_first at a composite whose initial node leads unconditionally to a child.
+/// Returns whether a composite state has Fault::entry_inner_first. Its initial node must lead unconditionally to a
+/// child.
 bool OrderFaults::enters_child_first(NodeId id) {
     return plan_.node(id).entry != nullptr && sole_first_child(id).is_valid() &&
            generation_.mutation.hits(Fault::entry_inner_first, &unit_, &plan_.node(id));
@@ -26,7 +27,8 @@ NodeId OrderFaults::sole_first_child(NodeId id) const {
                                                                                                      : NodeId{};
 }
 
-/// Fault::exit_outer_first: the composite's exit action runs before those of its inner states.
+/// Returns whether a state has Fault::exit_outer_first: the composite's exit action runs before those of its inner
+/// states.
 bool OrderFaults::exits_first(NodeId id) {
     const ir::Node& node = plan_.node(id);
     return node.is_composite() && node.exit != nullptr && !node.outgoing.empty() &&
@@ -34,7 +36,8 @@ bool OrderFaults::exits_first(NodeId id) {
            generation_.mutation.hits(Fault::exit_outer_first, &unit_, &node);
 }
 
-/// Fault::action_before_exit: the transition's action runs before the exit, if the exit has a separate place.
+/// Returns whether a transition has Fault::action_before_exit: its action runs before the exit, if the exit has a
+/// separate place.
 bool OrderFaults::acts_first(const ir::Transition& transition) {
     const ir::Node& source = plan_.node(transition.source);
     return transition.action != nullptr && source.exit != nullptr &&
@@ -42,7 +45,7 @@ bool OrderFaults::acts_first(const ir::Transition& transition) {
            generation_.mutation.hits(Fault::action_before_exit, &unit_, &transition);
 }
 
-/// Fault::action_after_entry.
+/// Returns whether a transition has Fault::action_after_entry.
 bool OrderFaults::acts_late(const ir::Transition& transition) {
     const ir::Node& target = plan_.node(transition.target);
     return transition.action != nullptr && target.kind == NodeKind::state && !target.is_composite() &&

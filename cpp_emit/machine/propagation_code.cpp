@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions `prompt` and `holds_up` test the places of the threads. They test threads of an operation at the
-// operation's calls.
+// Writes the functions `prompt` and `holds_up`, which test the places of the threads. The threads of an operation are
+// tested where the operation is called.
 #include "cpp_emit/machine/propagation_code.hpp"
 
 #include <fmt/format.h>

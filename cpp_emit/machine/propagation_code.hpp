@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the propagation of writes to a machine wait for its threads (semantics 3.7). A thread makes its calls of the
-// platform before others write, and a communication with a deadline holds up writes of others.
+// Writes the code with which the propagation of writes to a machine waits for the machine's threads (semantics 3.7). A
+// thread makes its calls of the platform before other machines write. A communication with a deadline holds up writes
+// of other machines.
 #pragma once
 
 #include "cpp_emit/machine/machine_context.hpp"
@@ -12,12 +13,13 @@ class PropagationCode : private MachineCodePart {
 public:
     explicit PropagationCode(MachineContext& context) : MachineCodePart(context) {}
 
-    /// Whether threads of the unit or of called operations may resume with a step that holds up writes of others.
+    /// Returns whether threads of the unit or of called operations may resume with a step that holds up writes of other
+    /// machines.
     [[nodiscard]] bool has_prompt_steps() const;
     /// Writes `void prompt(f)`, in which the threads execute their prompt steps: they make their calls, or begin to
     /// wait.
     void prompt_function();
-    /// Whether threads of the unit or of called operations may wait for communications with deadlines.
+    /// Returns whether threads of the unit or of called operations may wait for communications with deadlines.
     [[nodiscard]] bool holds_writes() const;
     /// Writes `bool holds_up(f)`, which returns whether a thread waits for a communication with a deadline.
     void holds_up_function();

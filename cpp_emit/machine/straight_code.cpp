@@ -26,7 +26,7 @@ void StraightCode::exit_function(NodeId id) {
     out_.close();
 }
 
-/// The exits of a composite state begin at the innermost active state.
+/// Writes the exits of a composite state. They begin at the innermost active state.
 void StraightCode::leave_function(NodeId id) {
     straight_function("leave_" + plan_.label_of(id), "Leaves " + generation_.place_text(plan_.node(id).origin) +
                                                          ", from the innermost active state out.");

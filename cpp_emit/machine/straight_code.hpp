@@ -13,15 +13,15 @@ public:
     StraightCode(MachineContext& context, OrderFaults& faults, ControlSteps& steps)
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
-    /// The function that enters a node.
+    /// Writes the function that enters a node.
     void enter_function(ir::NodeId);
-    /// The function with the exit action of a state.
+    /// Writes the function with the exit action of a state.
     void exit_function(ir::NodeId);
-    /// The function with the exits of a composite state, from the innermost active state outwards.
+    /// Writes the function with the exits of a composite state, from the innermost active state outwards.
     void leave_function(ir::NodeId);
-    /// The function with the action of a transition, followed by the entry of its target.
+    /// Writes the function with the action of a transition, followed by the entry of its target.
     void take_function(ir::TransitionId);
-    /// The function for an initial node or junction. Returns true if control may have to stay there.
+    /// Writes the function for an initial node or junction. Returns true if control may have to stay there.
     bool pass_function(ir::NodeId);
 
 private:

@@ -67,8 +67,8 @@ std::string TimeCode::guard_text(const ir::Transition& transition) const {
     return expressions.expression_asked(*transition.guard).whole_text();
 }
 
-/// The guard is evaluated wherever an observer could see the model wait: after each step, before effects that others
-/// can observe, and after clocks have advanced.
+/// Writes the function that restarts deadlines. The guard is evaluated wherever an observer could see the model wait:
+/// after each step, before effects that others can observe, and after clocks have advanced.
 void TimeCode::watch_function() {
     if (!guards_deadlines(*unit_.machine)) return;
     out_.open_declaration("A deadline begins anew while its guard does not hold.", function_head("void watch"));

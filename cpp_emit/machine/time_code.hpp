@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the passing of time in a machine: clocks, waits, deadlines.
+// Writes the code that lets time pass in a machine: clocks, waits, deadlines.
 #pragma once
 
 #include "cpp_emit/machine/control_steps.hpp"
 
 namespace robochart::cpp_emit {
 
-/// Writes the functions that let time pass; the threads must have been written before.
+/// Writes the functions that let time pass. The threads must have been written before.
 class TimeCode : private MachineCodePart {
 public:
     TimeCode(MachineContext& context, ControlSteps& steps) : MachineCodePart(context), steps_(steps) {}
 
-    /// Whether something in the frame changes with time.
+    /// Returns whether something in the frame changes with time.
     [[nodiscard]] bool is_timed() const;
     /// Writes the function that advances clocks, waits and deadlines.
     void advance_function();

@@ -42,7 +42,7 @@ bool TransitionCode::comes_first(const ir::Transition& transition) const {
     return transition.trigger && std::ranges::find(first_events(), transition.trigger->event) != first_events().end();
 }
 
-/// `first_S_n`: the transitions of a state that the n-th event of the order triggers.
+/// Writes `first_S_n`: the transitions of state S that the n-th event of the order triggers.
 void TransitionCode::first_functions() {
     const ir::Machine& machine = plan_.machine();
     for (std::uint32_t index = 0; index < machine.nodes.size(); ++index)
@@ -108,7 +108,8 @@ void TransitionCode::choosing_function(const std::string& name, const char* comm
     out_.close();
 }
 
-/// RoboSim: no transition is taken after the end of the cycle. A transition that ended the last cycle continues first.
+/// For RoboSim: no transition is taken after the end of the cycle. If a transition ended the last cycle, it continues
+/// first.
 void TransitionCode::write_begin_of_cycle() {
     if (!generation_.component.robosim) return;
     if (!generation_.mutation.hits(Fault::cycle_moves_on))
@@ -117,7 +118,7 @@ void TransitionCode::write_begin_of_cycle() {
         out_.line(fmt::format("if (f.next != {}::nothing) return {};", context_.next, function_call("go_on")));
 }
 
-/// RoboSim: the rest of a transition with `exec`: resets, exits, its action, and its target.
+/// For RoboSim: writes the rest of a transition with `exec`: resets, exits, its action, and the entry of its target.
 void TransitionCode::next_function() {
     out_.open_declaration("The transition that ended the last cycle goes on.", function_head("bool go_on"));
     out_.open("switch (f.next) {");
@@ -137,19 +138,19 @@ void TransitionCode::next_function() {
     out_.close();
 }
 
-/// Fault::cycle_store_late.
+/// Returns whether the transition has Fault::cycle_store_late.
 bool TransitionCode::stores_late(const ir::Transition& transition) const {
     return transition.exec && !transition.stores.empty() &&
            generation_.mutation.hits(Fault::cycle_store_late, &unit_, &transition);
 }
 
-/// RoboSim: writes the code that stores the values of each `$e?v` in the condition, in textual order.
+/// For RoboSim: writes the code that stores the values of each `$e?v` in the condition, in textual order.
 void TransitionCode::write_stores(const ir::Transition& transition) {
     for (const ir::StmtPtr& store : transition.stores) out_.write_raw(steps_.straight_program(store, 3));
 }
 
-/// RoboSim: a transition with `exec` ends the cycle now and continues in the next one (docs/robosim.md). Between the
-/// two, no other action runs that could see the stored values (unsupported.cpp).
+/// For RoboSim: a transition with `exec` ends the cycle now and continues in the next one (docs/robosim.md). In
+/// between, no other action runs that could see the stored values (unsupported.cpp).
 void TransitionCode::end_cycle(const ir::Transition& transition, ir::TransitionId id) {
     cut_durings(transition.source);
     out_.line(steps_.tell_taken(id));
@@ -160,7 +161,7 @@ void TransitionCode::end_cycle(const ir::Transition& transition, ir::TransitionI
 }
 
 /// Writes a function that takes one of several enabled transitions. A first pass counts the enabled transitions without
-/// taking one; then the platform picks.
+/// taking one. Then the platform picks.
 void TransitionCode::pick_function(const std::string& name, const std::string& attempt) {
     out_.doc("Starts one of the enabled transitions: the platform picks, or it is the first.");
     out_.open(function_head("bool " + name));
@@ -184,7 +185,7 @@ std::vector<std::string> TransitionCode::attempt_calls(NodeId leaf) const {
     return calls;
 }
 
-/// Whether the state has transitions that are not tried first.
+/// Returns whether the state has transitions that are not tried first.
 bool TransitionCode::has_others(NodeId state) const {
     return std::ranges::any_of(plan_.node(state).outgoing, [&](ir::TransitionId way) {
         return !comes_first(plan_.machine().transitions[way.index]);
@@ -214,7 +215,7 @@ bool TransitionCode::try_transition(const ir::Transition& transition) {
     return condition.empty();
 }
 
-/// Fault::reset_before_guard.
+/// Writes resets too early, with Fault::reset_before_guard.
 void TransitionCode::reset_too_soon(const ir::Transition& transition) {
     for (const ir::ClockId clock : transition.resets)
         if (generation_.mutation.hits(Fault::reset_before_guard)) reset_clocks(generation_, unit_, {clock}, out_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the choice of transitions: active states from the inside out, and in each state the textual order. Triggers
-// are examined before they are consumed, and guards see the incoming value (semantics 3.4 "Guards").
+// Writes the choice of transitions: active states from the inside out, and in each state in textual order. Triggers are
+// examined before they are consumed, and guards see the incoming value (semantics 3.4 "Guards").
 #pragma once
 
 #include "cpp_emit/machine/control_steps.hpp"
@@ -14,11 +14,11 @@ public:
         : MachineCodePart(context), faults_(faults), steps_(steps) {}
 
     /// Writes a function for each state that can be left, and the function that calls them from the inside out. If an
-    /// order of events is declared, there is a function `first`, too.
+    /// order of events is declared, also writes a function `first`.
     void transition_functions();
-    /// Whether the machine has a function `first`.
+    /// Returns whether the machine has a function `first`.
     [[nodiscard]] bool has_first_events() const { return !first_events().empty(); }
-    /// Whether the transition is tried before those of other events and those without an event.
+    /// Returns whether the transition is tried before transitions on other events and transitions without an event.
     [[nodiscard]] bool comes_first(const ir::Transition&) const;
 
 private:

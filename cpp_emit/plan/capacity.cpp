@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The capacity of a set in generated code is the number of values of its elements' type, so that no element is lost.
-// This number is both written as a C++ expression over the Types policy and computed for the carriers of the
-// instantiation. If a type has more values on the robot than in its carrier, sets of this type have the usual capacity
-// of a list on the robot.
+// Computes capacities of sets. The capacity of a set in generated code is the number of values of its elements' type,
+// so that no element is lost. This number is both written as a C++ expression over the Types policy and computed for
+// the carriers of the instantiation. If a type has more values on the robot than in its carrier, sets of this type have
+// the usual capacity of a list on the robot.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::size_t power(std::size_t base, std::size_t exponent) {
     return result;
 }
 
-/// Counts values; `Count` is a number or a text.
+/// Counts values. `Count` is a number or a text.
 template <class Count, class Rules>
 Count count(const ir::System& system, ir::TypeId id, const Rules& rules) {
     const ir::Type& type = system.type(id);

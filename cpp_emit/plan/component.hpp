@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The component to generate, in its context: the machine that runs, the operations that it calls, and its events, calls
-// and shared variables as they appear at its boundary (semantics 3.2 "visible alphabet per level", 3.7-3.9).
+// Declares the component to generate, in its context: the machine that runs, the operations that it calls, and its
+// events, calls and shared variables as they appear at its boundary (semantics 3.2 "visible alphabet per level",
+// 3.7-3.9).
 #pragma once
 
 #include <map>
@@ -19,18 +20,18 @@ namespace robochart::cpp_emit {
 /// An event at the component's boundary, which the platform raises or receives.
 struct EventPort {
     std::string outside;     ///< name at the boundary
-    std::string model_name;  ///< name in the machine; with several machines: at the boundary
+    std::string model_name;  ///< name in the machine; if there are several machines, at the boundary
     std::string interface;
     std::optional<ir::TypeId> type;
     bool received = false;
     bool sent = false;
     std::string input;   ///< member of Inputs
     std::string output;  ///< method of the platform
-    std::string raised;  ///< member of State, if a declared order lets it drop other events
+    std::string raised;  ///< member of State, if a declared order lets the event drop others
 };
 
-/// An asynchronous connection between controllers: a buffer with one place, which the writer overwrites and the reader
-/// empties (semantics 3.9).
+/// A buffer with one place for an asynchronous connection between controllers. The writer overwrites it, and the reader
+/// empties it (semantics 3.9).
 struct Buffer {
     std::size_t connection = 0;  ///< index in the module
     std::string name;            ///< name of the writer's event
@@ -61,10 +62,11 @@ struct EventUse {
     std::string once;     ///< RoboSim: the output that a cycle writes at most once, if it has no outlet
     std::string channel;  ///< suffix of the functions of a rendezvous: offers_CHANNEL, accept_CHANNEL
 
-    /// Whether the event is an input that is not connected: in the semantics it can happen spontaneously (semantics
-    /// 3.9).
+    /// Returns whether the event is an input that is not connected. In the semantics, such an event can happen
+    /// spontaneously (semantics 3.9).
     [[nodiscard]] bool is_spontaneous() const { return ports.empty() && peers.empty() && emptied.empty(); }
-    /// Whether the event is sent to another machine, so that the sender may have to wait. The platform always accepts.
+    /// Returns whether the event is sent to another machine, so that the sender may have to wait. The platform always
+    /// accepts.
     [[nodiscard]] bool waits_to_send() const { return filled.empty() && ports.empty() && !peers.empty(); }
 };
 
@@ -77,11 +79,11 @@ struct PropagationHolder {
     std::string field;  ///< member of State: the number of writes that wait to be propagated to it
 };
 
-/// A variable of a machine, or one that machines share. The semantics gives each machine a copy and propagates writes
-/// (semantics 3.7). Immediate propagation keeps all copies equal, so the code usually has a single copy. If the
+/// A variable of a machine, or a variable that machines share. The semantics gives each machine a copy and propagates
+/// writes (semantics 3.7). Immediate propagation keeps all copies equal, so the code usually has a single copy. If the
 /// variable is declared outside the component, the environment propagates its writes, and a machine does not see writes
-/// of others before the environment passes them on. Then each machine has its own copy, and all copies receive external
-/// writes.
+/// of other machines before the environment passes them on. Then each machine has its own copy, and all copies receive
+/// external writes.
 struct StoredVariable {
     const ir::Variable* variable = nullptr;
     std::size_t home = no_part;   ///< the part whose frame contains it; no_part: it is a member of State
@@ -94,7 +96,7 @@ struct StoredVariable {
     bool local = false;           ///< whether no later cycle reads it: a member of Step instead of State
     bool copy = false;  ///< whether this is a copy of an earlier entry; the earlier entry has the names at the boundary
     ir::Value initial;
-    std::string field;         ///< member of the frame
+    std::string field;         ///< name of the member of the frame
     std::string path;          ///< path in State: "x", "stm0.x"
     std::string writer;        ///< method of Step, if visible
     std::string input;         ///< member of Inputs, if external and read
@@ -105,13 +107,14 @@ struct StoredVariable {
     std::string held_up;    ///< method of Step, if there are holders: whether the next write has to wait
     std::string propagate;  ///< method of Step, if there are holders: the steps after a write
 
-    /// The name in the model; registers of RoboSim are written without `$`.
+    /// Returns the name in the model; for registers of RoboSim, without `$`.
     [[nodiscard]] std::string name() const {
         return variable->scope == ir::VariableScope::reg ? variable->name.substr(1) : variable->name;
     }
-    /// Whether the variable is a member of the state or of Step. A shared variable that is never read is not a member.
+    /// Returns whether the variable is a member of the state or of Step. A shared variable that is never read is not a
+    /// member.
     [[nodiscard]] bool has_member() const { return read || !shared; }
-    /// Whether it is a member of the state.
+    /// Returns whether the variable is a member of the state.
     [[nodiscard]] bool in_state() const { return has_member() && !local; }
 };
 
@@ -135,7 +138,7 @@ struct CarrierUse {
     std::string method;  ///< method of Step: any_Nat
 };
 
-/// An operation that the model defines. The platform may still perform it in the model's place.
+/// An operation that the model defines. The platform may perform it instead of the model's definition.
 struct ModelledCall {
     const ir::OperationSignature* signature = nullptr;
     ir::MachineId definition;
@@ -154,7 +157,7 @@ struct Owner {
 /// operation denote different elements for different callers, there is a unit for each case.
 struct Unit {
     ir::MachineId id;
-    std::size_t number = 0;  ///< number in the order in which calls are followed; index into Component::unit_places
+    std::size_t number = 0;  ///< number in the order in which calls are visited; index into Component::unit_places
     std::size_t part = 0;
     const ir::Machine* machine = nullptr;
     bool root = false;
@@ -166,14 +169,14 @@ struct Unit {
     std::vector<std::size_t> callees;          ///< by index into Machine::operations: the unit of a defined operation
     std::vector<Owner> variable_owners;        ///< by variable
     std::vector<Owner> clock_owners;           ///< by clock
-    std::vector<std::size_t> lenders;          ///< the units among the owners other than this one, ascending
+    std::vector<std::size_t> lenders;          ///< the units among the owners, except this one, ascending
     std::vector<std::string> variable_fields;  ///< for operations: members of the frame for their own variables
-    std::vector<ir::Value> constants;          ///< values in this context
+    std::vector<ir::Value> constants;          ///< values of the constants in this context
     std::vector<ir::Value> initials;           ///< initial values of its variables; for shared ones the default of
                                                ///< their type
     std::vector<std::string> clock_fields;     ///< members of the frame; "" for clocks of other units
-    /// By node: the local variables (StoredVariable::local) that control needs to leave the node. It stays there unless
-    /// the cycle has written them.
+    /// By node: the local variables (StoredVariable::local) that control needs to leave the node. Control stays in the
+    /// node unless the cycle has written them.
     std::vector<std::vector<ir::VariableId>> awaited_locals;
     std::vector<bool> clock_read;  ///< whether this machine, or an operation that shares the clock, reads
                                    ///< it
@@ -189,7 +192,7 @@ struct Part {
     std::vector<EventUse> events;
     std::map<std::string, std::size_t> variables;  ///< by name in the machine: index into Component::variables
 
-    /// The expression for the frame of its machine: "state_", "state_.stm0".
+    /// Returns the expression for the frame of its machine: "state_", "state_.stm0".
     [[nodiscard]] std::string frame_expression() const { return tag.empty() ? "state_" : "state_." + tag; }
 };
 
@@ -201,7 +204,7 @@ struct Component {
     std::string package;
     ir::Origin origin;
     std::vector<Part> parts;               ///< the machines, in textual order
-    std::vector<Unit> units;               ///< part by part; callees before callers; each part's machine is last
+    std::vector<Unit> units;               ///< by part; callees come before callers, and each part's machine is last
     std::vector<std::size_t> unit_places;  ///< index into `units` by Unit::number
     std::vector<EventPort> events;         ///< events at the boundary
     std::vector<Buffer> buffers;
@@ -223,36 +226,36 @@ struct Component {
     bool ordered = false;    ///< whether composed values are elements of sets
     bool robosim = false;    ///< whether the component is written in RoboSim: it ends its cycles itself
 
-    /// Whether several machines run in parallel.
+    /// Returns whether several machines run in parallel.
     [[nodiscard]] bool is_composed() const { return parts.size() > 1; }
-    /// The machine of a component with only one machine.
+    /// Returns the machine of a component with only one machine.
     [[nodiscard]] const Unit& root_unit() const { return units.back(); }
     [[nodiscard]] const Part& part_of(const Unit& unit) const { return parts[unit.part]; }
     [[nodiscard]] const Unit& root_unit(std::size_t part) const { return units[parts[part].root]; }
     [[nodiscard]] const Unit& unit_at(std::size_t number) const { return units[unit_places[number]]; }
-    /// The unit that a call of a defined operation runs.
+    /// Returns the unit that a call of a defined operation runs.
     [[nodiscard]] const Unit& called_unit(const Unit& of, ir::OperationId id) const {
         return unit_at(of.callees[id.index]);
     }
     [[nodiscard]] const EventUse& find_event(const Unit&, ir::EventId) const;
-    /// The part's event at one end of a connection; null if its machine does not use the event.
+    /// Returns the part's event at one end of a connection, or null if its machine does not use the event.
     [[nodiscard]] const EventUse* find_event(const Peer&) const;
-    /// The variable of the machine, or the shared variable, that a unit's variable denotes. Null for variables of
-    /// operations, whose owner is in Unit::variable_owners.
+    /// Returns the variable of the machine, or the shared variable, that a unit's variable denotes. Returns null for
+    /// variables of operations, whose owner is in Unit::variable_owners.
     [[nodiscard]] const StoredVariable* stored_variable(const Unit&, ir::VariableId) const;
-    /// RoboSim: the input event whose register a unit's variable is; null for other variables.
+    /// For RoboSim: returns the input event whose register a unit's variable is, or null for other variables.
     [[nodiscard]] const EventUse* find_register(const Unit&, ir::VariableId) const;
     [[nodiscard]] const PlatformCall& find_platform_call(const Unit&, ir::OperationId) const;
     [[nodiscard]] const ModelledCall& modelled_call(ir::MachineId definition) const;
     [[nodiscard]] const CarrierUse& find_carrier(ir::TypeId) const;
-    /// The unit whose frame contains a clock, and the clock's number in that unit.
+    /// Returns the unit whose frame contains a clock, and the clock's number in that unit.
     [[nodiscard]] std::pair<const Unit*, ir::ClockId> clock_owner(const Unit&, ir::ClockId) const;
 };
 
-/// Names that members of a state must not have: names of other members, of types and of units.
+/// Returns names that members of a state must not have: names of other members, of types and of units.
 [[nodiscard]] std::set<std::string> never_members(const ir::System&, const Component&);
-/// A scope for the names of declarations that a core makes for its machines. The names differ from the core's own names
-/// and from all members.
+/// Returns a scope for the names of declarations that a core makes for its machines. The names differ from the core's
+/// own names and from all members.
 [[nodiscard]] NameScope core_type_scope(const Component&);
 
 }  // namespace robochart::cpp_emit

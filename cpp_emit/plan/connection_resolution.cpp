@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    /// The part's events, in the order in which its machine declares them.
+    /// Collects the part's events, in the order in which its machine declares them.
     void collect_events(std::size_t part) {
         std::vector<EventUse>& uses = component_.parts[part].events;
         const auto use_of = [&](const ir::Event& event) -> EventUse& {
@@ -134,7 +134,8 @@ private:
         use.ports.push_back(static_cast<std::size_t>(found - ports.begin()));
     }
 
-    /// At the writer's end of the connection, the event fills the buffer; at the reader's end, it empties the buffer.
+    /// Adds a buffer. At the writer's end of the connection, the event fills the buffer; at the reader's end, it
+    /// empties the buffer.
     void add_buffer(EventUse& use, const ConnectionEnd& here, std::size_t connection) {
         assert(module_ != nullptr && connection < module_->connections.size());
         auto& buffers = component_.buffers;
@@ -165,7 +166,7 @@ private:
             report_unconnected(part, use, "not connected");
     }
 
-    /// Whether some condition depends on the value of the event.
+    /// Returns whether some condition depends on the value of the event.
     bool reads_value(std::size_t part, const EventUse& use) const {
         bool reads = false;
         const auto look = [&](const ir::ExprPtr& condition) {

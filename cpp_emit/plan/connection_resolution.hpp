@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the destinations of the events of a component's machines: its boundary, other machines, buffers (semantics
+// Finds out where the events of a component's machines lead: to its boundary, to other machines, to buffers (semantics
 // 3.9).
 #pragma once
 
@@ -11,8 +11,8 @@
 namespace robochart::cpp_emit {
 
 /// Collects the events that the units use and follows their connections. Fills Part::events, Component::events and
-/// Component::buffers. `contexts` contains the controller of each part, null for a single machine. Rejects connections
-/// that the generator cannot translate.
+/// Component::buffers. `contexts` contains the controller of each part; it is null for a single machine. Rejects
+/// connections that the generator cannot translate.
 void wire_component(Component&, const ir::System&, const ir::Module*,
                     const std::vector<const ir::Controller*>& contexts, diagnostics::Diagnostics&);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The component's boundary for the exploration interface and logs: the registers and outputs of a cycle, with their
-// names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
+// Lists the component's boundary for the exploration interface and logs: the registers and outputs of a cycle, with
+// their names in the CSP alphabet (semantics 3.2 "visible alphabet per level"). Private to this component.
 #pragma once
 
 #include <optional>
@@ -28,9 +28,9 @@ struct Output {
 [[nodiscard]] std::vector<Register> exploration_registers(const Component&);
 /// Lists called operations, then sent events, then written variables.
 [[nodiscard]] std::vector<Output> exploration_outputs(const Component&);
-/// The types of inputs and outputs that consist of numbers alone, or are sequences of numbers, without duplicates:
-/// first those of the registers, then those of the outputs, in order. These are the types of rc_tracking
-/// (runtime/explore_abi.h).
+/// Returns the types of inputs and outputs that consist only of numbers, or are sequences of numbers, without
+/// duplicates. The types of registers come first, then those of outputs, both in order. These are the types of
+/// rc_tracking (runtime/explore_abi.h).
 [[nodiscard]] std::vector<ir::TypeId> tracked_types(const ir::System&, const Component&);
 
 }  // namespace robochart::cpp_emit

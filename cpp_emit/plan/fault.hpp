@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeded faults of the generator: errors that a generator of robot code can make, each with a name. They test the
-// conformance checker (mutation analysis; docs/conformance.md, "Mutants").
+// Lists the seeded faults of the generator: errors that a generator of robot code can make, each with a name. They test
+// the conformance checker (mutation analysis; docs/conformance.md, "Mutants").
 #pragma once
 
 #include <span>
@@ -133,22 +133,22 @@ enum class Fault {
     undeclared_member,
 };
 
-/// A kind of fault with its description.
+/// A kind of fault, with its description.
 struct FaultKind {
     Fault fault;
     const char* name;
-    const char* what;  ///< the behaviour of generated code with the fault
+    const char* what;  ///< what generated code with the fault does wrong
 };
 
-/// All kinds except `none`, in the order of the enumeration.
+/// Returns all kinds except `none`, in the order of the enumeration.
 [[nodiscard]] std::span<const FaultKind> all_faults();
 
-/// Whether the fault affects only the event API, not the cycle.
+/// Returns whether the fault affects only the event API, not the cycle.
 [[nodiscard]] constexpr bool in_event_api(Fault fault) {
     return fault >= Fault::dispatch_shifted && fault <= Fault::pass_timeless;
 }
 
-/// Whether the fault affects only code of RoboSim.
+/// Returns whether the fault affects only code of RoboSim.
 [[nodiscard]] constexpr bool in_robosim(Fault fault) {
     return fault >= Fault::cycle_output_again && fault <= Fault::cycle_end_early;
 }

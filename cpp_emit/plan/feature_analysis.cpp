@@ -57,7 +57,7 @@ public:
             });
         }
         visit_tested_preconditions(component_, system_, [&](const ir::Expr& expr) { use_expression(expr); });
-        // each of these headers includes the next one
+        // Each of these headers includes the next one.
         component_.toolkit = component_.toolkit || component_.views;
         component_.matrices = component_.matrices || component_.toolkit;
     }
@@ -82,7 +82,8 @@ private:
         for (const ir::TypeId type : visited_types(system_, expr)) use_carrier(type);
     }
 
-    /// A received value with parts needs a conversion, which the toolkit provides, if the variable has another type.
+    /// Records the uses of a reception. If the variable has another type than a received value with parts, the value
+    /// needs a conversion, which the toolkit provides.
     void use_reception(const ir::Machine& machine, const ir::Communication& communication) {
         if (!communication.event.is_valid() || !communication.variable.is_valid()) return;
         const ir::TypeId variable = machine.variables[communication.variable.index].type;
@@ -101,7 +102,7 @@ private:
         component_.carriers.push_back({id, scope_.unique_name("any_" + system_.type(id).name)});
     }
 
-    // Types may be recursive.
+    // Records the use of a type. Types may be recursive.
     void use_type(ir::TypeId id) {
         if (std::ranges::find(seen_, id) != seen_.end()) return;
         seen_.push_back(id);

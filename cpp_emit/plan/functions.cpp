@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_arguments = 1U << 19U;
 constexpr std::size_t most_rows = 4096;
 
-/// A call whose arguments are constants 0, 1, ... of the environment.
+/// Returns a call whose arguments are constants 0, 1, ... of the environment.
 ir::Expr call_of(const ir::Function& function, ir::FunctionId id) {
     ir::Expr call;
     call.kind = ir::ExprKind::call;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of functions that the model specifies only by contracts, over the finite carriers. The explorer takes the
-// functions' values from these tables.
+// Computes tables of functions that the model specifies only by contracts, over the finite carriers. The explorer takes
+// the functions' values from these tables.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@ struct FunctionValue {
     ir::Value result;
 };
 
-/// The arguments for which the function's value, as semantics/evaluate computes it, differs from the default of its
-/// type. Throws std::length_error if there are too many arguments to try, or too many rows.
+/// Returns the arguments for which the function's value differs from the default of its type. semantics/evaluate
+/// computes the value. Throws std::length_error if there are too many arguments to try, or too many rows.
 [[nodiscard]] std::vector<FunctionValue> values_of(const ir::System&, const ir::Instantiation&, ir::FunctionId);
 
 }  // namespace robochart::cpp_emit

@@ -21,7 +21,7 @@ using ir::TypeKind;
 
 namespace {
 
-/// Visits the outermost types of lists that may be longer than their capacity in a type that has_lists.
+/// Visits the outermost types of lists in a type that has_lists. Such lists may be longer than their capacity.
 void visit_list_types(const ir::System& system, ir::TypeId id, const std::function<void(ir::TypeId)>& visitor) {
     const ir::Type& type = system.type(id);
     if (is_list(type) && ir::has_numbers(system, id)) return visitor(id);
@@ -53,7 +53,8 @@ void raise_capacity(Capacities& capacities, ir::TypeId type, std::size_t least) 
     capacity = std::max(capacity, least);
 }
 
-/// Literals, constants and initial values may have more elements than the usual capacity.
+/// Finds the longest literals, constants and initial values, because they may have more elements than the usual
+/// capacity.
 class LongestValues {
 public:
     LongestValues(const ir::System& system, Capacities& capacities) : system_(system), capacities_(capacities) {}
@@ -88,7 +89,8 @@ private:
             add_parts(type.args, value);
         }
     }
-    /// If `types` has one element, all parts have this type; otherwise it contains the type of each part.
+    /// Adds the parts of a value. If `types` has one element, all parts have this type; otherwise it contains the type
+    /// of each part.
     void add_parts(const std::vector<ir::TypeId>& types, const ir::Value& value) {
         for (std::size_t i = 0; i < value.parts.size(); ++i)
             add_value(types.at(types.size() > 1 ? i : 0), value.parts[i]);
@@ -139,11 +141,11 @@ std::size_t least_longest(const ir::System& system, const Component& component) 
 
 namespace {
 
-/// A function of the toolkits whose result contains only elements of an operand, or is one of these elements.
+/// A toolkit function whose result is an element of an operand, or contains only such elements.
 struct Selection {
     std::string_view function;
     std::size_t operand = 0;
-    bool one = false;  ///< the result is one element
+    bool one = false;  ///< true: the result is one element
 };
 
 constexpr Selection selections[] = {
@@ -239,7 +241,7 @@ bool may_overflow(const ir::System& system, const ir::Expr& expr) {
 
 namespace {
 
-/// The capacity of the outermost lists in the type.
+/// Returns the capacity of the outermost lists in the type.
 std::size_t capacity_of_lists(const ir::System& system, ir::TypeId type) {
     std::size_t result = usual_capacity;
     visit_list_types(system, type, [&](ir::TypeId list) { result = deployed_capacity(system, system.type(list)); });

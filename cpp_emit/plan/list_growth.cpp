@@ -17,7 +17,7 @@ namespace {
 
 using Variables = std::set<ir::VariableId>;
 
-/// Whether the result of the operator may contain the items of several operands.
+/// Returns whether the result of the operator may contain the items of several operands.
 bool joins_lists(const ir::Expr& expr) {
     if (expr.kind == ExprKind::concat) return true;
     if (expr.kind != ExprKind::toolkit) return false;
@@ -33,7 +33,7 @@ void add_variables(const ir::Expr& expr, Variables& result) {
     });
 }
 
-/// The variables in the operands of those operators of a value that join lists.
+/// Returns the variables in the operands of those operators that join lists.
 Variables joined_variables(const ir::Expr& value) {
     Variables result;
     ir::visit_operands(value, [&](const ir::Expr& part) {
@@ -56,7 +56,7 @@ void visit_assignments(const ir::Machine& machine, const std::function<void(cons
     });
 }
 
-/// The variables from which the value of a variable may come.
+/// Computes the variables from which the value of a variable may come.
 class Flows {
 public:
     explicit Flows(const ir::Machine& machine) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cycle ends in a state, in a junction without an enabled transition, or inside an action that waits. A variable is
-// local if it is dead in all states and at all places that wait. It may be live in a junction whose guards read only
-// variables that cannot change while control is in the junction. If no guard of such a junction is true when control
-// reaches it, none becomes true later. Generated code therefore leaves the junction only in a cycle in which the
-// variable was written.
+// Computes the live variables. A cycle ends in a state, in a junction without an enabled transition, or inside an
+// action that waits. A variable is local if it is dead in all states and at all places that wait. It may be live in a
+// junction whose guards read only variables that cannot change while control is in the junction. If no guard of such a
+// junction is true when control reaches it, none becomes true later. So generated code leaves the junction only in a
+// cycle in which the variable was written.
 #include "cpp_emit/plan/liveness.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Variables read_by(const std::vector<ir::ExprPtr>& exprs) {
     return result;
 }
 
-/// All variables that the program reads or writes.
+/// Returns all variables that the program reads or writes.
 Variables used_by(const ir::StmtPtr& program) {
     Variables result;
     visit(program, [&](const ir::Stmt& stmt) {
@@ -84,13 +84,13 @@ public:
         return result;
     }
 
-    /// The variables that are live at the node, if control may have to stay there.
+    /// Returns the variables that are live at the node, if control may have to stay there.
     [[nodiscard]] Variables live_where_blocked(NodeId id) const { return may_block(id) ? at_[id.index] : Variables{}; }
 
 private:
     [[nodiscard]] const ir::Node& node(NodeId id) const { return machine_.nodes[id.index]; }
 
-    /// The variables that are live when control reaches the node.
+    /// Returns the variables that are live when control reaches the node.
     Variables on_arrival(NodeId id) {
         const ir::Node& reached = node(id);
         switch (reached.kind) {
@@ -107,7 +107,7 @@ private:
         return before_ways(id);
     }
 
-    /// The variables that are live in the state or in one of its enclosing states.
+    /// Returns the variables that are live in the state or in one of its enclosing states.
     Variables live_at_rest(NodeId id) {
         Variables result;
         for (; id.is_valid(); id = node(id).parent) add(result, before_ways(id));
@@ -195,7 +195,7 @@ private:
         if (stmt.kind == StmtKind::assign && !stmt.path.empty()) live.insert(stmt.variable);
     }
 
-    /// Whether a cycle may end inside the statement, or after it.
+    /// Returns whether a cycle may end inside the statement, or after it.
     [[nodiscard]] bool may_wait(const ir::Stmt& stmt) const {
         switch (stmt.kind) {
             case StmtKind::wait:
@@ -219,7 +219,7 @@ private:
         return false;
     }
 
-    /// Whether control may have to stay in the node, because all outgoing transitions have guards.
+    /// Returns whether control may have to stay in the node, because all outgoing transitions have guards.
     [[nodiscard]] bool may_block(NodeId id) const {
         const bool chooses = node(id).kind == NodeKind::initial || node(id).kind == NodeKind::junction;
         return chooses && std::ranges::all_of(node(id).outgoing, [&](ir::TransitionId way) {
@@ -227,7 +227,7 @@ private:
                });
     }
 
-    /// Whether all guards keep their values while control is in the node.
+    /// Returns whether all guards keep their values while control is in the node.
     [[nodiscard]] bool blocks_for_ever(NodeId id) const {
         bool result = true;
         for (const ir::TransitionId way : node(id).outgoing)
@@ -253,8 +253,8 @@ private:
     Variables in_waiting_;       ///< the variables that are live at a place that waits
 };
 
-/// Whether cycles may end at further places: at a false precondition of an operation, or because writes of shared
-/// variables delay a machine.
+/// Returns whether cycles may end at further places: at a false precondition of an operation, or because writes of
+/// shared variables delay a machine.
 bool ends_cycles_elsewhere(const Component& component) {
     return std::ranges::any_of(component.units,
                                [](const Unit& unit) { return !unit.machine->preconditions.empty(); }) ||
@@ -262,7 +262,7 @@ bool ends_cycles_elsewhere(const Component& component) {
                                [](const StoredVariable& variable) { return variable.memories > 0; });
 }
 
-/// Whether an operation uses the variable of the unit's machine.
+/// Returns whether an operation uses the variable of the unit's machine.
 bool is_lent(const Component& component, const Unit& owner, std::uint32_t place) {
     return std::ranges::any_of(component.units, [&](const Unit& unit) {
         return unit.number != owner.number &&

@@ -11,7 +11,8 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-// ISO C++20 [lex.key], [lex.digraph], [lex.name]; then macros that compilers define without a header.
+// The keywords of ISO C++20 [lex.key], [lex.digraph], [lex.name], and then the macros that compilers define without a
+// header.
 constexpr std::array keywords = {
     "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
     "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
@@ -34,12 +35,12 @@ bool is_listed(std::span<const std::string_view> names, std::string_view name) {
     return std::ranges::binary_search(names, name);
 }
 
-/// Whether the name is a macro of the headers that are delivered with generated code.
+/// Returns whether the name is a macro of the headers that are delivered with generated code.
 bool is_runtime_macro(std::string_view name) {
     return name.starts_with("ROBOCHART_") || name.starts_with("RC_");
 }
 
-/// An identifier that becomes unique if a suffix is appended.
+/// Returns an identifier that becomes unique if a suffix is appended.
 std::string stem_of(std::string_view text) {
     const std::string name = to_identifier(text);
     return is_runtime_macro(name) ? "model_" + name : name;
@@ -57,7 +58,7 @@ bool reserved_in_cpp(std::string_view name) {
 }
 
 bool reserved_below_global_scope(std::string_view name) {
-    // the namespace of the runtime, then names that the projects' own code declares or includes
+    // The namespace of the runtime, and then names that the projects' own code declares or includes.
     static constexpr std::array outside = {"robochart", "rclcpp", "Body", "CVector2", "Eigen",
                                            "Enki",      "Eye",    "Puck", "argos",    "testing"};
     return reserved_in_cpp(name) || std::ranges::find(outside, name) != outside.end();
@@ -97,8 +98,8 @@ std::vector<std::string> parameter_identifiers(const std::vector<std::string>& n
     return result;
 }
 
-/// If the underscores of the name make it invalid as an identifier, they are encoded after the prefix "bound_0". This
-/// is unique, because no name begins with a digit.
+/// Returns the identifier of a bound variable. If the underscores of the name make it invalid as an identifier, they
+/// are encoded after the prefix "bound_0". This is unique, because no name begins with a digit.
 std::string bound_identifier(std::string_view name) {
     if (to_identifier(name) == name) return "bound_" + std::string(name);
     std::string result = "bound_0";

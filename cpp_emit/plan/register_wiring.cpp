@@ -13,7 +13,7 @@ namespace robochart::cpp_emit {
 
 namespace {
 
-/// The registers of the machines that one register of a controller or module represents.
+/// The registers of machines that one register of a controller or module represents.
 using RegistersOfParts = std::vector<EventUse*>;
 
 /// The registers of a controller.
@@ -38,7 +38,8 @@ public:
     }
 
 private:
-    /// The events of the contexts of the part's machine. Its operations use some of these.
+    /// Collects the registers of the part: the events of its machine's contexts. The machine's operations use some of
+    /// these.
     void collect_registers(std::size_t part) {
         const ir::Machine& machine = *component_.root_unit(part).machine;
         std::vector<EventUse>& uses = component_.parts[part].events;
@@ -147,7 +148,7 @@ private:
         return end.kind == ir::EndKind::part ? find_use(controller, end.part, end.event) : nullptr;
     }
 
-    /// An event that no connection names is an input if some part has an input with this name.
+    /// Returns whether some part has an input with this name. If so, an event that no connection names is an input.
     [[nodiscard]] bool is_input_somewhere(std::size_t controller, const std::string& name) const {
         return std::ranges::any_of(component_.parts, [&](const Part& part) {
             return part.controller == controller && std::ranges::any_of(part.events, [&](const EventUse& use) {
@@ -195,7 +196,7 @@ private:
         list.insert(list.end(), more.begin(), more.end());
     }
 
-    /// The events of the component or of its platform, with their types.
+    /// Returns the event of the component or of its platform with this name.
     [[nodiscard]] const ir::Event* declared_event(const std::string& name) const {
         if (contexts_.front() == nullptr) return nullptr;
         const std::vector<ir::Event>& events =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lists of names that identifiers from the model must not have in C++ (cpp_emit/reserved). scripts/reserved_names.sh
-// generates the first two lists.
+// Lists names that identifiers from the model must not have in C++ (cpp_emit/reserved). scripts/reserved_names.sh
+// generates the first two lists. The keywords of C++ are in names.cpp.
 #pragma once
 
 #include <span>
@@ -8,11 +8,12 @@
 
 namespace robochart::cpp_emit {
 
-/// Macros of the headers of C, C++ and POSIX for both compilers, except those that begin with an underscore.
+/// Returns the macros of the headers of C, C++ and POSIX for both compilers, except those that begin with an
+/// underscore.
 [[nodiscard]] std::span<const std::string_view> reserved_macros();
-/// Names that the headers of C and POSIX declare at global scope.
+/// Returns names that the headers of C and POSIX declare at global scope.
 [[nodiscard]] std::span<const std::string_view> reserved_globals();
-/// Names that generated cores, and the classes around them, declare themselves.
+/// Return names that generated cores, and the classes around them, declare themselves.
 [[nodiscard]] std::span<const std::string_view> reserved_own_types();
 [[nodiscard]] std::span<const std::string_view> reserved_own_members();
 

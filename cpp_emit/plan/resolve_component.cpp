@@ -23,7 +23,7 @@ namespace {
 
 using diagnostics::Diagnostics;
 
-/// The element with this name; null if there is none.
+/// Returns the element with this name, or null if there is none.
 template <class Item>
 const Item* find_named(const std::vector<Item>& items, const std::string& name) {
     const auto found = std::ranges::find_if(items, [&](const Item& item) { return item.name == name; });
@@ -136,8 +136,8 @@ private:
         return has_parts();
     }
 
-    /// RoboSim: rejects variables that several machines of a controller or module share. Each would be a register of
-    /// each machine and of the whole component.
+    /// For RoboSim: rejects variables that several machines of a controller or module share. Such a variable would be a
+    /// register of each machine and of the whole component.
     void refuse_shared_registers() {
         for (const Unit& unit : component_.units) {
             if (!unit.root || contexts_[unit.part] == nullptr) continue;
@@ -171,18 +171,18 @@ private:
         return false;
     }
 
-    /// The context of the current part.
+    /// Returns the context of the current part.
     Context context() const { return {module_, contexts_[part_]}; }
     const std::vector<const ir::Controller*>& contexts() const { return contexts_; }
 
-    /// The operation's definition in this context (semantics 3.8); invalid for a single machine.
+    /// Returns the operation's definition in this context (semantics 3.8); invalid for a single machine.
     ir::MachineId find_definition(const ir::OperationSignature& signature) const {
         const ir::Controller* const controller = context().controller;
-        if (signature.output) return {};  // RoboSim: of the platform
+        if (signature.output) return {};  // RoboSim: an operation of the platform
         return controller == nullptr ? ir::MachineId{} : ir::definition_in(system_, *controller, signature);
     }
 
-    /// The name under which a machine or operation runs in the controller.
+    /// Returns the name under which a machine or operation runs in the controller.
     std::string part_name(ir::MachineId id, bool root) const {
         if (context().controller == nullptr) return {};
         const ir::Controller& controller = *context().controller;
@@ -192,7 +192,7 @@ private:
         return controller.definition_names[static_cast<std::size_t>(found - controller.definitions.begin())];
     }
 
-    /// The initial value of a variable in this context, or the default of its type (semantics 3.6).
+    /// Returns the initial value of a variable in this context, or the default of its type (semantics 3.6).
     ir::Value initial_value(const ir::Machine& machine, const std::vector<ir::Value>& constants, ir::TypeId type,
                             const ir::ExprPtr& initial) const {
         const ir::Value otherwise = ir::default_value(system_, inst_, type);
@@ -264,7 +264,7 @@ private:
         return number;
     }
 
-    /// Whether both units are the same operation, and their required names denote the same elements.
+    /// Returns whether both units are the same operation, and their required names denote the same elements.
     static bool are_alike(const Unit& known, const Unit& unit) {
         const auto same = [&](const std::vector<Owner>& left, const std::vector<Owner>& right) {
             const auto own = [](const Unit& of, const Owner& owner) { return owner.unit == of.number; };
@@ -277,8 +277,8 @@ private:
     }
 
     /// Finds the owners of the unit's elements. A required element, or a register of RoboSim, is the caller's element
-    /// with that name, which may in turn be required from the next caller (semantics 3.8). Any other element belongs to
-    /// the unit.
+    /// with that name. The caller may require the element from its own caller (semantics 3.8). Any other element
+    /// belongs to the unit.
     void find_owners(Unit& unit) {
         const ir::Machine& machine = *unit.machine;
         const Unit* const caller = unit.root ? nullptr : &open_.back();
@@ -325,7 +325,7 @@ private:
         }
     }
 
-    /// A declared or required clock with this name; clocks of sinceEntry are ignored.
+    /// Returns the declared or required clock with this name. Clocks of sinceEntry are ignored.
     static const ir::Clock* find_clock(const ir::Machine& machine, const std::string& name) {
         const auto& clocks = machine.clocks;
         const auto found = std::ranges::find_if(
@@ -334,7 +334,7 @@ private:
     }
 
     /// Reports an element that the operation's caller does not have. The rules STM8 and STM10 of the language report
-    /// this first.
+    /// this earlier.
     void report_missing(const ir::Machine& operation, const char* what, const std::string& name,
                         const ir::Origin& origin) {
         diagnostics_.report(
@@ -361,7 +361,7 @@ private:
         }
     }
 
-    /// Whether some machine assigns a required variable of this name.
+    /// Returns whether some machine assigns a required variable of this name.
     [[nodiscard]] bool is_written(const std::string& name) const {
         bool result = false;
         for (const Unit& unit : component_.units) {
@@ -415,8 +415,8 @@ private:
         variables.push_back(std::move(entry));
     }
 
-    /// Finds the level that declares a shared variable, which decides who sees the variable (semantics 3.7). Returns
-    /// the initial value, if any, that this level passes to the machines at the start.
+    /// Finds the level that declares a shared variable; this decides who sees the variable (semantics 3.7). Returns the
+    /// initial value, if any, that this level passes to the machines at the start.
     ir::ExprPtr declaring_level(StoredVariable& entry) const {
         const std::string& name = entry.variable->name;
         if (context().controller == nullptr) {
@@ -424,7 +424,7 @@ private:
             return nullptr;
         }
         const ir::Variable* at_controller = find_named(context().controller->variables, name);
-        // the controller's memory does not propagate its initial value, so copies start with the type's default
+        // The controller's memory does not propagate its initial value, so copies start with the type's default.
         if (at_controller != nullptr && at_controller->scope == ir::VariableScope::local) {
             entry.level = module_ == nullptr ? static_cast<const void*>(context().controller)
                                              : &module_->controllers[component_.parts[part_].controller];
@@ -445,7 +445,7 @@ private:
 
     void mark_read(const Unit& unit) {
         ir::visit_reads(*unit.machine, [&](ir::VariableId variable) { mark_read(unit, variable); });
-        // the guard of a watched deadline reads the variable's value, not the incoming value (semantics 3.10)
+        // The guard of a watched deadline reads the variable's value, not the incoming value (semantics 3.10).
         for (const ir::Transition& transition : unit.machine->transitions)
             if (transition.deadline && transition.trigger && transition.trigger->variable.is_valid())
                 visit(transition.guard, [&](const ir::Expr& expr) {
@@ -476,7 +476,7 @@ private:
             visit_expressions(*unit.machine, [&](const ir::Expr& expr) { add_function(unit.constants, expr); });
     }
 
-    /// Adds a called function. If its precondition is tested, adds the functions that the precondition calls, too.
+    /// Adds a called function. If its precondition is tested, also adds the functions that the precondition calls.
     void add_function(const std::vector<ir::Value>& constants, const ir::Expr& expr) {
         if (expr.kind != ir::ExprKind::call && expr.kind != ir::ExprKind::function_value) return;
         auto& functions = component_.functions;
@@ -607,8 +607,8 @@ private:
         }
     }
 
-    /// Finds the machines that may hold up writes of the variable. A machine with one thread that is the only writer of
-    /// the variable does not wait for itself.
+    /// Finds the machines that may hold up writes of the variable. If a machine has one thread and is the only writer
+    /// of the variable, it does not wait for itself.
     void find_holders(std::size_t index, NameScope& state, NameScope& writers) {
         StoredVariable& entry = component_.variables[index];
         if (!entry.shared || entry.memories == 0) return;
@@ -628,7 +628,7 @@ private:
         return std::ranges::any_of(unit.machine->nodes, [](const ir::Node& node) { return node.during != nullptr; });
     }
 
-    /// Whether a program of the part communicates with a deadline and may have to wait.
+    /// Returns whether a program of the part communicates with a deadline and may have to wait.
     [[nodiscard]] bool waits_with_deadline(std::size_t part) const {
         bool found = false;
         for (const Unit& unit : component_.units)

@@ -11,7 +11,8 @@
 
 namespace robochart::cpp_emit {
 
-/// Returns the component for the reference. Reports elements for which no code can be generated; no value after errors.
+/// Returns the component for the reference. Reports elements for which no code can be generated, and returns no value
+/// after errors.
 [[nodiscard]] std::optional<Component> resolve_component(const ir::System&, const ir::Instantiation&,
                                                          const ir::ComponentRef&, diagnostics::Diagnostics&);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constructs that the C++ generator rejects by name. A rejected component gets no code rather than wrong code.
+// Declares the rules for constructs that the C++ generator rejects by name. A rejected component gets no code rather
+// than wrong code.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -62,7 +62,8 @@ bool has_pairs(const ir::Type& type) {
 
 namespace {
 
-/// Types may be recursive. Values of a recursive type have no bounded size.
+/// The depth at which a type is taken as recursive. Types may be recursive, but values of such a type have no bounded
+/// size.
 constexpr std::size_t deepest_type = 16;
 
 bool supported_below(const ir::System& system, ir::TypeId id, std::size_t depth) {
@@ -150,8 +151,8 @@ std::size_t given_capacity(const ir::Type& type) {
 
 namespace {
 
-/// Whether the name has the form of the core's functions for elements of the model. A function with this name would
-/// hide the type.
+/// Returns whether the name has the form of the core's functions for elements of the model. A function with this name
+/// would hide the type.
 bool method_like(const std::string& name) {
     static constexpr const char* prefixes[] = {"accept_", "any_",   "await_", "cut_",   "during_", "enter_",
                                                "exit_",   "from_",  "leave_", "local_", "name_",   "offers_",
@@ -162,7 +163,7 @@ bool method_like(const std::string& name) {
 
 }  // namespace
 
-/// Names of declared types differ from the core's own names.
+/// Returns a name that differs from the core's own names.
 std::string declared_name(const ir::Type& type) {
     static const std::set<std::string> taken = own_type_names();
     NameScope scope(taken);
@@ -240,7 +241,7 @@ std::size_t entry_count(const ir::Type& type) {
     return result;
 }
 
-/// The size of robochart::Pair, with padding between its parts and at its end.
+/// Returns the size of robochart::Pair, with padding between its parts and at its end.
 Extent pair_extent(const ir::System& system, const ir::Instantiation& inst, const ir::Type& type) {
     const Extent first = cpp_extent(system, inst, type.args.at(0));
     const Extent second = cpp_extent(system, inst, type.args.at(1));
@@ -422,7 +423,7 @@ std::string cspm_parts(const ir::System& system, const std::vector<ir::TypeId>& 
     return text;
 }
 
-/// The text of the parts if they are tuples themselves: pairs of a function, rows of a matrix.
+/// Returns the text of the parts if they are tuples themselves: pairs of a function, rows of a matrix.
 std::string cspm_rows(const ir::System& system, const std::vector<ir::TypeId>& types, const ir::Value& value) {
     std::string text;
     for (const ir::Value& row : value.parts) {

@@ -23,22 +23,23 @@ using diagnostics::Span;
 using ir::ExprKind;
 using ir::NodeKind;
 
-/// Maximal number of arguments in a record of the exploration interface (runtime/explore_abi.h).
+/// The maximal number of arguments in a record of the exploration interface (runtime/explore_abi.h).
 constexpr std::size_t max_arguments = 8;
 constexpr std::size_t max_output_values = 65536;
-/// Limit on the numbers and literals in all listed values of one type. A compiler needs seconds for this many.
+/// The maximal number of numbers and literals in all listed values of one type. A compiler needs seconds for this many.
 constexpr std::size_t max_listed = 8 * max_output_values;
 constexpr std::size_t max_bound_values = 1024;
-/// A larger decimal literal is not exact in binary floating point after multiplication by the scale.
+/// The largest exact decimal literal. A larger one is not exact in binary floating point after multiplication by the
+/// scale.
 constexpr std::int64_t max_exact = std::int64_t{1} << 52;
 
-/// Whether the operator works on numbers; these operators are also defined for vectors.
+/// Returns whether the operator works on numbers; these operators are also defined for vectors.
 bool is_arithmetic(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::divide ||
            kind == ExprKind::modulus || kind == ExprKind::negate;
 }
 
-/// Whether the operator is defined for vectors and matrices.
+/// Returns whether the operator is defined for vectors and matrices.
 bool of_blocks(ExprKind kind) {
     return kind == ExprKind::plus || kind == ExprKind::minus || kind == ExprKind::times || kind == ExprKind::negate;
 }
@@ -52,7 +53,7 @@ bool has_at_most(const ir::System& system, const ir::Instantiation& inst, ir::Ty
     return true;
 }
 
-/// Whether a set of the type may have more members over the carriers than a set can have.
+/// Returns whether a set of the type may have more members over the carriers than a set can have.
 bool exceeds_largest_set(const ir::System& system, const ir::Instantiation& inst, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     if (!(type.kind == ir::TypeKind::set || has_pairs(type)) || !is_supported(system, id)) return false;
@@ -106,15 +107,15 @@ private:
         visit_values(system_, root, [&](const ir::Expr& expr) { check_size(where, expr.type, expr.span); });
     }
 
-    /// Checks the capacity of a set, which needs a place for every possible element. Sets of unbounded types need not
-    /// have one (StepResult::capacity).
+    /// Checks that a set has a place for every possible element. Sets of unbounded types need not have so many places,
+    /// because generated code detects their overflow (StepResult::capacity).
     void check_size(const std::string& where, ir::TypeId id, Span span) {
         if (exceeds_largest_set(system_, inst_, id) && !has_lists(system_, id))
             diagnostics_.report(rules::too_large, span,
                                 {where, "a " + system_.type(id).name + " may have more than 1024 members"});
     }
 
-    /// Bound variables range over all values of their types.
+    /// Checks carriers, because bound variables range over all values of their types.
     void check_carriers() {
         for (const CarrierUse& use : component_.carriers) {
             check_type(use.type, component_.name, component_.origin.span);
@@ -201,7 +202,7 @@ private:
             diagnostics_.report(rules::unsupported_trigger, span, {name, "it does not only receive"});
     }
 
-    /// RoboSim: rejects uses of `exec` that the generated code for the end of a cycle does not support.
+    /// For RoboSim: rejects uses of `exec` that the generated code for the end of a cycle does not support.
     void check_cycle(const ir::Machine& machine, const ir::Transition& transition) {
         const auto refuse = [&](const char* what) {
             diagnostics_.report(rules::unsupported_expr, transition.origin.span, {what, transition.origin.element});
@@ -215,8 +216,8 @@ private:
                 refuse("a value of a register that is stored in an output");
     }
 
-    /// RoboSim: generated code computes the values of an output before the output may have to wait. In the meantime, a
-    /// parallel during action could change the variables that these values depend on.
+    /// For RoboSim: checks an output. Generated code computes the values of an output before the output may have to
+    /// wait. In the meantime, a parallel during action could change the variables that these values depend on.
     void check_output(const ir::Machine& machine, const ir::Stmt& stmt) {
         if (!component_.robosim || !has_during_) return;
         const bool call = stmt.kind == ir::StmtKind::call && machine.operations[stmt.operation.index].output;
@@ -251,10 +252,10 @@ private:
     const ir::Instantiation& inst_;
     const Component& component_;
     Diagnostics& diagnostics_;
-    bool has_during_ = false;  ///< RoboSim: actions may run in parallel
+    bool has_during_ = false;  ///< RoboSim: true if actions may run in parallel
 };
 
-/// Number of numbers and literals in a value.
+/// Returns the number of numbers and literals in a value.
 std::size_t count_leaves(const ir::Value& value) {
     if (value.parts.empty()) return 1;
     std::size_t count = 0;
@@ -262,8 +263,8 @@ std::size_t count_leaves(const ir::Value& value) {
     return count;
 }
 
-/// Whether the listed values of a type contain too many numbers and literals. Precondition: the number of these values
-/// is within its own limit.
+/// Returns whether the listed values of a type contain too many numbers and literals. Precondition: the number of these
+/// values is within its own limit.
 bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir::TypeId type) {
     if (!is_composed(system.type(type))) return false;
     std::size_t count = 0;
@@ -271,7 +272,7 @@ bool lists_too_much(const ir::System& system, const ir::Instantiation& inst, ir:
     return count > max_listed;
 }
 
-/// The option that bounds the values of a type: "--range real=LOW..HIGH"; "" if no range does.
+/// Returns the option that bounds the values of a type, "--range real=LOW..HIGH", or "" if no range does.
 std::string range_option(const ir::System& system, ir::TypeId id) {
     const ir::Type& type = system.type(id);
     if (is_numeric(type.kind)) return "--range " + type.name + "=LOW..HIGH";
@@ -285,24 +286,24 @@ std::string range_option(const ir::System& system, ir::TypeId id) {
     return "--range Seq=0..N" + (found.empty() ? "" : " or " + found);
 }
 
-/// " (fewer with --range real=LOW..HIGH)"; "" if no range bounds the values of the type.
+/// Returns " (fewer with --range real=LOW..HIGH)", or "" if no range bounds the values of the type.
 std::string remedy_text(const ir::System& system, ir::TypeId type) {
     const std::string option = is_supported(system, type) ? range_option(system, type) : "";
     return option.empty() ? "" : " (fewer with " + option + ")";
 }
 
-/// A limit of the exploration interface, with the carrier that exceeds it.
+/// Describes a limit of the exploration interface, with the carrier that exceeds it.
 std::string limit_text(const ir::System& system, ir::TypeId type, const std::string& limit) {
     return "`conform` lists the values of " + system.type(type).name + ", and " + limit + remedy_text(system, type);
 }
 
-/// The sets of unbounded types that the code builds and that do not fit over the carriers.
+/// Adds the sets of unbounded types that the code builds and that do not fit over the carriers.
 void add_large_sets(const ir::System& system, const ir::Instantiation& inst, const Component& component,
                     std::vector<BeyondExploration>& result) {
     std::set<ir::TypeId> seen;
     const auto look = [&](const std::string& name, const ir::Expr& expr) {
         if (!seen.insert(expr.type).second || !exceeds_largest_set(system, inst, expr.type)) return;
-        if (!has_lists(system, expr.type)) return;  // refused by check_support
+        if (!has_lists(system, expr.type)) return;  // check_support rejects it
         result.push_back({name, "over the carriers of `conform`, a " + system.type(expr.type).name +
                                     " may have more than 1024 members" + remedy_text(system, expr.type)});
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rejects constructs for which no code can be generated, by name and before any code is written.
+// Rejects constructs for which no code can be generated. Each is reported by name before any code is written.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace robochart::cpp_emit {
 
-/// Maximal number of values of one input that the exploration interface lists.
+/// The maximal number of values of one input that the exploration interface lists.
 inline constexpr std::size_t max_input_values = 4096;
 
 /// Reports every construct of the component that has no translation to C++ (rules.hpp). Returns true if there is none.
 [[nodiscard]] bool check_support(const ir::System&, const ir::Instantiation&, const Component&,
                                  diagnostics::Diagnostics&);
 
-/// A part of a component that has more values than the tables of the exploration interface can hold, and the violated
+/// A part of a component with more values than the tables of the exploration interface can contain, and the violated
 /// limit.
 struct BeyondExploration {
     std::string name;

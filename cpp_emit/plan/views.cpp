@@ -128,7 +128,7 @@ std::vector<const Expr*> conjuncts_of_predicate(const Expr& binder) {
     return result;
 }
 
-/// Whether a function in the expression may have no value for some arguments.
+/// Returns whether a function in the expression may have no value for some arguments.
 bool calls_partial_function(const System& system, const Expr& expr) {
     const bool partial = expr.kind == ExprKind::toolkit
                              ? ir::toolkit_precondition(expr.text)
@@ -139,8 +139,8 @@ bool calls_partial_function(const System& system, const Expr& expr) {
            });
 }
 
-/// Whether the elements of the collection are elements of collections that the model stores, and so values of their
-/// type in every instantiation. An interval may contain numbers outside the carrier.
+/// Returns whether the elements of the collection are elements of collections that the model stores. Such elements are
+/// values of their type in every instantiation. An interval may contain numbers outside the carrier.
 bool holds_stored_values(const System& system, const Expr& expr) {
     if (expr.kind == ExprKind::variable || expr.kind == ExprKind::trigger_value || expr.kind == ExprKind::constant ||
         expr.kind == ExprKind::member || expr.kind == ExprKind::bound || expr.kind == ExprKind::sequence ||
@@ -165,7 +165,7 @@ bool may_have_generators(const System& system, const Expr& expr) {
            !calls_partial_function(system, *expr.args[0]);
 }
 
-/// Whether the condition is `name in collection` with a collection that generates all values of the variable.
+/// Returns whether the condition is `name in collection`, and the collection generates all values of the variable.
 bool generates(const System& system, const Expr& binder, std::size_t variable, const Expr& condition) {
     if (condition.kind != ExprKind::is_in) return false;
     const Expr& element = *condition.args.at(0);
@@ -175,7 +175,7 @@ bool generates(const System& system, const Expr& binder, std::size_t variable, c
            !uses_bound_name(collection, binder.bound_names) && holds_stored_values(system, collection);
 }
 
-/// The condition that generates the variable's values; null if there is none.
+/// Returns the condition that generates the variable's values, or null if there is none.
 const Expr* generating_condition(const System& system, const Expr& binder, std::size_t variable) {
     if (!may_have_generators(system, binder)) return nullptr;
     for (const Expr* condition : conjuncts_of_predicate(binder))
@@ -218,7 +218,7 @@ std::vector<const Expr*> conditions_besides_generators(const System& system, con
 
 namespace {
 
-/// Whether the operand of a view is a collection that the view visits.
+/// Returns whether the operand of a view is a collection that the view visits.
 bool is_visited(const System& system, const Expr& view, std::size_t operand) {
     const Expr& part = *view.args.at(operand);
     return (view.kind == ExprKind::toolkit || view.kind == ExprKind::concat) &&

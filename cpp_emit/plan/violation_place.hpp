@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The places at which generated code stays because a precondition of an operation is false.
+// Lists the places at which generated code stays because a precondition of an operation is false.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct ViolationPlace {
     diagnostics::Span call;
 };
 
-/// The places in the code that `emit` generates for the same arguments.
+/// Returns the places in the code that `emit` generates for the same arguments.
 [[nodiscard]] std::vector<ViolationPlace> violation_places(const ir::System&, const ir::Instantiation&,
                                                            const ir::ComponentRef& component, const Options&);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visitors for the IR, in addition to those of semantics/ir/visit.hpp.
+// Visits the IR, in addition to the visitors of semantics/ir/visit.hpp.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ void visit_tested_preconditions(const Component&, const ir::System&, const ExprV
 /// Visits the triggers of the transitions, then the communications of the statements.
 void visit_communications(const ir::Machine&, const std::function<void(const ir::Communication&, bool trigger)>&);
 
-/// The clock that sinceEntry(node) reads; invalid if there is none.
+/// Returns the clock that sinceEntry(node) reads; invalid if there is none.
 [[nodiscard]] ir::ClockId entry_clock(const ir::Machine&, ir::NodeId);
 
 }  // namespace robochart::cpp_emit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameter `cycle` of a node: the length of its control cycle. It follows from the declared time unit; without
-// one, a cycle lasts a tenth of a second.
+// Computes the parameter `cycle` of a node: the length of its control cycle. It follows from the declared time unit.
+// Without a declared unit, a cycle lasts a tenth of a second.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elements of a component that messages carry. Private to this component.
+// Lists the elements of a component that messages carry. Private to this component.
 #pragma once
 
 #include <optional>
@@ -21,17 +21,17 @@ struct Element {
     const ApiEvent* event = nullptr;
     const ApiVariable* variable = nullptr;
     diagnostics::Span span;
-    const Item* item = nullptr;  ///< the element's item in the mapping
+    const Item* item = nullptr;  ///< the item for the element in the mapping
     const Deadline* deadline = nullptr;
 
     [[nodiscard]] bool is_mapped() const { return item != nullptr || deadline != nullptr; }
 };
 
-/// All elements, in the order of the classes.
+/// Returns all elements, in the order of the classes.
 [[nodiscard]] std::vector<Element> elements_of(const Generation&, const ClassApi&);
-/// The type of the value of an event or a variable.
+/// Returns the type of the value of an event or a variable.
 [[nodiscard]] std::optional<ir::TypeId> type_of(const Element&);
-/// The parameters of an operation, or the value of an event or variable.
+/// Returns the parameters of an operation, or the value of an event or variable.
 [[nodiscard]] std::vector<ModelValue> values_of(const Element&);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -15,7 +15,7 @@ std::string value_of(const Filled& field) {
                : field.scalar->place;
 }
 
-/// Several numbers in one array.
+/// Writes code that fills one array with several numbers.
 void fill_array(CodeWriter& out, const Outgoing& outgoing, const std::string& message) {
     std::vector<std::string> numbers;
     for (const Filled& field : outgoing.fields)

@@ -9,8 +9,8 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// Writes code that fills those fields of `message` that cannot fail. Returns a condition that fills the other fields
-/// and is true if all values fit; "" if there are none. `now` is the time of the cycle.
+/// Writes code that fills those fields of `message` that can always be filled. Returns a condition that fills the other
+/// fields and is true if all values fit; "" if there are none. `now` is the time of the cycle.
 [[nodiscard]] std::string fill_message(CodeWriter&, const Outgoing&, const std::string& message,
                                        const std::string& now);
 

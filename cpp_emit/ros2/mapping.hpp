@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mapping as the user writes it: which messages carry the operations, events and shared variables of one component,
-// and on which topics (docs/ros2.md). node_plan.hpp compares the mapping with the component.
+// Declares a mapping as the user writes it: which messages carry the operations, events and shared variables of one
+// component, and on which topics (docs/ros2.md). node_plan.hpp compares the mapping with the component.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ using frontend::Word;
 
 enum class ElementKind { operation, event, variable };
 
-/// "operation", "event", "variable".
+/// Returns "operation", "event" or "variable".
 [[nodiscard]] std::string_view describe_kind(ElementKind);
 
 /// The name of a message: `geometry_msgs/Twist`.
@@ -46,7 +46,7 @@ struct Path {
 struct Source {
     enum class Kind { path, whole, decimal, truth, text };
     Kind kind = Kind::path;
-    Path path;                      ///< in the model or in the message; also `true`, `false`, `now`
+    Path path;                      ///< a name in the model or in the message; also `true`, `false`, `now`
     std::string number;             ///< as C++ text, including its sign
     diagnostics::ForeignText text;  ///< characters
     diagnostics::Span span;
@@ -62,7 +62,7 @@ struct ListCapacity {
 struct Assignment {
     Path target;
     Source source;
-    std::optional<ListCapacity> capacity;  ///< received arrays only
+    std::optional<ListCapacity> capacity;  ///< for received arrays only
 };
 
 enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
@@ -81,7 +81,7 @@ struct Delivery {
     std::optional<std::uint32_t> depth;
 };
 
-/// How the values of an element are transported.
+/// How the values of an element are transported. The comments show examples.
 enum class Transport {
     topic,
     service,  ///< `call operation dock as std_srvs/Trigger on "dock"`
@@ -92,7 +92,7 @@ enum class Transport {
 
 /// What a called service or action sends back.
 enum class Reply {
-    answer,  ///< of a service
+    answer,  ///< the answer of a service
     accepted,
     rejected,
     feedback,
@@ -101,36 +101,36 @@ enum class Reply {
     canceled,
 };
 
-/// "answer", "accepted" and so on.
+/// Returns "answer", "accepted" or another word of the notation.
 [[nodiscard]] std::string_view describe_reply(Reply);
-/// Whether a call has ended with this reply.
+/// Returns whether a call has ended with this reply.
 [[nodiscard]] bool ends_call(Reply);
 
-/// An item: `publish operation move as geometry_msgs/Twist on "cmd_vel" with reliable { linear.x = speed }`.
+/// An item, such as `publish operation move as geometry_msgs/Twist on "cmd_vel" with reliable { linear.x = speed }`.
 struct Item {
     bool published = false;
     Transport transport = Transport::topic;
     Reply reply = Reply::answer;
     ElementKind kind = ElementKind::operation;
     Word element;
-    MessageName message;  ///< or service or action; none for replies and cancellations
-    Word topic;  ///< or the name of the service or action; for replies and cancellations the operation that calls it
+    MessageName message;  ///< message, service or action; none for replies and cancellations
+    Word topic;  ///< or name of the service or action; for replies and cancellations, the operation that calls it
     Delivery delivery;
-    std::vector<Condition> conditions;  ///< received elements only; all must be true
+    std::vector<Condition> conditions;  ///< only for received elements; all must be true
     std::vector<Assignment> assignments;
 };
 
-/// `receive event lost as deadline 0.5 on "scan"`: the event is raised if no message arrives on the topic for this
-/// time. `receive event lost as deadline 5 of dock`: the event is raised if the service or action that the operation
-/// `dock` calls does not answer within this time.
+/// The item `receive event lost as deadline 0.5 on "scan"`: the event is raised if no message arrives on the topic for
+/// this time. With `receive event lost as deadline 5 of dock`, the event is raised if the service or action that the
+/// operation `dock` calls does not answer within this time.
 struct Deadline {
     Word event;
     std::string seconds;  ///< as C++ text
     Transport transport = Transport::topic;
-    Word topic;  ///< or the operation
+    Word topic;  ///< or the operation, for `of`
 };
 
-/// `parameter SPEED as "max_speed"`: the name of the ROS parameter of a constant.
+/// The item `parameter SPEED as "max_speed"`: the name of the ROS parameter of a constant.
 struct ParameterName {
     Word constant;  ///< `SPEED` or `P::M::SPEED`
     Word parameter;
@@ -141,7 +141,7 @@ struct Mapping {
     std::vector<Item> items;
     std::vector<Deadline> deadlines;
     std::vector<ParameterName> parameters;
-    /// `on deactivate publish geometry_msgs/Twist on "cmd_vel" { ... }`. The element has no name.
+    /// The items `on deactivate publish geometry_msgs/Twist on "cmd_vel" { ... }`. Their elements have no names.
     std::vector<Item> farewells;
 };
 

@@ -18,17 +18,17 @@ namespace robochart::cpp_emit::ros2 {
 
 namespace {
 
-/// A message for an element, with the assignments that fill it or take its values.
+/// A proposal for an element: a message, with the assignments that fill it or take its values.
 struct Proposal {
     std::string message;
     std::string topic;
     std::vector<std::string> assignments;
-    std::string reason;  ///< of the choice, for a comment
+    std::string reason;  ///< why this message was chosen, for a comment
 };
 
 /// A sensor whose readings have common names.
 struct SensorName {
-    std::string_view word;  ///< in the name of the element
+    std::string_view word;  ///< a word in the name of the element
     bool list = false;      ///< the value is a sequence
     std::string_view message, field, topic;
 };
@@ -87,10 +87,10 @@ private:
     const Generation& generation_;
     const ClassApi& api_;
     std::string text_;
-    std::map<std::string, std::string> topics_;  ///< name -> message that is published; "": one is received
+    std::map<std::string, std::string> topics_;  ///< by topic: the published message; "" if the node receives
 };
 
-/// `move(lv, av)`: at most one number for each of the two velocities of a robot on wheels.
+/// Returns the message for `move(lv, av)`: at most one number for each of the two velocities of a robot on wheels.
 std::optional<Proposal> DraftWriter::velocity(const Element& element) const {
     Proposal result{"geometry_msgs/Twist", "cmd_vel", {}, "by the names of the parameters"};
     bool forward = false, turn = false;
@@ -105,7 +105,8 @@ std::optional<Proposal> DraftWriter::velocity(const Element& element) const {
     return forward || turn ? std::optional(result) : std::nullopt;
 }
 
-/// A message with the fields of a record: all of them, or those that the record has if both have the same name.
+/// Returns a message with the fields of a record: all of them or, if message and record have the same name, those that
+/// the record has.
 std::optional<Proposal> DraftWriter::shape(const Element& element, const ModelValue& value) const {
     const ir::Type& type = generation_.system.type(value.type);
     std::vector<Scalar> scalars;
@@ -146,7 +147,7 @@ std::optional<Proposal> DraftWriter::sensor(const Element& element, const Scalar
     return std::nullopt;
 }
 
-/// A message of std_msgs with one number, truth value or list, or without a value.
+/// Returns a message of std_msgs with one number, truth value or list, or without a value.
 Proposal DraftWriter::plain(const Element& element, const std::vector<Scalar>& scalars) {
     Proposal result{"std_msgs/Empty", topic_part(element.name, NameStyle::snake), {}, ""};
     if (scalars.empty()) return result;
@@ -156,7 +157,7 @@ Proposal DraftWriter::plain(const Element& element, const std::vector<Scalar>& s
     return result;
 }
 
-/// No value: no message of the table carries the element's values.
+/// Returns the proposal for an element, or no value if no message of the table carries the element's values.
 std::optional<Proposal> DraftWriter::proposal_for(const Element& element) const {
     const std::vector<ModelValue> values = values_of(element);
     if (element.published && element.kind == ElementKind::operation)
@@ -176,7 +177,8 @@ std::optional<Proposal> DraftWriter::proposal_for(const Element& element) const 
     return carried ? std::optional(plain(element, scalars)) : std::nullopt;
 }
 
-/// The topic of the proposal, unless another element has it. Published elements with one message share a topic.
+/// Returns the topic of the proposal, or another one if another element has it. Published elements with the same
+/// message share a topic.
 std::string DraftWriter::free_topic(const Element& element, const Proposal& proposal) {
     const auto is_taken = [&](const std::string& topic) {
         const auto known = topics_.find(topic);

@@ -17,7 +17,7 @@ struct FieldRow {
     std::string_view fields;  ///< "x y z : float64, header : std_msgs/Header"
 };
 
-// Types of fields as in .msg files; every message names its package.
+// The messages, with the types of their fields as in .msg files. Every type that is a message includes its package.
 constexpr FieldRow rows[] = {
     {"builtin_interfaces/Time", "sec : int32, nanosec : uint32"},
     {"builtin_interfaces/Duration", "sec : int32, nanosec : uint32"},

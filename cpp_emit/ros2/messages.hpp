@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of common ROS 2 messages (the packages common_interfaces, builtin_interfaces, ackermann_msgs), so that
-// errors are found in the mapping and not in generated code.
+// Lists the fields of common ROS 2 messages (the packages common_interfaces, builtin_interfaces, ackermann_msgs), so
+// that errors in a mapping are found before code is generated.
 #pragma once
 
 #include <optional>
@@ -28,11 +28,11 @@ struct FieldType {
     std::string_view written;  ///< "float32", "geometry_msgs/Vector3"; "" if unknown
 };
 
-/// Whether the message is in the table.
+/// Returns whether the message is in the table.
 [[nodiscard]] bool is_known(const MessageName&);
-/// The messages of this package in the table.
+/// Returns the messages of this package in the table.
 [[nodiscard]] std::vector<std::string> known_messages(std::string_view package);
-/// The names of the fields of a message in the table; `message` is like "geometry_msgs/Vector3".
+/// Returns the names of the fields of a message in the table. `message` is a name such as "geometry_msgs/Vector3".
 [[nodiscard]] std::vector<std::string> fields_of(std::string_view message);
 
 /// A field that is not itself a message, with its path: "linear.x".
@@ -40,25 +40,25 @@ struct Leaf {
     std::string path;
     FieldType type;
 };
-/// The messages in the table, without those of services and actions: "geometry_msgs/Vector3".
+/// Returns the messages in the table, such as "geometry_msgs/Vector3", without those of services and actions.
 [[nodiscard]] std::vector<std::string> known_messages();
-/// The leaves of a message in the table, except those of its header. Recursion depth: the depth of messages.
+/// Returns the leaves of a message in the table, except those of its header. Recursion depth: the depth of messages.
 [[nodiscard]] std::vector<Leaf> leaves_of(std::string_view message);
 
 /// The field at the end of a path. Fields of a message that is not in the table are unknown.
 struct FoundField {
     FieldType type;
-    std::size_t missing = 0;  ///< index of the first word that names no field; the path's length if all do
+    std::size_t missing = 0;  ///< index of the first word that names no field, or the path's length
     std::string_view in;      ///< the message that lacks this field
 };
 [[nodiscard]] FoundField find_field(const MessageName&, const Path&);
 
-/// The type of the items of an array.
+/// Returns the type of the items of an array.
 [[nodiscard]] FieldType item_type(const FieldType&);
 
 /// Describes a field type for messages to the user: "whole numbers (uint8)".
 [[nodiscard]] std::string describe_field(const FieldType&);
-/// Whether a whole number is a value of the type. For example, "300" is not a value of uint8.
+/// Returns whether a whole number is a value of the type. For example, "300" is not a value of uint8.
 [[nodiscard]] bool holds_number(const FieldType&, const std::string& whole);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -55,7 +55,7 @@ std::string describe_type(const ir::Type& type) {
 
 namespace {
 
-/// The value as a scalar or a sequence of scalars.
+/// Returns the value as a scalar or a sequence of scalars.
 std::optional<Scalar> scalar_of(const ir::System& system, const ModelValue& value) {
     const ir::Type& type = system.type(value.type);
     const bool list = type.kind == TypeKind::sequence;

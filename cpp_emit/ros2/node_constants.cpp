@@ -9,8 +9,8 @@ namespace robochart::cpp_emit::ros2 {
 
 namespace {
 
-/// The name of the parameter: "SPEED" for "P::M::SPEED". If other constants have the same last part, the whole path
-/// with dots.
+/// Returns the name of the parameter: "SPEED" for "P::M::SPEED". If other constants have the same last part, returns
+/// the whole path with dots.
 std::string parameter_of(const std::string& path, const std::map<std::string, int>& ends) {
     const std::string last = path.substr(path.rfind(':') + 1);
     if (ends.at(last) == 1) return "constants." + last;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of a node for constants whose values come from options of the generator and not from the model.
+// Lists the parameters of a node for constants whose values come from options of the generator and not from the model.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@ struct NodeConstant : OpenConstant {
     std::string parameter;  ///< name of the ROS parameter: "constants.SPEED"
 };
 [[nodiscard]] std::vector<NodeConstant> node_constants(const Generation&);
-/// Whether a name in a mapping denotes the constant with this path: the name is the path, or the last part of the path.
+/// Returns whether a name in a mapping denotes the constant with this path. The name may be the path, or the last part
+/// of the path.
 [[nodiscard]] bool names_constant(const std::string& name, const std::string& path);
 
 }  // namespace robochart::cpp_emit::ros2

@@ -207,7 +207,7 @@ private:
         out_.line("::rclcpp::TimerBase::SharedPtr timer_;");
     }
 
-    /// The type of the publisher, the subscription or the client.
+    /// Returns the type of the publisher, the subscription or the client.
     static std::string end_type(const Topic& topic) {
         const std::string type = interface_type(topic);
         if (topic.transport == Transport::action) return fmt::format("::robochart::ros2::Goal<{}>", type);
@@ -221,15 +221,16 @@ private:
 
     // ------------------------------------------------------------ receptions
 
-    /// A method of the node that takes the messages of a topic, the answers of a service, or the replies of an action
-    /// of one kind.
+    /// A method of the node. It takes the messages of a topic, the answers of a service, or one kind of replies of an
+    /// action.
     struct Reception {
         std::size_t topic = 0;
         Reply reply = Reply::answer;
         friend bool operator==(const Reception&, const Reception&) = default;
     };
 
-    /// A topic and a service have one method. An action has one for each reply that raises an event or ends a deadline.
+    /// Plans the methods. A topic and a service have one method. An action has one for each reply that raises an event
+    /// or ends a deadline.
     void plan_receptions() {
         for (std::size_t i = 0; i < plan_.topics.size(); ++i) {
             const Topic& topic = plan_.topics[i];
@@ -367,8 +368,8 @@ private:
         out_.close();
     }
 
-    /// Clocks and timeouts count time units, so the parameter `cycle` changes their length in seconds. The node
-    /// therefore reports another length than the usual one.
+    /// Writes a check of the time unit. Clocks and timeouts count time units, so the parameter `cycle` changes their
+    /// length in seconds. The node therefore reports a cycle of another length than the usual one.
     void write_unit_check() {
         const std::string usual = cycle_seconds(generation_.options);
         const std::string text = cycle_text(generation_.options);
@@ -541,7 +542,7 @@ private:
         return "greater_equal";
     }
 
-    /// The messages that are published when the node stops.
+    /// Writes the code for the messages that are published when the node stops.
     void write_farewell() {
         out_.gap();
         out_.open(fmt::format("void {}::say_farewell() noexcept {{", node_));
@@ -589,7 +590,7 @@ private:
         }
     }
 
-    /// The message is refused as a whole if an array has more items than the list that receives it.
+    /// Writes code that rejects the whole message if an array has more items than the list that receives it.
     void refuse_longer(const Incoming& incoming, const Taken& taken, const std::string& test) {
         open_branch(fmt::format("{} (message.{}.size() > {}.most) {{", test, taken.field, taken.scalar.place));
         out_.line(
@@ -665,7 +666,7 @@ private:
         write_health();
     }
 
-    /// Writes the function with the facts about the running controller that the node reports as its health.
+    /// Writes the function with the data about the running controller that the node reports as its health.
     void write_health() {
         out_.gap();
         out_.open(fmt::format("::robochart::ros2::Health::Facts {}::facts() const {{", node_));
@@ -741,7 +742,7 @@ private:
         }
     }
 
-    /// An exception must not leave the controller's cycle, which is noexcept.
+    /// Writes code that sends messages. An exception must not leave the controller's cycle, which is noexcept.
     void write_sending() {
         out_.gap();
         out_.line("template <class Publisher, class Message>");
@@ -763,7 +764,8 @@ private:
         out_.close();
     }
 
-    /// The answer arrives in the node's callback group, so it never arrives during a cycle or a transition.
+    /// Writes calls of services. The answer arrives in the node's callback group, so it never arrives during a cycle or
+    /// a transition.
     void write_calling() {
         out_.gap();
         out_.line("template <class Service, class Answer>");
@@ -788,7 +790,8 @@ private:
         out_.close();
     }
 
-    /// The replies also arrive in the node's callback group. If there is no server, the earlier goal is given up, too.
+    /// Writes goals of actions. The replies also arrive in the node's callback group. If there is no server, the
+    /// earlier goal is given up, too.
     void write_goals() {
         out_.gap();
         out_.line("template <class Goal, class Message>");
@@ -858,7 +861,8 @@ private:
         out_.close();
     }
 
-    /// A run that is meant as evidence must not go unrecorded: without its log, the node is not configured.
+    /// Writes the methods for logs. If the log cannot be written, the node is not configured, because a run that is
+    /// meant as evidence must not go unrecorded.
     void log_methods() {
         out_.gap();
         out_.open(fmt::format("bool {}::open_log() {{", node_));

@@ -37,7 +37,7 @@ bool is_modelled(const ClassApi& api, const std::string& name) {
     return found;
 }
 
-/// Whether the fields overlap: one contains the other, or both are the same.
+/// Returns whether the fields overlap: one contains the other, or both are the same.
 bool fields_overlap(const std::string& a, const std::string& b) {
     return a == b || a.starts_with(b + ".") || b.starts_with(a + ".");
 }
@@ -108,12 +108,12 @@ private:
         }
     }
 
-    /// Whether the item belongs to a service or action that another item calls.
+    /// Returns whether the item belongs to a service or action that another item calls.
     static bool names_call(const Item& item) {
         return item.transport == Transport::reply || item.transport == Transport::cancel;
     }
 
-    /// The message that has the fields of an item: a part of a service or an action.
+    /// Returns the message that has the fields of an item: a part of a service or an action.
     static MessageName data_of(const Item& item, MessageName message) {
         if (item.transport == Transport::service) message.type += "_Request";
         if (item.transport == Transport::action) message.type += "_Goal";
@@ -148,7 +148,7 @@ private:
         }
     }
 
-    /// A parameter is the name of one constant, and a constant has one parameter.
+    /// Matches parameters and constants. A parameter names one constant, and a constant has one parameter.
     void match_parameters(const Mapping& mapping) {
         const std::vector<NodeConstant> constants = node_constants(generation_);
         std::set<std::string> paths;
@@ -179,7 +179,7 @@ private:
                                     {fmt::format("parameter '{}'", given.parameter.text)});
     }
 
-    /// The topic of a deadline is one that another item receives.
+    /// Adds a deadline. Another item must receive its topic.
     void add_silence(const Element& element) {
         const Word& topic = element.deadline->topic;
         const std::string member = members_.unique_name("watch_" + element.event->method);
@@ -200,7 +200,7 @@ private:
                             {"the mapping", "received topic", topic.text, suggest_name(topic.text, known)});
     }
 
-    /// The service or action that the operation calls; no value, with a finding, if it calls none.
+    /// Returns the service or action that the operation calls. Returns no value and reports a finding if it calls none.
     std::optional<std::size_t> call_of(const Word& operation, const std::set<Transport>& transports) {
         std::vector<std::string> known;
         for (const Outgoing& out : plan_.outgoing) {
@@ -220,7 +220,7 @@ private:
                                                       : "operation that calls a service";
     }
 
-    /// Two operations that call one service would get each other's answers.
+    /// Adds a service. Two operations that call the same service would get each other's answers.
     std::size_t add_service(const Element& element) {
         const Item& item = *element.item;
         Topic service{item.topic.text, item.message, {}, true, "", element.name, item.transport};
@@ -236,8 +236,8 @@ private:
         return plan_.topics.size() - 1;
     }
 
-    /// Adds a message that is published when the node stops. If its item gives no quality of service, it has that of
-    /// the other messages on its topic.
+    /// Adds a message that is published when the node stops. If its item gives no quality of service, the message has
+    /// that of the other messages on its topic.
     void add_farewell(const Item& item) {
         Element element;
         element.published = true;
@@ -282,13 +282,13 @@ private:
 
     // ------------------------------------------------------------ topics
 
-    /// The topic as ROS resolves it without a namespace and remappings.
+    /// Returns the topic as ROS resolves it without a namespace and remappings.
     [[nodiscard]] std::string resolve_name(const std::string& name) const {
         if (name.starts_with("~/")) return "/" + plan_.node + name.substr(1);
         return name.starts_with('/') ? name : "/" + name;
     }
 
-    /// The reason why two elements cannot share a topic; "" if they can share it.
+    /// Returns the reason why two elements cannot share a topic; "" if they can share it.
     static std::string describe_conflict(const Topic& first, const Topic& second) {
         if (first.published != second.published) return "one is published, and the other is received";
         if (!(first.message == second.message))
@@ -311,7 +311,7 @@ private:
         return plan_.topics.size() - 1;
     }
 
-    /// The default topic, such as "~/out/move". If names differ only in underscores, they get a number.
+    /// Returns the default topic, such as "~/out/move". If names differ only in underscores, a number is appended.
     std::string default_topic(const char* kind, const std::string& name) {
         const std::string stem = fmt::format("~/{}/{}", kind, topic_part(name, style_));
         std::string topic = stem;
@@ -322,7 +322,7 @@ private:
     static QualityOfService quality_of(const Element& element, const MessageName& message, const Delivery& delivery) {
         QualityOfService quality;
         if (element.published && element.kind == ElementKind::variable) quality = latched_quality();
-        // drivers of sensors publish with best effort, and a reliable subscription would not receive their messages
+        // Drivers of sensors publish with best effort, and a reliable subscription would not receive their messages.
         if (!element.published && message.package == "sensor_msgs") quality = {false, false, 5};
         quality.reliable = delivery.reliable.value_or(quality.reliable);
         quality.latched = delivery.latched.value_or(quality.latched);
@@ -364,7 +364,7 @@ private:
         }
     }
 
-    /// The word for the element's kind and direction in its default topic.
+    /// Returns the word for the element's kind and direction in its default topic.
     static const char* topic_kind(const Element& element) {
         switch (element.kind) {
             case ElementKind::variable:
@@ -504,8 +504,8 @@ private:
         plan_.incoming.push_back(std::move(in));
     }
 
-    /// Truth values and texts can only be compared for equality. A number in a condition is compared as a value of the
-    /// field's type.
+    /// Plans the test of a condition. Truth values and texts can only be compared for equality. A number in a condition
+    /// is compared as a value of the field's type.
     void plan_test(const Item& item, const Condition& condition, Incoming& in) {
         const std::optional<FieldType> field = field_of(item, condition.field);
         if (!field) return;
@@ -544,8 +544,7 @@ private:
                              describe_field(*field)});
     }
 
-    /// Warns of fields without effect. Every message raises an event without a value, independently of the message's
-    /// fields.
+    /// Warns of fields that have no effect. Every message raises an event without a value, whatever its fields contain.
     void warn_unread(const Element& element) {
         const MessageName& message = element.item->message;
         const std::vector<std::string> fields = fields_of(message.full_name());
@@ -571,7 +570,7 @@ private:
                     {fmt::format("'{}'", scalar.reading), std::string(describe_kind(element.kind)), element.name});
     }
 
-    /// The field's type; no value, with a finding, if the message does not have the field.
+    /// Returns the field's type. Returns no value and reports a finding if the message does not have the field.
     std::optional<FieldType> field_of(const Item& item, const Path& path) {
         MessageName message = item.message;
         if (item.transport == Transport::reply)
@@ -586,7 +585,7 @@ private:
         return std::nullopt;
     }
 
-    /// The part of the element's value that the path names and that the field can carry.
+    /// Returns the part of the element's value that the path names, if the field can carry it.
     std::optional<Scalar> scalar_of(const Element& element, const std::vector<ModelValue>& values, const Path& path,
                                     const FieldType& field, const Path& field_path) {
         const FoundScalar found = find_scalar(generation_.system, values, path);

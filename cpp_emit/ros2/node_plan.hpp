@@ -22,8 +22,8 @@ struct QualityOfService {
     friend bool operator==(const QualityOfService&, const QualityOfService&) = default;
 };
 
-/// A publisher or subscription. All elements with the same topic share it, so that the order of its messages is
-/// preserved.
+/// A publisher or subscription. All elements with the same topic share it, which preserves the order of the topic's
+/// messages.
 struct Topic {
     std::string name;
     MessageName message;
@@ -31,8 +31,8 @@ struct Topic {
     bool published = false;
     std::string member;  ///< member of the node and of the class that sends messages
     std::string user;    ///< the first element on the topic, for messages to the user
-    /// Topic, service or action. An operation calls a service or an action, whose requests and goals count as
-    /// published.
+    /// A topic, a service or an action. An operation calls a service or an action. The requests and goals are treated
+    /// as published messages.
     Transport transport = Transport::topic;
 
     [[nodiscard]] bool is_called() const { return transport != Transport::topic; }
@@ -55,7 +55,7 @@ struct Outgoing {
     const ApiVariable* variable = nullptr;
     std::size_t topic = 0;
     std::vector<Filled> fields;
-    bool array = false;    ///< several numbers in the `data` of a Float64MultiArray
+    bool array = false;    ///< true: several numbers in the `data` of a Float64MultiArray
     bool cancels = false;  ///< cancels the goal of the action instead of sending one
     bool mapped = false;   ///< true if the mapping contains the element; otherwise it has a separate topic
 };
@@ -81,7 +81,7 @@ struct Incoming {
     std::size_t topic = 0;
     std::vector<Taken> fields;
     std::vector<Test> tests = {};
-    Reply reply = Reply::answer;  ///< of a called service or action
+    Reply reply = Reply::answer;  ///< for a called service or action
 };
 
 /// An event that is raised if no message arrives on a topic.
@@ -89,10 +89,10 @@ struct Silence {
     const ApiEvent* event = nullptr;
     std::string seconds;  ///< C++ text
     std::size_t topic = 0;
-    std::string member;  ///< of the node: "watch_lost"
+    std::string member;  ///< member of the node: "watch_lost"
 };
 
-/// The topic of the state of a machine.
+/// The topic on which the state of a machine is published.
 struct StateTopic {
     const ApiMachine* machine = nullptr;
     std::size_t topic = 0;

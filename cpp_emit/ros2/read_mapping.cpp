@@ -70,7 +70,7 @@ private:
         mapping.items.push_back(std::move(item));
     }
 
-    /// A word of this notation, and not the name of a package.
+    /// Takes a word of this notation. If the word is the name of a package, it is not taken.
     bool take_keyword(std::string_view word) { return token_behind().text != "/" && take_word(word); }
 
     bool take_reply(Item& item) {
@@ -185,8 +185,9 @@ private:
                    {item.element.text, "received element", "the controller calls its operations itself"});
     }
 
-    /// Parses `geometry_msgs/Twist`, or in full `geometry_msgs/msg/Twist`; also the name of a service or an action. The
-    /// full name of an action, `nav2_msgs/action/NavigateToPose`, makes a call one of an action.
+    /// Parses `geometry_msgs/Twist` or the full name `geometry_msgs/msg/Twist`; also the name of a service or an
+    /// action. If a call has the full name of an action, `nav2_msgs/action/NavigateToPose`, it becomes a call of an
+    /// action.
     MessageName read_message(Transport* transport = nullptr) {
         const Word package = name("the package of a message");
         expect_word("/");
@@ -235,7 +236,7 @@ private:
         assignment.capacity = {items, diagnostics::join_spans(begin, last_span())};
     }
 
-    /// A whole number from 1 to `most`.
+    /// Reads a whole number from 1 to `most`.
     std::uint32_t read_count(std::uint32_t most) {
         const frontend::Token next = current_token();
         std::uint32_t number = 0;

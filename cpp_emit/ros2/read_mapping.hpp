@@ -8,7 +8,7 @@
 
 namespace robochart::cpp_emit::ros2 {
 
-/// Parses a mapping and performs all checks that do not need the model, for example that every name is a valid ROS
+/// Parses a mapping and performs all checks that do not need the model. For example, every name must be a valid ROS
 /// name. Reports errors as diagnostics.
 [[nodiscard]] Mapping read_mapping(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 

@@ -21,8 +21,8 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Rejects names other than a letter followed by letters, digits and single underscores, with no underscore at the end
-/// (REP 149, rosidl).
+/// Rejects names that do not consist of a letter followed by letters, digits and single underscores, and names with an
+/// underscore at the end (REP 149, rosidl).
 std::string wrong_small_name(std::string_view name) {
     if (name.empty() || !is_small(name.front())) return "it must begin with a small letter";
     for (const char c : name)
@@ -33,14 +33,14 @@ std::string wrong_small_name(std::string_view name) {
     return "";
 }
 
-/// Whether the topic belongs to ROS itself, so that a node must not publish on it.
+/// Returns whether the topic belongs to ROS itself, so that a node must not publish on it.
 bool is_ros_topic(std::string_view topic) {
     static constexpr std::array names = {"rosout", "parameter_events", "clock", "diagnostics", "~/transition_event"};
     if (topic.starts_with('/')) topic.remove_prefix(1);
     return std::ranges::find(names, topic) != names.end();
 }
 
-constexpr std::size_t longest_name = 200;  // RMW: 247 for the whole topic, including the namespace
+constexpr std::size_t longest_name = 200;  // RMW allows 247 for the whole topic, including the namespace
 
 }  // namespace
 
@@ -110,8 +110,8 @@ std::string topic_part(std::string_view name, NameStyle style) {
 }
 
 std::string header_of_message(std::string_view type) {
-    // splits before a capital letter followed by a small letter, and between a small letter or digit and a capital
-    // letter; this is the rule of rosidl, and snake_case for all names here
+    // The name is split before a capital letter followed by a small letter, and between a small letter or digit
+    // and a capital letter. This is the rule of rosidl, and snake_case for all names here.
     std::string result;
     for (std::size_t i = 0; i < type.size(); ++i) {
         const bool word = is_large(type[i]) && i > 0 && i + 1 < type.size() && is_small(type[i + 1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors in a mapping to ROS 2 messages (docs/ros2.md).
+// Declares the rules about errors in a mapping to ROS 2 messages (docs/ros2.md).
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

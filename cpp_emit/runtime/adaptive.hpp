@@ -1,8 +1,9 @@
-// Tests that adapt to an implementation if its model leaves choices (docs/conformance.md, "Test suites"). The model is
-// a graph over control cycles: for each reading of the inputs, the allowed outputs and their successors. The
-// implementation is explored as in black box checking (Peled, Vardi, Yannakakis 1999): its states are distinguished by
-// their answers, and every step is compared with the model; a step that the model does not have is a forbidden
-// continuation (Cavalcanti, Gaudel 2007). Delivered with generated tests. Copyright: see LICENSE (Apache-2.0).
+// Tests implementations of a model that leaves choices; the tests adapt to the implementation (docs/conformance.md,
+// "Test suites"). The model is a graph over control cycles: for each reading of the inputs, the allowed outputs and
+// their successors. The implementation is explored as in black box checking (Peled, Vardi, Yannakakis 1999): its states
+// are distinguished by their answers, and every step is compared with the model. A step that the model does not have is
+// a forbidden continuation (Cavalcanti, Gaudel 2007). Delivered with generated tests. Copyright: see LICENSE
+// (Apache-2.0).
 #ifndef ROBOCHART_ADAPTIVE_HPP
 #define ROBOCHART_ADAPTIVE_HPP
 
@@ -27,7 +28,7 @@ public:
         long target = -1;  ///< -1: terminated
     };
 
-    /// Reads `C.graph`; false if the text is not a valid graph.
+    /// Reads `C.graph`. Returns false if the text is not a valid graph.
     [[nodiscard]] bool read(std::istream& in) {
         std::string line;
         for (std::size_t state = 0; std::getline(in, line);) {
@@ -59,7 +60,7 @@ public:
     }
 
     std::vector<Words> inputs;                             ///< by symbol
-    std::vector<std::vector<std::vector<Branch>>> states;  ///< [state][symbol]; 0 is the initial state
+    std::vector<std::vector<std::vector<Branch>>> states;  ///< [state][symbol]; state 0 is the initial state
     std::size_t extra = 0;                                 ///< number of further states that the implementation may
                                                            ///< have
 
@@ -96,20 +97,21 @@ inline bool same_words(const std::vector<std::string>& a, const std::vector<std:
 struct AdaptiveVerdict {
     enum class Kind { passed, failed, inconclusive };
     Kind kind = Kind::passed;
-    std::string reason;      ///< failed: the run and the allowed continuations; inconclusive: why
+    std::string reason;      ///< failed: the run and the allowed continuations; inconclusive: the cause
     std::size_t states = 0;  ///< number of distinguished states of the implementation
     std::size_t cycles = 0;  ///< number of executed cycles of the implementation
 };
 
-/// Implementation has `reset()` and `cycle(inputs)`, which returns the outputs, "terminate" at its end.
+/// Explores an implementation. It must have `reset()`, and `cycle(inputs)`, which returns the outputs, with "terminate"
+/// at its end.
 template <class Implementation>
 class AdaptiveTest {
 public:
     AdaptiveTest(const AllowedCycles& model, Implementation& implementation, std::size_t most_cycles)
         : model_(model), implementation_(implementation), most_(most_cycles) {
         nodes_.emplace_back();
-        // Suffixes that distinguish states; more are added when needed. If there are many symbols, it starts with a
-        // selection.
+        // The suffixes distinguish states, and more are added when they are needed. If there are many symbols, only a
+        // selection is used at first.
         const std::size_t step = 1 + (model.inputs.size() - 1) / 32;
         for (std::size_t symbol = 0; symbol < model.inputs.size(); symbol += step) suffixes_.push_back({symbol});
     }
@@ -127,7 +129,7 @@ private:
     using Word = std::vector<std::size_t>;
     static constexpr std::size_t over = static_cast<std::size_t>(-1);
 
-    /// After a word: the outputs of the last cycle, and the possible states of the model.
+    /// The node after a word, with the outputs of the last cycle and the possible states of the model.
     struct Node {
         std::size_t answer = 0;
         std::size_t model = 0;
@@ -164,7 +166,7 @@ private:
         return text;
     }
 
-    /// The node after one more symbol; the implementation is in the state before it.
+    /// Returns the node after one more symbol. The implementation must be in the state before the symbol.
     std::size_t make(std::size_t from, const Word& word, std::size_t at, const AllowedCycles::Words& done) {
         Node node;
         node.answer = answer_of(done);
@@ -186,7 +188,7 @@ private:
         return nodes_.size() - 1;
     }
 
-    /// Returns the word's answers; queries the implementation if some are not known.
+    /// Returns the word's answers. Queries the implementation if some of them are not known.
     std::vector<std::size_t> ask(const Word& word) {
         std::vector<std::size_t> result;
         if (!known(word, result) && going()) drive(word);
@@ -237,7 +239,7 @@ private:
         return word;
     }
 
-    /// The answers of the state after a word to all suffixes.
+    /// Returns the answers of the state after a word to all suffixes.
     std::vector<std::size_t> row(const Word& word) {
         std::vector<std::size_t> all;
         for (const Word& suffix : suffixes_) {
@@ -268,9 +270,9 @@ private:
         return going();
     }
 
-    /// Chow 1978: all states, all words of at most `depth` symbols, all suffixes. A difference from the hypothesis
-    /// gives a suffix that distinguishes two of its states (Rivest, Schapire 1993). Returns false if the loop must
-    /// start again, or if the test was stopped.
+    /// Compares the hypothesis with the implementation as in Chow 1978: all states, all words of at most `depth`
+    /// symbols, all suffixes. A difference gives a suffix that distinguishes two states of the hypothesis (Rivest,
+    /// Schapire 1993). Returns false if the loop must start again, or if the test was stopped.
     bool agree(std::size_t depth) {
         std::deque<Word> words{{}};
         for (; !words.empty() && going(); words.pop_front()) {
@@ -298,7 +300,7 @@ private:
         return going();
     }
 
-    /// Searches the product of hypothesis and model: every step of the hypothesis must be allowed in all reachable
+    /// Searches the product of hypothesis and model. Every step of the hypothesis must be allowed in all reachable
     /// pairs. Returns false if the loop must start again, or if the test was stopped.
     bool within() {
         std::map<std::pair<std::size_t, std::size_t>, Word> seen{{{0, 0}, {}}};

@@ -1,6 +1,6 @@
-// Sequences and sets as values of fixed size. They use no heap, and equal values have equal bytes. A list that is given
-// more items than its capacity keeps those that fit, and records the overflow (`overflowed`). Delivered with the
-// generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares sequences and sets as values of fixed size. They use no heap, and equal values have equal bytes. If a list
+// is given more items than its capacity, it keeps those that fit and records the overflow (`overflowed`). Delivered
+// with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_COMPOSED_HPP
 #define ROBOCHART_COMPOSED_HPP
 
@@ -24,17 +24,17 @@ private:
     std::uint8_t high_;
 };
 
-/// A counter up to `capacity + 1` as wide as the items, so that there is no padding.
+/// A counter up to `capacity + 1`. It is as wide as the items, so that there is no padding.
 template <class T, std::size_t capacity>
 using Count = std::conditional_t<(alignof(T) > 1), std::uint64_t,
                                  std::conditional_t<(capacity < 255), std::uint8_t, ByteCount>>;
 
-/// How folds over a collection or a view are computed without a visit of its elements; specialised for sequences whose
-/// items are not known (tracked_sequences.hpp). Otherwise false.
+/// Whether a collection or a view computes folds without a visit of its elements. True only for sequences whose items
+/// are not known (tracked_sequences.hpp).
 template <class Collection, class = void>
 struct OwnFolds : std::false_type {};
 
-/// Lexicographic order; a prefix comes first.
+/// Compares in lexicographic order; a prefix comes first.
 template <class T>
 constexpr bool ordered_before(const T* a, std::size_t count_a, const T* b, std::size_t count_b) noexcept {
     for (std::size_t i = 0; i < count_a && i < count_b; ++i)
@@ -55,7 +55,7 @@ public:
         (result.append(T(items)), ...);
         return result;
     }
-    /// Adds the item; if the sequence is full, it overflows.
+    /// Adds the item. If the sequence is full, it overflows.
     constexpr void append(T item) noexcept {
         if (count_ >= capacity) return mark_overflow();
         item_[size()] = item;
@@ -81,7 +81,8 @@ public:
     }
     [[nodiscard]] constexpr const T* begin() const noexcept { return item_; }
     [[nodiscard]] constexpr const T* end() const noexcept { return item_ + size(); }
-    /// Counted from 1, as in the model; outside the sequence: a default-constructed value.
+    /// Returns the item at a place, counted from 1 as in the model. Outside the sequence, returns a default-constructed
+    /// value.
     [[nodiscard]] constexpr T at(std::int64_t place) const noexcept { return has(place) ? item_[place - 1] : T{}; }
     constexpr void put(std::int64_t place, T item) noexcept {
         if (has(place)) item_[place - 1] = item;

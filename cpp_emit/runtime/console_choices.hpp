@@ -1,7 +1,7 @@
 // Decides choices of the model in a console program: by the words of the cycle, by asking the user, or by repeating a
-// record of an earlier run. A record is text: one line for each cycle, with its words and its choices with the number
-// of alternatives. Delivered with generated code that asks (`emit cpp --choices`, probabilistic junctions). Copyright:
-// see LICENSE (Apache-2.0).
+// record of an earlier run. A record is a text with one line for each cycle. The line contains the words of the cycle,
+// and its choices with the number of alternatives. Delivered with generated code that asks (`emit cpp --choices`,
+// probabilistic junctions). Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_CONSOLE_CHOICES_HPP
 #define ROBOCHART_CONSOLE_CHOICES_HPP
 
@@ -20,10 +20,11 @@ public:
     ConsoleChoices(std::string controller, const std::string& word)
         : controller_(std::move(controller)), prefix_(word + "=") {}
 
-    /// From now on the user is asked if the words contain no answer; without this call the first alternative is taken.
+    /// From this call on, the user is asked if the words contain no answer. Without this call, the first alternative is
+    /// taken.
     void ask() { asks_ = true; }
 
-    /// Begins a record; false if the file cannot be written.
+    /// Begins a record. Returns false if the file cannot be written.
     [[nodiscard]] bool record(const std::string& path) {
         record_.open(path);
         record_ << "robochart-record 1\ncontroller " << controller_ << std::endl;
@@ -32,7 +33,7 @@ public:
     }
     [[nodiscard]] bool recorded() const { return !recording_ || record_.good(); }
 
-    /// Starts to repeat a record. Errors in it are reported by fault().
+    /// Starts to repeat a record. fault() reports errors in the record.
     void replay(const std::string& path) {
         path_ = path;
         replayed_.open(path);
@@ -44,7 +45,7 @@ public:
         if (!read(line) || line != "controller " + controller_)
             fail("expected `controller " + controller_ + "`, found `" + line + "`");
     }
-    /// The words of the next cycle; false at the end of the record and after a fault.
+    /// Returns the words of the next cycle in `line`. Returns false at the end of the record and after a fault.
     [[nodiscard]] bool next(std::string& line) {
         if (!fault_.empty()) return false;
         do
@@ -52,15 +53,15 @@ public:
         while (line.rfind("//", 0) == 0);
         return true;
     }
-    /// Called at the end of the run, which must be the end of the record too.
+    /// Called at the end of the run. The record must end here, too.
     void finish() {
         std::string line;
         if (replaying_ && next(line)) fail("the controller has ended, the record goes on");
     }
-    /// "FILE:LINE: error"; empty if there is none.
+    /// Returns "FILE:LINE: error", or an empty text if there is no error.
     [[nodiscard]] const std::string& fault() const { return fault_; }
 
-    /// Takes an answer for this cycle, `pick=2` or `pick=2/3`; false if the word is not an answer.
+    /// Takes an answer for this cycle, `pick=2` or `pick=2/3`. Returns false if the word is not an answer.
     [[nodiscard]] bool take(const std::string& word) {
         if (word.rfind(prefix_, 0) != 0) return false;
         Answer answer;
@@ -75,7 +76,7 @@ public:
     }
     /// Called for a word that raised an input.
     void raised(const std::string& word) { words_ += (words_.empty() ? "" : " ") + word; }
-    /// Called for an invalid word: prints the error, or ends the repeated run.
+    /// Called for an invalid word. Prints the error, or ends the repeated run.
     void refuse(const std::string& told) {
         if (replaying_) return fail(told);
         std::cerr << told << '\n';

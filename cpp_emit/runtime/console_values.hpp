@@ -1,5 +1,6 @@
-// Prints and reads values in a console program: numbers as usual, declared types and values with parts as in logs
-// (robochart/trace.hpp): Red, (0.5,true), <1,2>. Delivered with generated code. Copyright: see LICENSE (Apache-2.0).
+// Prints and reads values in a console program. Numbers are written as usual, declared types and values with parts as
+// in logs (robochart/trace.hpp): Red, (0.5,true), <1,2>. Delivered with generated code. Copyright: see LICENSE
+// (Apache-2.0).
 #ifndef ROBOCHART_CONSOLE_VALUES_HPP
 #define ROBOCHART_CONSOLE_VALUES_HPP
 
@@ -14,7 +15,7 @@
 
 namespace robochart {
 
-/// Stores the values that it receives.
+/// Collects the text that is traced.
 class WordTracer final : public Tracer {
 public:
     void text(const char* piece) noexcept override { said += piece; }
@@ -45,13 +46,14 @@ public:
         if (found) ++at_;
         return found;
     }
-    /// The text up to a character that separates values, or the end.
+    /// Returns the text up to a character that separates values, or up to the end.
     [[nodiscard]] std::string_view word() {
         const std::size_t begin = at_;
         while (at_ < text_.size() && std::string_view(",()<>{}\"").find(text_[at_]) == std::string_view::npos) ++at_;
         return text_.substr(begin, at_ - begin);
     }
-    /// A character of a quoted string, or the one that `\` and three octal digits encode; -1 at its end.
+    /// Returns a character of a quoted string, or the one that `\` and three octal digits encode. Returns -1 at the end
+    /// of the string.
     [[nodiscard]] int character() {
         if (at_ >= text_.size() || text_[at_] == '"') return -1;
         const int first = digit(1), second = digit(2), third = digit(3);
@@ -77,7 +79,7 @@ bool read_part(Words& in, T& value) {
     return static_cast<bool>(input >> std::boolalpha >> value) && (input >> std::ws).eof();
 }
 
-/// `add` reads one item and stores it.
+/// Reads items; `add` reads one item and stores it.
 template <class Add>
 bool read_list(Words& in, char open, char close, const Add& add) {
     if (!in.take(open)) return false;
@@ -107,7 +109,7 @@ bool read_part(Words& in, Set<T, capacity>& value) {
     });
 }
 
-/// A single item has no parentheses.
+/// Reads a row of items. A single item has no parentheses.
 template <class Item>
 bool read_row(Words& in, std::size_t count, const Item& item) {
     if (count > 1 && !in.take('(')) return false;
@@ -139,7 +141,7 @@ bool read_part(Words& in, String<longest>& value) {
     return text.size() <= longest && in.take('"');
 }
 
-/// Returns true if the whole text is one value; otherwise false, and `value` is unchanged.
+/// Returns true if the whole text is one value. Otherwise returns false, and `value` is unchanged.
 template <class T>
 [[maybe_unused]] bool read_value(const std::string& text, T& value) {
     Words in(text);

@@ -1,5 +1,5 @@
-// Values of inputs for code over the types of deployment: numbers that the explorer sets (explore_abi.h, rc_deployed).
-// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Stores values of inputs for code over the types of deployment: numbers that the explorer sets (explore_abi.h,
+// rc_deployed). Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_DEPLOYED_HPP
 #define ROBOCHART_DEPLOYED_HPP
 
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] Number part(std::uint32_t type, std::uint32_t place, std::uint32_t part) const noexcept {
         return number<Number>(table_[type].numbers[place * table_[type].parts + part]);
     }
-    /// A sequence, of which the length is set first. If it is longer than the capacity, it overflows.
+    /// Returns a sequence. Its length is stored first. If it is longer than the capacity, it overflows.
     template <class Sequence>
     [[nodiscard]] Sequence sequence(std::uint32_t type, std::uint32_t place) const noexcept {
         const std::int64_t* at = table_[type].numbers;
@@ -35,7 +35,7 @@ public:
             result.append(number<typename Sequence::value_type>(*item));
         return result;
     }
-    /// The place of the first value that is equal to these numbers; -1 if there is none.
+    /// Returns the place of the first value that is equal to these numbers, or -1 if there is none.
     template <class... Parts>
     [[nodiscard]] std::int64_t place(std::uint32_t type, Parts... parts) const noexcept {
         for (std::uint32_t place = 0; place < table_[type].count; ++place) {
@@ -63,7 +63,7 @@ private:
             return static_cast<Number>(bits);
         }
     }
-    /// A NaN is equal to every NaN.
+    /// Compares numbers. A NaN is equal to every NaN.
     template <class Number>
     [[nodiscard]] static bool equal(Number a, Number b) noexcept {
         return a == b || (a != a && b != b);
@@ -75,7 +75,7 @@ private:
 inline void add_number(Text& text, std::int64_t value) noexcept {
     text.add(value, 1);
 }
-/// The shortest decimal that is read as the same number.
+/// Appends the shortest decimal that is read as the same number.
 inline void add_number(Text& text, double value) noexcept {
     char digits[40];
     for (int precision = 1; precision <= 17; ++precision) {

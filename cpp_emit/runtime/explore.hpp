@@ -14,7 +14,7 @@
 
 namespace robochart {
 
-/// Whether an ascending list contains the value.
+/// Returns whether an ascending list contains the value.
 template <std::size_t size>
 constexpr bool listed(const std::int64_t (&values)[size], std::int64_t value) noexcept {
     std::size_t low = 0;
@@ -39,7 +39,7 @@ constexpr std::int64_t to_raw(T value) noexcept {
     }
 }
 
-/// The number of a composed value: its index in the list of all values; -1 if it is not in the list.
+/// Returns the number of a composed value: its index in the list of all values, or -1 if it is not in the list.
 template <class T, std::size_t size>
 constexpr std::int64_t place_in(const T (&values)[size], const T& value) noexcept {
     for (std::size_t i = 0; i < size; ++i)
@@ -68,21 +68,21 @@ inline rc_result to_abi(StepResult result) noexcept {
             return RC_PRECONDITION;
         case StepResult::deadline:
             return RC_DEADLINE;
-        case StepResult::capacity:  // does not occur: lists over finite carriers are bounded by these
+        case StepResult::capacity:  // impossible: the carriers bound the lists
         case StepResult::quiescent:
             break;
     }
     return RC_QUIESCENT;
 }
 
-/// Clears outputs and questions; the given answers stay.
+/// Clears outputs and questions, but not the given answers.
 inline void clear(rc_log& log) noexcept {
     log.count = 0;
     log.overflow = 0;
     log.asked = 0;
 }
 
-/// Appends a record; if the log is full, only the overflow is noted.
+/// Appends a record. If the log is full, only the overflow is noted.
 template <class... Values>
 void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept {
     static_assert(sizeof...(Values) <= ROBOCHART_MAX_ARGUMENTS);
@@ -96,7 +96,7 @@ void write_record(rc_log& log, std::uint32_t output, Values... values) noexcept 
     log.record[log.count++] = record;
 }
 
-/// The alternative that the explorer has chosen; if the log is full, only the overflow is noted.
+/// Returns the alternative that the explorer has chosen. If the log is full, only the overflow is noted.
 inline std::size_t recorded_way(rc_log& log, std::size_t count) noexcept {
     if (log.asked == ROBOCHART_MAX_CHOICES) {
         log.overflow |= ROBOCHART_OVERFLOW_CHOICES;
@@ -130,7 +130,7 @@ public:
         while (digits[last_] == '0') digits[last_--] = '\0';
         add(digits);
     }
-    /// Appends `prefix` and `name` followed by `=`, after a blank except for the first item.
+    /// Appends `prefix` and `name`, followed by `=`. A blank separates items.
     void item(const char* prefix, const char* name) noexcept {
         if (used_ > 0) add(" ");
         add(prefix);

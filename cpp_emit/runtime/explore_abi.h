@@ -41,7 +41,7 @@ typedef struct rc_record {
 #define ROBOCHART_OVERFLOW_RECORDS 1U
 #define ROBOCHART_OVERFLOW_CHOICES 2U
 
-/* The caller owns the records, and calls again with more of them if there were too few. */
+/* The log of a call. The caller owns the records, and calls again with more of them if there were too few. */
 typedef struct rc_log {
     uint32_t count;
     uint32_t overflow;       /* kinds of overflow; 0: none */
@@ -69,24 +69,25 @@ typedef struct rc_register {
     uint32_t value;
 } rc_register;
 
-/* A cycle whose registers are read when the code asks for them. Every function is called with the context. */
+/* The functions that the code calls in a cycle whose registers are read on demand. Each gets the context. */
 typedef struct rc_probe {
     void* context;
-    /* Returns the reading of an input: 0 absent, otherwise 1 + the index of its value. The same throughout a cycle. */
+    /* Returns the reading of an input: 0 absent, otherwise 1 + the index of its value. It is the same throughout a
+     * cycle. */
     uint32_t (*read)(void* context, uint32_t input);
-    /* The same for the value alone: the index; 0 if the register is absent. */
+    /* Returns only the index of the value; 0 if the register is absent. */
     uint32_t (*value)(void* context, uint32_t input);
-    /* The code consumes the input, or raises it itself: it does not ask whether it is there any more. */
+    /* Called when the code consumes the input, or raises it itself. It then no longer asks whether it is present. */
     void (*assigned)(void* context, uint32_t input);
-    /* A round of transitions begins. The rest of the cycle depends on the bytes of the state, on `size` bytes at `step`
-     * (which know what has been read and consumed), on the values of the inputs, and on steps_left only if the rest of
-     * the cycle takes as many steps. */
+    /* Called at the beginning of a round of transitions. The rest of the cycle depends on the bytes of the state, on
+     * `size` bytes at `step` (which contain what has been read and consumed), and on the values of the inputs. It
+     * depends on steps_left only if the rest of the cycle takes that many steps. */
     void (*round)(void* context, const void* step, uint32_t size, const void* state, uint32_t steps_left);
 } rc_probe;
 
 /* A comparison of a linear form of the parts of one input value with zero. */
 typedef struct rc_comparison {
-    uint32_t type;           /* of the value: an index into rc_tracking.parts */
+    uint32_t type;           /* type of the value: an index into rc_tracking.parts */
     int64_t coefficient[ROBOCHART_MAX_PARTS];
     int64_t constant;        /* in the units of the parts: reals times the scale of tracked numbers */
 } rc_comparison;
@@ -99,14 +100,14 @@ typedef struct rc_window {
     const uint64_t* places;  /* ROBOCHART_MAX_PLACES bits; the lowest bit of the first word is place 1 */
 } rc_window;
 
-/* What the code did that neither copies an input value nor compares a linear form of it. */
+/* Uses of input values that are neither copies nor comparisons of a linear form. */
 #define RC_TRACKED_RELATION 1U /* it compared two input values */
 #define RC_TRACKED_OUTPUT 2U   /* an output was computed */
 #define RC_TRACKED_NATIVE 4U   /* an index, a duration or a loop depended on a value */
 #define RC_TRACKED_INEXACT 8U  /* a number was computed in another way, so the numbers are wrong from there on */
 
-/* The same code over the types of deployment. An input of a tracked type is the place of a value in the values that are
- * set, and an output of such a type is logged as the place of the first equal value; -1: there is none. */
+/* The same code over the types of deployment. An input of a tracked type is given as the index of a value among the
+ * values that were set. An output of such a type is logged as the index of the first equal value; -1: there is none. */
 typedef struct rc_deployed {
     uint32_t state_size;     /* in bytes; states are trivially copyable */
     /* Sets the values of a type, number by number: the bits of a double, or a 64-bit integer. They are not copied. */
@@ -119,16 +120,16 @@ typedef struct rc_deployed {
 
 /* The interface of code with tracked numbers (robochart/tracked.hpp). */
 typedef struct rc_tracking {
-    uint32_t types;          /* types of numbers at the boundary: of inputs, then of outputs, as they occur */
-    const uint32_t* parts;   /* of each type: how many numbers a value has; 0: its values are sequences */
-    const int32_t* input;    /* of each input: its type; -1: another type */
-    /* Sets the explored values of a type, number by number. Type 0 is set first, and forgets everything. 0: too many.
-     * Of a sequence, the length comes first. */
+    uint32_t types;          /* number of types at the boundary: of inputs, then of outputs, in order */
+    const uint32_t* parts;   /* for each type: how many numbers a value has; 0: its values are sequences */
+    const int32_t* input;    /* for each input: its type; -1: another type */
+    /* Sets the explored values of a type, number by number; the length of a sequence comes before its items. Type 0
+     * must be set first; this forgets everything. Returns 0 if there are too many values. */
     uint32_t (*set_values)(uint32_t type, uint32_t count, const int64_t* numbers);
-    /* What the code has done since: its comparisons, each once, and a set of RC_TRACKED_ flags. */
+    /* Return what the code has done since then: its comparisons, without duplicates, and a set of RC_TRACKED_ flags. */
     uint32_t (*comparisons)(const rc_comparison** list);
     uint32_t (*losses)(void);
-    /* The windows of sequences that it has read. */
+    /* Returns the windows of sequences that the code has read. */
     uint32_t (*windows)(const rc_window** list);
     const rc_deployed* deployed;
 } rc_tracking;
@@ -153,10 +154,10 @@ typedef struct rc_interface {
     uint32_t events;
     rc_result (*dispatch)(void* state, uint32_t event, const rc_register* registers, rc_log* log);
     rc_result (*pass)(void* state, rc_log* log);
-    /* `step` with registers that are read on demand; null: not possible. */
+    /* Like `step`, with registers that are read on demand; null if this is not possible. */
     rc_result (*probe)(void* state, const rc_probe* probe, rc_log* log);
-    /* Null: the code computes with finite carriers. Otherwise, an input of a tracked type has no values in its table, and
-     * an output of such a type is logged as the index of its value; -1: no explored value. */
+    /* Null if the code computes with finite carriers. Otherwise, an input of a tracked type has no values in its table,
+     * and an output of such a type is logged as the index of its value; -1: not an explored value. */
     const rc_tracking* tracking;
 } rc_interface;
 

@@ -1,6 +1,6 @@
-// States of the exploration as text: values with parts, as in logs (trace.hpp). Included before the trace header of the
-// controller, whose functions call those declared here. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Writes states of the exploration as text: values with parts, as in logs (trace.hpp). Included before the trace header
+// of the controller, whose functions call those declared here. Delivered with the generated code. Copyright: see
+// LICENSE (Apache-2.0).
 #ifndef ROBOCHART_EXPLORE_VALUES_HPP
 #define ROBOCHART_EXPLORE_VALUES_HPP
 
@@ -10,7 +10,7 @@
 
 namespace robochart {
 
-/// Numbers over finite carriers are integers that count units.
+/// Writes a number over a finite carrier, which is an integer that counts units.
 inline void log_units(Tracer& tracer, std::int64_t units, std::int64_t scale) noexcept {
     char digits[64];
     Text text(digits, sizeof digits);

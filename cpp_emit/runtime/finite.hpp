@@ -1,7 +1,7 @@
-// Numbers over finite carriers: the types with which the generated code is explored and checked. Arithmetic is that of
-// the model's semantics: reals are integers in units of 1/scale; a result outside the carrier is replaced by the first
-// operand; quotients and products of reals are rounded down. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares numbers over finite carriers: the types with which the generated code is explored and checked. Arithmetic is
+// that of the model's semantics. Reals are integers in units of 1/scale. A result outside the carrier is replaced by
+// the first operand. Quotients and products of reals are rounded down. Delivered with the generated code. Copyright:
+// see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_FINITE_HPP
 #define ROBOCHART_FINITE_HPP
 
@@ -17,7 +17,7 @@ constexpr WideInteger floor_quotient(WideInteger a, WideInteger b) noexcept {
     return a % b != 0 && (a < 0) != (b < 0) ? quotient - 1 : quotient;
 }
 
-/// `Carrier` has `static constexpr std::int64_t scale` and `static constexpr bool contains(std::int64_t)`.
+/// `Carrier` must have `static constexpr std::int64_t scale` and `static constexpr bool contains(std::int64_t)`.
 template <class Carrier>
 class Finite {
 public:
@@ -26,7 +26,7 @@ public:
     explicit constexpr Finite(T value) noexcept : raw_(static_cast<std::int64_t>(value) * Carrier::scale) {}
     explicit constexpr Finite(double value) noexcept
         : raw_(static_cast<std::int64_t>(value * static_cast<double>(Carrier::scale) + (value < 0.0 ? -0.5 : 0.5))) {}
-    /// Converts the unit; rounds down if the new one is coarser.
+    /// Converts the number to this type's unit; rounds down if this unit is coarser.
     template <class Other>
     explicit constexpr Finite(Finite<Other> other) noexcept
         : raw_(static_cast<std::int64_t>(
@@ -41,7 +41,7 @@ public:
     explicit constexpr operator double() const noexcept {
         return static_cast<double>(raw_) / static_cast<double>(Carrier::scale);
     }
-    /// Whether the carrier contains the value.
+    /// Returns whether the carrier contains the value.
     [[nodiscard]] constexpr bool carried() const noexcept { return Carrier::contains(raw_); }
 
     friend constexpr bool operator==(Finite a, Finite b) noexcept { return a.raw_ == b.raw_; }
@@ -57,7 +57,7 @@ public:
         return a.clipped(floor_quotient(WideInteger{a.raw_} * b.raw_, Carrier::scale));
     }
     friend constexpr Finite operator-(Finite a) noexcept { return a.clipped(-WideInteger{a.raw_}); }
-    /// The names with which generated code computes with whole numbers (runtime.hpp).
+    /// Generated code uses the following names to compute with whole numbers (runtime.hpp).
     friend constexpr Finite plus(Finite a, Finite b) noexcept { return a + b; }
     friend constexpr Finite minus(Finite a, Finite b) noexcept { return a - b; }
     friend constexpr Finite times(Finite a, Finite b) noexcept { return a * b; }
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// The exact result if the carrier contains it, otherwise this value.
+    /// Returns the exact result if the carrier contains it, and otherwise this value.
     [[nodiscard]] constexpr Finite clipped(WideInteger exact) const noexcept {
         const bool fits = exact >= INT64_MIN && exact <= INT64_MAX;
         return fits && Carrier::contains(static_cast<std::int64_t>(exact)) ? from_raw(static_cast<std::int64_t>(exact))
@@ -82,7 +82,7 @@ private:
     std::int64_t raw_ = 0;
 };
 
-/// A number of units as a duration in time units; negative ones are zero.
+/// Returns a number of units as a duration in time units. Negative numbers give zero.
 constexpr std::uint32_t time_units(std::int64_t units, std::int64_t scale) noexcept {
     const WideInteger whole = floor_quotient(units, scale);
     if (whole < 0) return 0;
@@ -93,7 +93,7 @@ constexpr std::uint32_t duration(Finite<Carrier> units) noexcept {
     return time_units(units.raw(), Carrier::scale);
 }
 
-/// A real as a whole number, rounded down.
+/// Returns a real as a whole number, rounded down.
 template <class Whole, class Carrier>
 constexpr Whole rounded_down(Finite<Carrier> value) noexcept {
     return Whole(value);

@@ -1,5 +1,5 @@
-// The layout of a generated State as data: for printing, hashing, logs and tools. Delivered with the generated code;
-// the controller does not need it. Copyright: see LICENSE (Apache-2.0).
+// Describes the layout of a generated State as data: for printing, hashing, logs and tools. Delivered with the
+// generated code; the controller does not need it. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_LAYOUT_HPP
 #define ROBOCHART_LAYOUT_HPP
 
@@ -43,7 +43,7 @@ constexpr FieldKind kind_of() noexcept {
 
 }  // namespace detail
 
-/// A row of the table; `values` is the number of values of an enumeration.
+/// Returns a row of the table. `values` is the number of values of an enumeration.
 template <class T>
 constexpr Field field(const char* name, std::size_t offset, std::int64_t values = 0) noexcept {
     Field row{name, offset, sizeof(T), detail::kind_of<T>(), 0, values - 1};
@@ -60,7 +60,7 @@ constexpr Field filler(std::size_t offset, std::size_t size) noexcept {
     return Field{"", offset, size, FieldKind::filler, 0, 0};
 }
 
-/// Whether every byte of a state belongs to exactly one field, so that there is no padding.
+/// Returns whether every byte of a state belongs to exactly one field, so that there is no padding.
 template <std::size_t N>
 constexpr bool covers(const Field (&fields)[N], std::size_t size) noexcept {
     std::size_t sum = 0;
@@ -74,7 +74,7 @@ constexpr bool covers(const Field (&fields)[N], std::size_t size) noexcept {
     return sum == size;
 }
 
-/// The value of a boolean, an enumeration or a whole number in a state.
+/// Returns the value of a boolean, an enumeration or a whole number in a state.
 inline std::int64_t whole_value(const Field& field, const void* state) noexcept {
     const auto* const at = static_cast<const unsigned char*>(state) + field.offset;
     std::uint64_t bits = 0;
@@ -96,7 +96,7 @@ inline double real_value(const Field& field, const void* state) noexcept {
     return value;
 }
 
-/// Equal states have equal bytes, so their bytes can be hashed (FNV-1a).
+/// Hashes the bytes of a state (FNV-1a). Equal states have equal bytes.
 template <class State>
 std::uint64_t hash(const State& state) noexcept {
     static_assert(std::is_trivially_copyable<State>::value, "a value");

@@ -1,7 +1,7 @@
-// Vectors and matrices of fixed size. They are trivially copyable, and equal values have equal bytes. Arithmetic is
-// that of the model: entry by entry; products are row times column, and sums are computed from the left. Delivered with
-// the generated code; robochart/eigen.hpp converts them to Eigen's fixed-size types. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares vectors and matrices of fixed size. They are trivially copyable, and equal values have equal bytes.
+// Arithmetic is that of the model, entry by entry. Products are row times column, and sums are computed from the left.
+// Delivered with the generated code; robochart/eigen.hpp converts them to Eigen's fixed-size types. Copyright: see
+// LICENSE (Apache-2.0).
 #ifndef ROBOCHART_MATRIX_HPP
 #define ROBOCHART_MATRIX_HPP
 
@@ -39,7 +39,7 @@ constexpr bool within(std::int64_t place, std::size_t length) noexcept {
 
 }  // namespace detail
 
-/// A column of `length` entries, counted from 1 as in the model.
+/// A column of `length` entries, which are counted from 1 as in the model.
 template <class T, std::size_t length>
 struct Vector : detail::Block<T, length> {
     using value_type = T;
@@ -54,7 +54,7 @@ struct Vector : detail::Block<T, length> {
         ((result.entry_[place++] = T(items)), ...);
         return result;
     }
-    /// Outside the vector: a default-constructed value.
+    /// Returns an entry. Outside the vector, returns a default-constructed value.
     [[nodiscard]] constexpr T at(std::int64_t place) const noexcept {
         return detail::within(place, length) ? this->entry_[place - 1] : T{};
     }
@@ -65,7 +65,7 @@ struct Vector : detail::Block<T, length> {
     [[nodiscard]] constexpr T* data() noexcept { return this->entry_; }
 };
 
-/// Rows of equal length, counted from 1 as in the model.
+/// Rows of equal length, which are counted from 1 as in the model.
 template <class T, std::size_t height, std::size_t width>
 struct Matrix : detail::Block<T, height * width> {
     using value_type = T;
@@ -80,7 +80,7 @@ struct Matrix : detail::Block<T, height * width> {
         ((result.entry_[place++] = T(items)), ...);
         return result;
     }
-    /// A row.
+    /// Returns a row.
     [[nodiscard]] constexpr Vector<T, width> at(std::int64_t row) const noexcept {
         Vector<T, width> result;
         for (std::size_t i = 0; i < width && detail::within(row, height); ++i)
@@ -131,7 +131,7 @@ constexpr B operator*(typename B::value_type factor, B a) noexcept {
     return a;
 }
 
-/// Matrix product: rows times columns.
+/// Computes the matrix product: rows times columns.
 template <class Result, class A, class B>
 constexpr Result product(const A& a, const B& b) noexcept {
     static_assert(A::columns == B::rows && Result::rows == A::rows && Result::columns == B::columns);
@@ -146,7 +146,7 @@ constexpr Result product(const A& a, const B& b) noexcept {
     }
     return result;
 }
-/// Dot product.
+/// Computes the dot product.
 template <class T, std::size_t length>
 constexpr T dot(const Vector<T, length>& a, const Vector<T, length>& b) noexcept {
     T sum = times(a.entry_[0], b.entry_[0]);

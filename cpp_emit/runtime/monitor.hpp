@@ -1,6 +1,6 @@
-// A runtime monitor for a controller: follows its inputs and outputs in the normal form of its model, and reports the
-// first event that the model does not allow. State number and dense tables; no heap, no exceptions. Delivered with
-// generated monitors. Copyright: see LICENSE (Apache-2.0).
+// Implements a runtime monitor for a controller. It follows the controller's inputs and outputs in the normal form of
+// its model, and reports the first event that the model does not allow. It consists of a state number and dense tables;
+// it uses no heap and no exceptions. Delivered with generated monitors. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_MONITOR_HPP
 #define ROBOCHART_MONITOR_HPP
 
@@ -9,7 +9,7 @@
 
 namespace robochart {
 
-/// Values of an argument, ascending; numbers of the model times `scale`.
+/// The values of an argument, ascending. They are numbers of the model times `scale`.
 struct MonitorValues {
     const std::int64_t* value;
     std::uint32_t count;
@@ -24,8 +24,8 @@ struct MonitorChannel {
     const char* element;          ///< element with file and line
     const MonitorValues* values;  ///< values of each argument
     std::uint32_t arguments;
-    /// Columns of the table. Inputs: absent, then present with each value. Outputs: by the indices of the arguments'
-    /// values; the last argument varies fastest.
+    /// The columns of the table. For inputs: absent, then present with each value. For outputs: by the indices of the
+    /// arguments' values; the last argument varies fastest.
     const std::uint16_t* column;
 };
 
@@ -39,7 +39,7 @@ struct MonitorTables {
     const MonitorChannel* input;
     std::uint32_t outputs;
     const MonitorChannel* output;
-    std::uint16_t tock;  ///< column of tock
+    std::uint16_t tock;  ///< the column of tock
     std::uint16_t tick;
     const char* const* where;  ///< for states in which cycles begin: the possible elements of the model; otherwise null
 };
@@ -50,8 +50,8 @@ enum class MonitorVerdict : std::uint8_t {
     unknown,   ///< a value outside the finite instantiation on which the model depends: later events cannot be checked
 };
 
-/// Called in every cycle: with each input in the order of the table, the writes in their order, then the time units.
-/// The monitor is a value of a few bytes.
+/// The monitor is a value of a few bytes. Call it in every cycle: with each input in the order of the table, with the
+/// writes in their order, and then with the time units.
 class Monitor {
 public:
     static constexpr std::uint16_t dead = 0xffff;
@@ -75,7 +75,7 @@ public:
         if (place == no_place) return lose();
         take(channel.column[place], output, 'w');
     }
-    /// A write, argument by argument: call `start`, then `argument` for each argument, then `wrote_at`.
+    /// To report a write, call `start`, then `argument` for each argument, then `wrote_at`.
     static constexpr std::uint32_t start() noexcept { return 0; }
     template <class Value>
     constexpr std::uint32_t argument(std::uint32_t place, std::uint32_t output, std::uint32_t number,
@@ -86,13 +86,13 @@ public:
         if (place == no_place) return lose();
         take(tables_->output[output].column[place], output, 'w');
     }
-    /// Ends the cycle; its time units pass.
+    /// Ends the cycle, so that its time units pass.
     constexpr void end_of_cycle() noexcept {
         for (std::uint32_t t = 0; t < tables_->cycle_length; ++t) take(tables_->tock, 0, 't');
         if (verdict_ == MonitorVerdict::allowed) begun_ = state_;
     }
-    /// Replaces all calls for a cycle that is known to be allowed: the next cycle begins in `state` (as it did when the
-    /// same events were observed from the same state).
+    /// Replaces all calls for a cycle that is known to be allowed. The next cycle begins in `state`, as it did when the
+    /// same events were observed from the same state.
     constexpr void continue_at(std::uint16_t state) noexcept {
         state_ = state;
         begun_ = state;
@@ -101,25 +101,25 @@ public:
     constexpr void reset() noexcept { *this = Monitor(*tables_); }
 
     [[nodiscard]] constexpr MonitorVerdict verdict() const noexcept { return verdict_; }
-    /// violated: the name of the input or output, or "the end of the cycle", "termination".
+    /// After a violation: returns the name of the input or output, or "the end of the cycle", "termination".
     [[nodiscard]] constexpr const char* event() const noexcept {
         if (kind_ == 'r') return tables_->input[channel_].name;
         if (kind_ == 'w') return tables_->output[channel_].name;
         return kind_ == 't' ? "the end of the cycle" : "termination";
     }
-    /// violated: the element of the event in the model; "" for time and termination.
+    /// After a violation: returns the element of the event in the model; "" for time and termination.
     [[nodiscard]] constexpr const char* element() const noexcept {
         if (kind_ == 'r') return tables_->input[channel_].element;
         return kind_ == 'w' ? tables_->output[channel_].element : "";
     }
-    /// The possible elements of the model, with file and line, when the cycle began.
+    /// Returns the possible elements of the model, with file and line, when the cycle began.
     [[nodiscard]] constexpr const char* where() const noexcept {
         return tables_->where[begun_] == nullptr ? "" : tables_->where[begun_];
     }
     [[nodiscard]] constexpr std::uint16_t state() const noexcept { return state_; }
 
-    /// The index of a value among those of an argument, or of the value that represents it; `no_place`: outside the
-    /// finite instantiation.
+    /// The functions below return the index of a value among those of an argument, or the index of the value that
+    /// represents it. They return `no_place` for values outside the finite instantiation.
     static constexpr std::uint32_t no_place = 0xffffffffU;
     static constexpr std::uint32_t place_of(const MonitorValues& values, bool value) noexcept {
         return among(values, value ? 1 : 0, value ? 1U : 0U);
@@ -168,7 +168,7 @@ private:
 
     static constexpr std::uint32_t among(const MonitorValues& values, std::int64_t value, std::uint64_t bits) noexcept {
         if (values.consecutive) {
-            // Unsigned, so that values before the first get an index far beyond the last.
+            // The difference is unsigned, so values before the first one get an index far beyond the last.
             const std::uint64_t place = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(values.value[0]);
             return place < values.count ? static_cast<std::uint32_t>(place) : outside(values, bits);
         }

@@ -1,7 +1,7 @@
-// Inputs that notice when the code reads them, for the exploration: it need not try the values of a register that a
-// cycle does not read. Replaces Signal and Message of runtime.hpp if ROBOCHART_PROBES is defined, in a namespace of its
-// own, so that other sources of the same program keep theirs. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares inputs that notice when the code reads them. With them, the exploration need not try the values of a
+// register that a cycle does not read. They replace Signal and Message of runtime.hpp if ROBOCHART_PROBES is defined.
+// They have their own namespace, so that other sources of the same program keep theirs. Delivered with the generated
+// code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_PROBES_HPP
 #define ROBOCHART_PROBES_HPP
 
@@ -14,7 +14,7 @@
 namespace robochart {
 inline namespace probed {
 
-/// The cycle that runs, and the bytes on which the rest of it depends.
+/// The cycle in progress, and the bytes on which the rest of it depends.
 struct Probing {
     const rc_probe* probe = nullptr;
     const void* step = nullptr;
@@ -35,7 +35,8 @@ inline void report_round(std::uint32_t steps_left) noexcept {
                 steps_left);
 }
 
-/// Whether an input is there: a boolean, or the register of this number, which is read when the code asks.
+/// Whether an input is present: a boolean, or the contents of the register with this number. The register is read when
+/// the code asks.
 class Presence {
 public:
     constexpr Presence() noexcept = default;
@@ -68,14 +69,15 @@ private:
     std::uint16_t known_ = absent;
 };
 
-/// The value of an input: a value, or that in the register of this number, which is read when the code asks.
+/// The value of an input: a value, or the contents of the register with this number. The register is read when the code
+/// asks.
 template <class T>
 class Content {
 public:
     using Values = T (*)(std::uint32_t index) noexcept;
 
     constexpr Content() noexcept = default;
-    /// Member by member: bytes between the members are compared too, and stay as they are.
+    /// Copies member by member, because bytes between the members are compared too and must not change.
     constexpr Content(const Content& other) noexcept
         : own_(other.own_), values_(other.values_), number_(other.number_) {}
     constexpr Content& operator=(const Content& other) noexcept {

@@ -1,5 +1,6 @@
-// Obligations of rules in SLEEC at run time: the demands of a trigger, and the effect of events and seconds on them. No
-// heap, no exceptions. Delivered with generated monitors of rules. Copyright: see LICENSE (Apache-2.0).
+// Tracks obligations of SLEEC rules at run time: the demands of a trigger, and the effect of events and seconds on
+// them. Uses no heap and no exceptions. Delivered with generated monitors of rules. Copyright: see LICENSE
+// (Apache-2.0).
 #ifndef ROBOCHART_RULES_HPP
 #define ROBOCHART_RULES_HPP
 
@@ -10,15 +11,15 @@ namespace robochart {
 
 /// The end of a window without a limit.
 inline constexpr std::int64_t rule_forever = INT64_MAX;
-/// The value that stands for the end of a second instead of an event.
+/// The value that represents the end of a second instead of an event.
 inline constexpr std::uint32_t rule_no_event = 0xffffffffU;
 
-/// The cases of events without `_`: the event itself.
+/// The events that match an event without `_`: only the event itself.
 struct RuleSameEvent {
     static constexpr bool contains(std::uint32_t demanded, std::uint32_t event) noexcept { return demanded == event; }
 };
 
-/// A demand of a response: its event must happen, or must not happen, `from` to `to` seconds after the instant at which
+/// A demand of a response. Its event must happen, or must not happen, `from` to `to` seconds after the instant at which
 /// the response begins.
 struct RuleDemand {
     bool forbids;
@@ -42,7 +43,7 @@ struct RuleViolation {
     std::uint32_t event;  ///< the event that violated it, or rule_no_event: the second ended without the demanded event
 };
 
-/// Sums and products in conditions stay within these bounds.
+/// The bounds of sums and products in conditions.
 inline constexpr std::int64_t rule_largest = 4000000000000000000;
 constexpr std::int64_t rule_bounded(std::int64_t value) noexcept {
     return value > rule_largest ? rule_largest : value < -rule_largest ? -rule_largest : value;
@@ -58,9 +59,9 @@ constexpr std::int64_t rule_product(std::int64_t a, std::int64_t b) noexcept {
     return rule_bounded(result);
 }
 
-/// The obligation of a trigger: at most one of `Demands` demands is active; those after `otherwise` begin when the
-/// window of the previous one ends. `Endings`: the number of events that may end it (`unless EVENT`). `Cases`: which
-/// events fulfil or break a demand.
+/// The obligation of a trigger. At most one of `Demands` demands is active; a demand after `otherwise` begins when the
+/// window of the previous one ends. `Endings` is the number of events that may end the obligation (`unless EVENT`).
+/// `Cases` decides which events fulfil or break a demand.
 template <std::size_t Demands, std::size_t Endings, class Cases = RuleSameEvent>
 class RuleDuty {
     static_assert(Demands > 0 && Demands <= 32);
@@ -82,7 +83,7 @@ public:
         if (!open) next_ += demand.to;
     }
 
-    /// An event after the trigger, at the current instant.
+    /// Processes an event after the trigger, at the current instant.
     constexpr Effect event(std::uint32_t event) noexcept {
         for (std::size_t i = 0; i < endings_; ++i)
             if (ends_[i] == event) return Effect::fulfilled;
@@ -94,7 +95,7 @@ public:
         }
         return fate();
     }
-    /// A second passes.
+    /// Lets a second pass.
     constexpr Effect second() noexcept {
         if (elapsed_ < horizon_) ++elapsed_;
         for (std::size_t i = 0; i < demands_; ++i)
@@ -102,13 +103,13 @@ public:
         return fate();
     }
 
-    /// Whether both obligations have the same demands, and every history fulfils both or neither.
+    /// Returns whether both obligations have the same demands, and every history fulfils both or neither.
     constexpr bool same_as(const RuleDuty& other) const noexcept {
         return asks_as(other) && elapsed_ == other.elapsed_ && broken_ == other.broken_;
     }
-    /// Whether every history that fulfils this obligation fulfils the other, which has the same demands. If an event is
-    /// demanded from the trigger on, the older obligation implies the younger; if an event is forbidden, the younger
-    /// implies the older.
+    /// Returns whether every history that fulfils this obligation also fulfils the other one. Both must have the same
+    /// demands. If an event is demanded from the trigger on, the older obligation implies the younger. If an event is
+    /// forbidden, the younger implies the older.
     constexpr bool stands_for(const RuleDuty& other) const noexcept {
         if (same_as(other)) return true;
         if (demands_ != 1 || any_[0].from != 0 || !asks_as(other)) return false;
@@ -141,7 +142,7 @@ private:
     std::uint32_t broken_ = 0;  ///< violated prohibitions, by index
     std::int64_t began_ = 0;
     std::int64_t elapsed_ = 0;  ///< seconds since the trigger, counted up to the horizon
-    std::int64_t horizon_ = 0;  ///< after this second only windows without limit can change
+    std::int64_t horizon_ = 0;  ///< after this second, only windows without a limit can change
     std::int64_t next_ = 0;     ///< start of the demand after `otherwise`
     std::size_t demands_ = 0;
     std::size_t endings_ = 0;
@@ -149,7 +150,7 @@ private:
     std::uint32_t ends_[Endings == 0 ? 1 : Endings] = {};
 };
 
-/// The open obligations, at most `Slots`.
+/// The open obligations; there are at most `Slots`.
 template <std::size_t Demands, std::size_t Endings, std::size_t Slots, class Cases = RuleSameEvent>
 class RuleDuties {
 public:
@@ -174,7 +175,7 @@ public:
             open_[count_++] = duty;
     }
 
-    /// `report` is called with each RuleViolation.
+    /// Calls `report` with each RuleViolation.
     template <class Report>
     constexpr void event(std::uint32_t event, Report& report) {
         settle(event, report);

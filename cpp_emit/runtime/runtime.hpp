@@ -1,5 +1,5 @@
-// Common parts of all generated controllers: results, input registers, the types of deployment, time. Delivered with
-// the generated code. No heap, no exceptions, no statics. Copyright: see LICENSE (Apache-2.0).
+// Declares the common parts of all generated controllers: results, input registers, the types of deployment, time. They
+// use no heap, no exceptions and no statics. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_RUNTIME_HPP
 #define ROBOCHART_RUNTIME_HPP
 
@@ -13,22 +13,23 @@
 #include "robochart/probes.hpp"
 #endif
 
-/// The reaction to a violated precondition of an operation. Define it before including generated code to change it.
+/// What happens if a precondition of an operation is violated. Define the macro before including generated code to
+/// change it.
 #ifndef RC_REQUIRE
 #include <cassert>
 #define RC_REQUIRE(condition) assert(condition)
 #endif
 
-/// In generated code: reports to RC_REQUIRE. If the condition is false, `violated()` is true afterwards, and the cycle
-/// ends there with StepResult::precondition.
+/// Used in generated code; reports to RC_REQUIRE. If the condition is false, `violated()` is true afterwards, and the
+/// cycle ends there with StepResult::precondition.
 #define ROBOCHART_PRECONDITION(...) \
     do {                            \
         RC_REQUIRE((__VA_ARGS__));  \
         this->require(__VA_ARGS__); \
     } while (false)
 
-/// Enclose code computed from the model. They disable warnings about comparisons that are always true or always false,
-/// and about variables that are assigned to themselves, because these come from the model.
+/// These macros enclose code computed from the model. They disable warnings about comparisons that are always true or
+/// always false, and about variables that are assigned to themselves, because such code comes from the model.
 #if defined(__clang__)
 #define ROBOCHART_MODEL_BEGIN                                       \
     _Pragma("clang diagnostic push")                                \
@@ -50,7 +51,7 @@
 #define ROBOCHART_MODEL_END
 #endif
 
-/// If 1, the generated classes report their behaviour to a tracer (robochart/trace.hpp). The macro must have the same
+/// If 1, the generated classes report what they do to a tracer (robochart/trace.hpp). The macro must have the same
 /// value wherever the headers of the classes are included.
 #ifndef ROBOCHART_TRACE
 #define ROBOCHART_TRACE 0
@@ -76,7 +77,7 @@ enum class StepResult : std::uint8_t {
 };
 
 #ifndef ROBOCHART_PROBES
-/// An input without a value: raised or not.
+/// An input without a value, which is raised or not.
 struct Signal {
     bool present = false;
 };
@@ -91,14 +92,14 @@ struct Message {
 };
 #endif
 
-/// The value in an input register; `empty` if the register is empty.
+/// Returns the value in an input register, or `empty` if the register is empty.
 template <class Input, class T>
 [[nodiscard]] constexpr T content(const Input& input, const T& empty) noexcept {
     return input.present ? T(input.get()) : empty;
 }
 
-/// A one-place buffer between controllers: the writer overwrites, the reader empties. `mark` is as wide as the value,
-/// so that there is no padding.
+/// A one-place buffer between controllers. The writer overwrites it, and the reader empties it. `mark` is as wide as
+/// the value, so that there is no padding.
 template <class T>
 struct Buffer {
     T value{};
@@ -135,7 +136,7 @@ struct Local {
     }
 };
 
-/// Whether values of the type contain lists, and what their overflow is.
+/// Tells whether values of the type contain lists, and whether these have overflowed.
 template <class T, class = void>
 struct HoldsLists : std::false_type {
     static constexpr bool overflowed(const T&) noexcept { return false; }
@@ -147,12 +148,12 @@ struct HoldsLists<T, std::void_t<decltype(std::declval<const T&>().overflowed())
     static constexpr bool drop(T& value) noexcept { return value.drop_overflow(); }
 };
 
-/// Whether a list in the value was given more items than its capacity.
+/// Returns whether a list in the value was given more items than its capacity.
 template <class T>
 [[nodiscard]] constexpr bool overflowed(const T& value) noexcept {
     return HoldsLists<T>::overflowed(value);
 }
-/// Resets the overflow of the lists in the value, which keep the items that fit. Returns whether there was any.
+/// Resets the overflow of the lists in the value, which keep the items that fit. Returns whether a list had overflowed.
 template <class T>
 constexpr bool drop_overflow(T& value) noexcept {
     return HoldsLists<T>::drop(value);
@@ -173,8 +174,8 @@ struct HasCarriers : std::false_type {};
 template <class Types>
 struct HasCarriers<Types, std::enable_if_t<Types::finite>> : std::true_type {};
 
-/// The capacity of a list for which `emit cpp --capacity` gives one. Over finite carriers all lists have the same
-/// capacity.
+/// Returns the capacity of a list for which `emit cpp --capacity` gives one. Over finite carriers all lists have the
+/// same capacity.
 template <class Types>
 constexpr std::size_t capacity(std::size_t given) noexcept {
     if constexpr (HasCarriers<Types>::value) {
@@ -183,13 +184,14 @@ constexpr std::size_t capacity(std::size_t given) noexcept {
         return given;
     }
 }
-/// The capacity of lists of lists: smaller, because their sizes multiply.
+/// Returns the capacity of lists of lists. It is smaller, because their sizes multiply.
 template <class Types>
 constexpr std::size_t outer_capacity() noexcept {
     return capacity<Types>(Types::longest < 16 ? Types::longest : 16);
 }
 
-/// A real as a whole number, rounded down; the nearest number of the type if it is out of range, and 0 for NaN.
+/// Returns a real as a whole number, rounded down. Returns the nearest number of the type if the result is out of
+/// range, and 0 for NaN.
 template <class Whole>
 constexpr Whole rounded_down(double value) noexcept {
     constexpr Whole least = std::numeric_limits<Whole>::min();
@@ -209,8 +211,8 @@ using IfWhole = std::enable_if_t<std::is_integral_v<T>, int>;
 template <class T>
 using IfFloating = std::enable_if_t<std::is_floating_point_v<T>, int>;
 
-/// Arithmetic of whole numbers as in the model's semantics: a result that the type cannot represent is replaced by the
-/// first operand. So a counter at its limit keeps its value, and no operation is undefined.
+/// The following functions are the arithmetic of whole numbers in the model's semantics. If the type cannot represent a
+/// result, the result is the first operand. So a counter at its limit keeps its value, and no operation is undefined.
 template <class T, IfWhole<T> = 0>
 constexpr T plus(T a, T b) noexcept {
     using Limits = std::numeric_limits<T>;
@@ -235,7 +237,7 @@ template <class T, IfWhole<T> = 0>
 constexpr T negative(T a) noexcept {
     return a == std::numeric_limits<T>::min() ? a : static_cast<T>(-a);
 }
-/// Vectors and matrices compute with the same names for entries of all types.
+/// For reals, the same names are used, so that vectors and matrices can compute with entries of all types.
 template <class T, IfFloating<T> = 0>
 constexpr T plus(T a, T b) noexcept {
     return a + b;
@@ -253,7 +255,7 @@ constexpr T negative(T a) noexcept {
     return -a;
 }
 
-/// Division and remainder as in the model's semantics: division by zero is division by one, and for whole numbers the
+/// Division and remainder in the model's semantics. Division by zero is division by one, and for whole numbers the
 /// quotient is rounded down. The least number divided by -1 has no quotient in the type, so the result is the least
 /// number; its remainder is 0.
 template <class T, IfFloating<T> = 0>
@@ -279,33 +281,34 @@ constexpr bool holds(bool condition) noexcept {
     return condition;
 }
 
-/// A duration in time units; negative ones are zero.
+/// Returns a duration in time units. Negative numbers give zero.
 constexpr std::uint32_t duration(std::int64_t units) noexcept {
     if (units < 0) return 0;
     return units > INT32_MAX ? static_cast<std::uint32_t>(INT32_MAX) : static_cast<std::uint32_t>(units);
 }
 
-/// The probability of an alternative as a number.
+/// Returns the probability of an alternative as a number.
 template <class Number>
 constexpr double chance(Number probability) noexcept {
     return static_cast<double>(probability);
 }
 
-/// The default alternative of a probabilistic junction: the first one with a positive probability.
+/// Returns the default alternative of a probabilistic junction: the first one with a positive probability.
 constexpr std::size_t first_way(const double* chances, std::size_t count) noexcept {
     for (std::size_t way = 0; way < count; ++way)
         if (chances[way] > 0.0) return way;
     return 0;
 }
 
-/// Draws alternatives of probabilistic junctions: SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number
-/// generators, OOPSLA 2014). The same seed draws the same alternatives on every platform; a copy continues identically.
+/// Draws alternatives of probabilistic junctions with SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom
+/// number generators, OOPSLA 2014). The same seed draws the same alternatives on every platform. A copy continues
+/// identically.
 class Draws {
 public:
     constexpr explicit Draws(std::uint64_t seed = 1) noexcept : state_(seed) {}
 
-    /// Draws an alternative with a probability proportional to its chance; one with chance zero is never drawn. The
-    /// first if all chances are zero.
+    /// Draws an alternative with a probability proportional to its chance. An alternative with chance zero is never
+    /// drawn. If all chances are zero, returns the first alternative.
     constexpr std::size_t way(const double* chances, std::size_t count) noexcept {
         double all = 0.0;
         for (std::size_t way = 0; way < count; ++way)
@@ -322,7 +325,7 @@ public:
     }
 
 private:
-    /// In [0, 1), a multiple of 2^-53.
+    /// Draws a multiple of 2^-53 in [0, 1).
     constexpr double uniform() noexcept {
         state_ += 0x9e3779b97f4a7c15U;
         std::uint64_t z = state_;
@@ -352,8 +355,9 @@ template <class Platform>
 struct Chooses<Platform, std::void_t<decltype(std::declval<Platform&>().choose(static_cast<const double*>(nullptr),
                                                                                std::size_t{}))>> : std::true_type {};
 
-/// The alternative that a probabilistic junction takes: `platform.choose(chances, count)` if there is such a method,
-/// which may use random numbers; otherwise the first with a positive probability. The model allows any.
+/// Returns the alternative that a probabilistic junction takes. This is `platform.choose(chances, count)` if there is
+/// such a method, which may use random numbers; otherwise the first alternative with a positive probability. The model
+/// allows any alternative.
 template <class Platform, std::size_t count>
 constexpr std::size_t choose([[maybe_unused]] Platform& platform, const double (&chances)[count]) noexcept {
     std::size_t way = 0;
@@ -370,8 +374,8 @@ struct Picks : std::false_type {};
 template <class Platform>
 struct Picks<Platform, std::void_t<decltype(std::declval<Platform&>().pick(std::size_t{}))>> : std::true_type {};
 
-/// The alternative taken in code that asks (`emit cpp --choices`): `platform.pick(count)` if there is such a method,
-/// otherwise the first. The model allows any answer.
+/// Returns the alternative that is taken in code that asks (`emit cpp --choices`). This is `platform.pick(count)` if
+/// there is such a method, otherwise the first alternative. The model allows any answer.
 template <class Platform>
 constexpr std::size_t pick([[maybe_unused]] Platform& platform, std::size_t count) noexcept {
     if constexpr (Picks<Platform>::value) {
@@ -383,7 +387,7 @@ constexpr std::size_t pick([[maybe_unused]] Platform& platform, std::size_t coun
     }
 }
 
-/// Picks one of the open alternatives; returns `count` if none is open.
+/// Picks one of the open alternatives. Returns `count` if none is open.
 template <class Platform, std::size_t count>
 constexpr std::size_t pick_open(Platform& platform, const bool (&open)[count]) noexcept {
     std::size_t all = 0;
@@ -399,7 +403,7 @@ constexpr std::uint32_t pick_between(Platform& platform, std::uint32_t least, st
     return most <= least ? least : least + static_cast<std::uint32_t>(pick(platform, std::size_t{most} - least + 1));
 }
 
-/// Visits the enabled transitions twice: to count them, and to take the picked one.
+/// Visits the enabled transitions twice: first to count them, then to take the picked one.
 class Turn {
 public:
     constexpr void count() noexcept { *this = Turn(); }
@@ -417,7 +421,7 @@ private:
     bool counting_ = true;
 };
 
-/// Recorded answers, for platforms that repeat a run; the first alternative after their end.
+/// Recorded answers, for platforms that repeat a run. After the last answer, the first alternative is taken.
 class RecordedChoices {
 public:
     constexpr RecordedChoices(const std::size_t* answers, std::size_t count) noexcept
@@ -438,7 +442,7 @@ struct Listens : std::false_type {};
 template <class Platform>
 struct Listens<Platform, std::void_t<decltype(std::declval<Platform&>().taken(std::uint32_t{}))>> : std::true_type {};
 
-/// A clock advances until its saturation, above which guards cannot distinguish its values.
+/// Advances a clock, up to its saturation. Guards cannot distinguish values above the saturation.
 constexpr void advance_clock(std::uint32_t& clock, std::uint32_t units, std::uint32_t saturation) noexcept {
     if (clock >= saturation) return;
     const std::uint32_t left = saturation - clock;
@@ -454,12 +458,12 @@ constexpr void advance_wait(std::uint32_t& left, std::uint32_t units) noexcept {
 inline namespace probed {
 #endif
 
-/// The bookkeeping of one cycle.
+/// Counts the steps of one cycle, and records violations.
 class Cycle {
 public:
     explicit constexpr Cycle(std::uint32_t bound) noexcept : budget_(bound) {}
 
-    /// Counts one step of the machine; false when the bound of the cycle is reached.
+    /// Uses one step of the machine. Returns false when the bound of the cycle is reached.
     constexpr bool spend() noexcept {
         if (budget_ == 0) return false;
         --budget_;
@@ -471,18 +475,19 @@ public:
         late_ = late_ || left <= units;
         left = left > units ? left - units : 1;
     }
-    /// Records that time was due to pass although an urgent action had not been performed.
+    /// Records that time was due to pass before an urgent action was performed.
     constexpr void stop_time() noexcept { late_ = true; }
     [[nodiscard]] constexpr bool late() const noexcept { return late_; }
-    /// A false precondition also uses up the steps of the cycle, so that no other machine continues.
+    /// Records a violation if the precondition is false. Also uses up the steps of the cycle, so that no other machine
+    /// continues.
     constexpr void require(bool precondition) noexcept {
         if (precondition) return;
         violated_ = true;
         budget_ = 0;
     }
     [[nodiscard]] constexpr bool violated() const noexcept { return violated_; }
-    /// A list that the code has built, without the items beyond its capacity. If there were any, the cycle ends with
-    /// StepResult::capacity, unless the lists are bounded by finite carriers.
+    /// Returns a list that the code has built, without the items beyond its capacity. If there were any, the cycle ends
+    /// with StepResult::capacity, unless the lists are bounded by finite carriers.
     template <class Types, class T>
     [[nodiscard]] constexpr T fit(T value) noexcept {
         if (drop_overflow(value) && !HasCarriers<Types>::value) {
@@ -491,10 +496,10 @@ public:
         }
         return value;
     }
-    /// Whether every list that this cycle has built fits.
+    /// Returns whether every list that this cycle has built fits.
     [[nodiscard]] constexpr bool lists_fit() const noexcept { return !overflowed_; }
     [[nodiscard]] constexpr bool exhausted() const noexcept { return budget_ == 0; }
-    /// Whether another round of transitions may begin. Nothing but this object and the state survives a round.
+    /// Returns whether another round of transitions may begin. Only this object and the state are kept between rounds.
     [[nodiscard]] bool next_round() noexcept {
 #ifdef ROBOCHART_PROBES
         const std::uint32_t left = budget_;

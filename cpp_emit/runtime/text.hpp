@@ -1,5 +1,5 @@
-// Strings as values of fixed size. They use no heap, and equal texts have equal bytes. Delivered with the generated
-// code. Copyright: see LICENSE (Apache-2.0).
+// Declares strings as values of fixed size. They use no heap, and equal texts have equal bytes. Delivered with the
+// generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TEXT_HPP
 #define ROBOCHART_TEXT_HPP
 
@@ -7,7 +7,7 @@
 
 namespace robochart {
 
-/// A text of at most `longest` characters, terminated by zero; further characters are dropped.
+/// A text of at most `longest` characters, terminated by zero. Further characters are dropped.
 template <std::size_t longest>
 class String {
 public:

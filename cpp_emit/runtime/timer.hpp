@@ -1,5 +1,5 @@
-// The timer of a clock: time since its reset, in time units. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares the timer of a clock, which counts the time since its reset, in time units. Delivered with the generated
+// code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TIMER_HPP
 #define ROBOCHART_TIMER_HPP
 
@@ -7,8 +7,8 @@
 
 namespace robochart {
 
-/// A member of a machine's class. The control cycle advances the counter and resets it when the model does; it stops
-/// one unit above the largest value that the model compares it with.
+/// A member of a machine's class. The control cycle advances the counter, and resets it when the model does. The
+/// counter stops one unit above the largest value that the model compares it with.
 class Timer {
 public:
     std::uint32_t counter = 0;

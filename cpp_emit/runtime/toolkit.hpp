@@ -1,6 +1,6 @@
-// Conversions between types, pairs, functions and relations as sets of pairs, and the functions of the toolkit
-// libraries, over values of fixed size. A result outside a function's precondition is a default-constructed value.
-// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares conversions between types, pairs, functions and relations as sets of pairs, and the functions of the toolkit
+// libraries. All work on values of fixed size. A result outside a function's precondition is a default-constructed
+// value. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TOOLKIT_HPP
 #define ROBOCHART_TOOLKIT_HPP
 
@@ -14,7 +14,7 @@
 
 namespace robochart {
 
-/// Capacity of a set: the number of possible elements, up to a bound.
+/// Returns the capacity of a set: the number of possible elements, up to a bound.
 constexpr std::size_t places(std::size_t values) noexcept {
     return values < 1024 ? values : 1024;
 }
@@ -23,20 +23,20 @@ constexpr std::size_t power(std::size_t base, std::size_t exponent) noexcept {
     for (std::size_t i = 0; i < exponent && result < 1024; ++i) result *= base;
     return places(result);
 }
-/// The number of sequences with at most `longest` items.
+/// Returns the number of sequences with at most `longest` items.
 constexpr std::size_t sequences(std::size_t items, std::size_t longest) noexcept {
     std::size_t result = 1;
     for (std::size_t i = 0; i < longest && result < 1024; ++i) result = 1 + items * result;
     return places(result);
 }
 
-/// Capacity of a set: all `values` over finite carriers, and `deployed` elements on the robot.
+/// Returns the capacity of a set: all `values` over finite carriers, and `deployed` elements on the robot.
 template <class Types>
 constexpr std::size_t set_places(std::size_t values, std::size_t deployed) noexcept {
     return HasCarriers<Types>::value ? places(values) : deployed;
 }
 
-/// 0: no padding; 1: padding at the end; 2: padding between the parts.
+/// Where a pair has padding: 0 for no padding, 1 at the end, 2 between the parts.
 template <class A, class B>
 inline constexpr int pair_shape = alignof(A) == alignof(B)  ? 0
                                   : alignof(A) > alignof(B) ? 1
@@ -118,14 +118,14 @@ struct IsPair<T, std::void_t<decltype(T{}.item_1), decltype(T{}.item_2)>> : std:
 
 }  // namespace detail
 
-/// A list that is computed from one that has overflowed has overflowed, too. Generated code gives functions only lists
-/// that fit; this concerns lists between two functions of this header.
+/// Passes an overflow on: a list that is computed from one that has overflowed has overflowed, too. Generated code
+/// gives functions only lists that fit, so this is for lists between two functions of this header.
 template <class Result, class From>
 constexpr void inherit_overflow(Result& result, const From& from) noexcept {
     if (overflowed(from)) result.mark_overflow();
 }
 
-/// The value converted to another type: numbers to its unit, sequences to functions from 1.
+/// Returns the value converted to another type: numbers to its unit, sequences to functions from 1.
 template <class To, class From>
 constexpr To convert(const From& from) noexcept {
     if constexpr (std::is_same_v<To, From>) {
@@ -163,7 +163,7 @@ constexpr To convert(const From& from) noexcept {
     }
 }
 
-/// Whether a number belongs to another numeric type.
+/// Returns whether a number belongs to another numeric type.
 template <class To, bool natural, class From>
 constexpr bool is_value(From value) noexcept {
     if constexpr (std::is_arithmetic_v<From>) {
@@ -174,7 +174,7 @@ constexpr bool is_value(From value) noexcept {
     }
 }
 
-/// Applies a function; outside its domain: a default-constructed value.
+/// Applies a function. Outside its domain, returns a default-constructed value.
 template <class Result, class Function, class Argument>
 constexpr Result apply(const Function& function, const Argument& argument) noexcept {
     for (const auto& pair : function)
@@ -182,7 +182,7 @@ constexpr Result apply(const Function& function, const Argument& argument) noexc
     return Result{};
 }
 
-/// The whole numbers from `low` to `high`, as a set or a sequence.
+/// Returns the whole numbers from `low` to `high`, as a set or a sequence.
 template <class Numbers, class Number>
 constexpr Numbers whole_range(Number low, Number high, std::int64_t less_low, std::int64_t less_high) noexcept {
     Numbers result;
@@ -225,7 +225,7 @@ constexpr bool within(const Part& part, const Whole& whole) noexcept {
         if (!has(whole, item)) return false;
     return true;
 }
-/// Whether some pair of the relation begins with the value.
+/// Returns whether some pair of the relation begins with the value.
 template <class Relation, class Value>
 constexpr bool in_domain(const Relation& relation, const Value& value) noexcept {
     for (const auto& pair : relation)

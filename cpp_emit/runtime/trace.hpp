@@ -1,5 +1,6 @@
-// The trace hook of generated controllers: the events of a cycle as text of a log (docs/traces.md), and the transitions
-// taken. Included only by code that uses it. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares the trace hook of generated controllers, which receives the events of a cycle as text of a log
+// (docs/traces.md), and the transitions taken. Included only by code that uses it. Delivered with the generated code.
+// Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACE_HPP
 #define ROBOCHART_TRACE_HPP
 
@@ -23,7 +24,7 @@ struct RunHeader {
     const char* component;
     const char* model;           ///< file name
     const char* constants;       ///< lines `const NAME=VALUE`, for constants whose values the model does not give
-    std::uint32_t cycle_length;  ///< time units of a control cycle
+    std::uint32_t cycle_length;  ///< number of time units in a control cycle
     const TransitionName* transitions;
     std::size_t transition_count;
 };
@@ -32,13 +33,13 @@ struct RunHeader {
 class Tracer {
 public:
     virtual ~Tracer() = default;
-    /// The controller restarts.
+    /// Called when the controller restarts.
     virtual void begin() noexcept {}
-    /// The next piece of text for the log.
+    /// Receives the next piece of text for the log.
     virtual void text(const char* piece) noexcept = 0;
     /// Called when a transition is taken, with its index in RunHeader::transitions.
     virtual void taken(std::uint32_t /*transition*/) noexcept {}
-    /// The cycle is over; its line of the log ends.
+    /// Called at the end of a cycle, which is also the end of its line in the log.
     virtual void end() noexcept {}
 };
 
@@ -55,7 +56,7 @@ inline void log_value(Tracer& tracer, std::int32_t value) noexcept {
     log_value(tracer, static_cast<std::int64_t>(value));
 }
 
-/// The shortest decimal that is read as the same number.
+/// Writes the shortest decimal that is read as the same number.
 inline void log_value(Tracer& tracer, double value) noexcept {
     char digits[40];
     for (int precision = 1; precision <= 17; ++precision) {
@@ -69,8 +70,8 @@ inline void log_value(Tracer& tracer, float value) noexcept {
     log_value(tracer, static_cast<double>(value));
 }
 
-// Values with parts, as in CSP but without blanks, because blanks separate the words of a log: <1,2>, {1,2}, (1,2).
-// Their types are declared in the headers that are delivered with models that use them.
+// The following functions write values with parts, as in CSP but without blanks, because blanks separate the words of a
+// log: <1,2>, {1,2}, (1,2). Their types are declared in the headers that are delivered with models that use them.
 template <class T, std::size_t capacity>
 class Sequence;
 template <class T, std::size_t capacity>
@@ -84,7 +85,7 @@ struct Pair;
 template <std::size_t longest>
 class String;
 
-/// Each part is written by the overload for its type; several parts are enclosed in `open` and `close`.
+/// Writes the parts of a value, each with the overload for its type. Several parts are enclosed in `open` and `close`.
 template <class T>
 void log_parts(Tracer& tracer, const T* part, std::size_t count, const char* open, const char* close) noexcept {
     tracer.text(open);
@@ -125,7 +126,7 @@ void log_value(Tracer& tracer, const Pair<A, B, shape>& value) noexcept {
     tracer.text(")");
 }
 
-/// Characters that separate words, and invisible ones, are written as octal numbers.
+/// Writes a text. Characters that separate words, and invisible ones, are written as octal numbers.
 template <std::size_t longest>
 void log_value(Tracer& tracer, const String<longest>& value) noexcept {
     tracer.text("\"");
@@ -140,7 +141,7 @@ void log_value(Tracer& tracer, const String<longest>& value) noexcept {
     tracer.text("\"");
 }
 
-/// Writes the result of the cycle as in logs.
+/// Writes how the cycle ended, as in logs.
 inline void log_end(Tracer& tracer, StepResult result, std::uint32_t cycle_length) noexcept {
     if (result == StepResult::terminated) {
         tracer.text("terminate");
@@ -153,7 +154,7 @@ inline void log_end(Tracer& tracer, StepResult result, std::uint32_t cycle_lengt
     tracer.end();
 }
 
-/// The alternative that the platform takes, for a platform that forwards its calls.
+/// Returns the alternative that the platform takes, for a platform that forwards its calls.
 template <class Platform>
 std::size_t passed_choice(Platform& platform, const double* chances, std::size_t count) noexcept {
     if constexpr (Chooses<Platform>::value) {

@@ -1,5 +1,5 @@
-// A tracer that writes a log for `robochart-verify conform --traces` and counts transitions; for hosts with files.
-// Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
+// Declares a tracer that writes a log for `robochart-verify conform --traces` and counts transitions. It is for hosts
+// with files. Delivered with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACE_FILE_HPP
 #define ROBOCHART_TRACE_FILE_HPP
 
@@ -20,7 +20,7 @@ public:
         if (file_ != nullptr) std::fclose(file_);
     }
 
-    /// Begins the log; false if the file cannot be written. Without a log, only transitions are counted.
+    /// Begins the log. Returns false if the file cannot be written. Without a log, only transitions are counted.
     [[nodiscard]] bool open(const std::string& path, const std::string& robot = "") {
         file_ = std::fopen(path.c_str(), "w");
         if (file_ == nullptr) return false;
@@ -32,10 +32,10 @@ public:
         std::fflush(file_);
         return std::ferror(file_) == 0;
     }
-    /// Whether all writes so far have succeeded.
+    /// Returns whether all writes so far have succeeded.
     [[nodiscard]] bool good() const { return file_ == nullptr || std::ferror(file_) == 0; }
 
-    /// A run is in the log when its first cycle is.
+    /// Begins a run. The run appears in the log together with its first cycle.
     void begin() noexcept override { begun_ = false; }
     void text(const char* piece) noexcept override {
         if (file_ == nullptr) return;
@@ -43,8 +43,8 @@ public:
         begun_ = in_cycle_ = true;
         std::fputs(piece, file_);
     }
-    /// A comment on a separate line, for incidents of the robot that are not events of the model. In a cycle, it
-    /// follows the cycle's line.
+    /// Writes a comment on a separate line, for incidents of the robot that are not events of the model. In a cycle,
+    /// the comment follows the cycle's line.
     void note(const std::string& comment) {
         if (file_ == nullptr) return;
         if (in_cycle_) {
@@ -56,7 +56,7 @@ public:
     void taken(std::uint32_t transition) noexcept override {
         if (transition < counts_.size()) ++counts_[transition];
     }
-    /// The log is complete up to the last cycle even if the program ends abnormally.
+    /// Ends a cycle. The log is complete up to the last cycle even if the program ends abnormally.
     void end() noexcept override {
         in_cycle_ = false;
         if (file_ == nullptr) return;
@@ -65,9 +65,9 @@ public:
         std::fflush(file_);
     }
 
-    /// The number of times that each transition was taken.
+    /// Returns the number of times that each transition was taken.
     [[nodiscard]] const std::vector<unsigned long>& counts() const { return counts_; }
-    /// "3 of 4 transitions taken", then a line for each transition: count, name, place in the model.
+    /// Returns "3 of 4 transitions taken", then a line for each transition: count, name, place in the model.
     [[nodiscard]] std::string coverage() const {
         std::size_t taken = 0;
         for (const unsigned long count : counts_) taken += count > 0 ? 1 : 0;
@@ -87,8 +87,8 @@ private:
     std::vector<unsigned long> counts_;
     std::string notes_;
     int runs_ = 0;
-    bool begun_ = false;     ///< the line `run N` of the current run is written
-    bool in_cycle_ = false;  ///< the line of a cycle has begun and has not ended
+    bool begun_ = false;     ///< true if the line `run N` of the current run is written
+    bool in_cycle_ = false;  ///< true if the line of a cycle has begun and has not ended
 };
 
 }  // namespace robochart

@@ -1,9 +1,9 @@
-// Tracked numbers record how they were computed, so that an exploration can give an answer for all values. A tracked
-// number is known, or it is a linear form of the parts of one input value. Every comparison of a form is recorded,
-// because the explorer has to try values with each answer. Every use other than a comparison or a copy is recorded as a
-// loss. Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). The parts of a sequence are
-// its size and the least and greatest numbers of windows (tracked_sequences.hpp). Delivered with the generated code.
-// Copyright: see LICENSE (Apache-2.0).
+// Declares tracked numbers. They record how they were computed, so that an exploration can give an answer for all
+// values. A tracked number is either known, or a linear form of the parts of one input value. Every comparison of a
+// form is recorded, because the explorer has to try values with each answer. Every use other than a comparison or a
+// copy is recorded as a loss. Arithmetic is ideal: numbers have no carriers (docs/conformance.md, "All values"). The
+// parts of a sequence are its size and the least and greatest numbers of windows (tracked_sequences.hpp). Delivered
+// with the generated code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACKED_HPP
 #define ROBOCHART_TRACKED_HPP
 
@@ -17,7 +17,7 @@
 
 namespace robochart {
 
-/// Greatest absolute value of a number, in its units.
+/// The greatest absolute value of a number, in its units.
 inline constexpr std::int64_t greatest_tracked = std::int64_t{1} << 58U;
 
 /// The sum of coefficients times the parts of input value `index` of a type, plus a constant. If all coefficients are
@@ -46,14 +46,14 @@ struct PlaceSet {
 
     std::uint64_t word[words] = {};
 
-    /// `place`: from 1 to ROBOCHART_MAX_PLACES.
+    /// Adds `place`, which is from 1 to ROBOCHART_MAX_PLACES.
     void add(std::int64_t place) noexcept {
         word[(place - 1) / 64] |= std::uint64_t{1} << (static_cast<std::uint64_t>(place - 1) % 64);
     }
     [[nodiscard]] bool has(std::int64_t place) const noexcept {
         return (word[(place - 1) / 64] >> (static_cast<std::uint64_t>(place - 1) % 64) & 1U) != 0;
     }
-    /// 0 if the set is empty.
+    /// Returns the first place, or 0 if the set is empty.
     [[nodiscard]] std::int64_t first() const noexcept {
         for (std::int64_t place = 1; place <= ROBOCHART_MAX_PLACES; ++place)
             if (has(place)) return place;
@@ -66,7 +66,7 @@ struct PlaceSet {
     }
 };
 
-/// The explored values of each type, the forms of all numbers, and the recorded comparisons and losses. Does not
+/// Stores the explored values of each type, the forms of all numbers, and the recorded comparisons and losses. Does not
 /// allocate memory, because a call of generated code may be stopped anywhere.
 class Tracking {
 public:
@@ -80,7 +80,7 @@ public:
     static constexpr std::uint32_t most_forms = 16384;
     static constexpr std::uint32_t most_comparisons = 256;
 
-    /// Sets the values of a type; a call for type 0 forgets everything first. Returns false if the values do not fit.
+    /// Sets the values of a type. A call for type 0 forgets everything first. Returns false if the values do not fit.
     bool set_values(std::uint32_t type, std::uint32_t parts, std::uint32_t count, const std::int64_t* numbers) noexcept {
         if (type == 0) forget();
         const std::uint32_t size = parts * count;
@@ -97,7 +97,7 @@ public:
         return true;
     }
 
-    /// The same for a type of sequences: the length of each value, then its items.
+    /// Like set_values, for a type of sequences: the length of each value comes before its items.
     bool set_sequences(std::uint32_t type, std::uint32_t count, const std::int64_t* numbers) noexcept {
         if (type == 0) forget();
         if (type >= most_types || count > most_sequences - sequences_) return false;
@@ -110,8 +110,8 @@ public:
         }
         return true;
     }
-    /// Finds or adds a window of sequences, a set of places that is not empty; returns its part in `part`. False if there
-    /// are too many.
+    /// Finds or adds a window of sequences, which is a set of places that is not empty. Returns its part in `part`.
+    /// Returns false if there are too many windows.
     bool find_window(std::uint32_t type, const PlaceSet& places, bool greatest, std::uint32_t& part) noexcept {
         part = size_part + 1;
         for (std::uint32_t i = 0; i < windows_; ++i) {
@@ -136,12 +136,12 @@ public:
         return item_ + sequence_[table_[type].first + index].first;
     }
 
-    /// The handle of a part of a value.
+    /// Returns the handle of a part of a value.
     [[nodiscard]] std::uint32_t part(std::uint32_t type, std::uint32_t index, std::uint32_t part) const noexcept {
         return table_[type].first + index * table_[type].parts + part;
     }
     [[nodiscard]] const LinearForm& form(std::uint32_t handle) const noexcept { return form_[handle]; }
-    /// The value of a form, in units.
+    /// Returns the value of a form, in units.
     [[nodiscard]] WideInteger value(const LinearForm& form) const noexcept {
         const Table& table = table_[form.type];
         WideInteger sum = form.constant;
@@ -155,8 +155,8 @@ public:
             sum += WideInteger{form.coefficient[i]} * number_[table.first + form.index * table.parts + i];
         return sum;
     }
-    /// Finds or adds a form and returns its handle in `handle`. False if there are too many forms, or if its value is
-    /// too large.
+    /// Finds or adds a form and returns its handle in `handle`. Returns false if there are too many forms, or if the
+    /// value of the form is too large.
     bool find(const LinearForm& form, std::uint32_t& handle) noexcept {
         const WideInteger number = value(form);
         if (number > greatest_tracked || number < -greatest_tracked) return false;
@@ -193,7 +193,7 @@ public:
         *list = comparison_;
         return comparisons_;
     }
-    /// The index of the explored value of a type that consists of these numbers; -1 if there is none.
+    /// Returns the index of the explored value of a type that consists of these numbers, or -1 if there is none.
     [[nodiscard]] std::int64_t place(std::uint32_t type, const std::int64_t* numbers) const noexcept {
         const Table& table = table_[type];
         for (std::uint32_t v = 0; v < table.count; ++v) {
@@ -206,7 +206,7 @@ public:
         return -1;
     }
 
-    bool paused = false;  ///< while a state is printed, nothing is recorded
+    bool paused = false;  ///< true while a state is printed: then nothing is recorded
 
 private:
     struct Table {
@@ -218,7 +218,7 @@ private:
         std::int64_t length = 0;
     };
 
-    /// The extremum of a window in which the sequence has no place is 0.
+    /// Returns a part of a sequence. The extremum of a window in which the sequence has no place is 0.
     [[nodiscard]] std::int64_t part_of_sequence(std::uint32_t type, std::uint32_t index,
                                                 std::uint32_t part) const noexcept {
         const std::int64_t length = size_of(type, index);
@@ -261,23 +261,23 @@ namespace {
 [[maybe_unused]] Tracking tracking;
 }  // namespace
 
-/// A tracked number: a known number of units, or the handle of a form in `tracking`. `Carrier` has
-/// `static constexpr std::int64_t scale` (units of one) and `static constexpr bool natural` (no negative numbers).
+/// A tracked number: a known number of units, or the handle of a form in `tracking`. `Carrier` must have `static
+/// constexpr std::int64_t scale` (units of one) and `static constexpr bool natural` (no negative numbers).
 template <class Carrier>
 class Tracked {
 public:
     constexpr Tracked() noexcept = default;
     template <class T, std::enable_if_t<std::is_integral_v<T>, int> = 0>
     explicit constexpr Tracked(T value) noexcept : Tracked(Known{}, WideInteger{value} * Carrier::scale) {}
-    /// The decimal that the literal denotes. A literal is exact only if it is a whole number of units with an absolute
-    /// value below 2^53.
+    /// Makes the decimal that the literal denotes. A literal is exact only if it is a whole number of units with an
+    /// absolute value below 2^53.
     explicit constexpr Tracked(double value) noexcept : Tracked(Known{}, units_near(value)) {
         const double units = static_cast<double>(units_near(value));
         constexpr double largest = 9007199254740992.0;
         const bool exact = units < largest && units > -largest && units / static_cast<double>(Carrier::scale) == value;
         if (!exact) tracking.lose_for_good(RC_TRACKED_INEXACT);
     }
-    /// Converts the unit; rounds down if the new one is coarser.
+    /// Converts the number to this type's unit; rounds down if this unit is coarser.
     template <class Other>
     explicit constexpr Tracked(Tracked<Other> other) noexcept
         : Tracked(Known{}, floor_quotient(WideInteger{other.raw()} * Carrier::scale, Other::scale)) {
@@ -289,14 +289,14 @@ public:
         else
             tracking.lose(RC_TRACKED_INEXACT);
     }
-    /// A part of an input value.
+    /// Returns a part of an input value.
     [[nodiscard]] static Tracked part(std::uint32_t type, std::uint32_t index, std::uint32_t part) noexcept {
         Tracked result;
         result.bits_ = std::int64_t{tracking.part(type, index, part)} * 2 + 1;
         return result;
     }
 
-    /// A part of a sequence, which has a form of its own.
+    /// Returns a part of a sequence, which has its own form.
     [[nodiscard]] static Tracked part_of_sequence(std::uint32_t type, std::uint32_t index,
                                                   std::uint32_t part) noexcept {
         LinearForm form;
@@ -319,9 +319,9 @@ public:
     explicit constexpr operator double() const noexcept {
         return static_cast<double>(native()) / static_cast<double>(Carrier::scale);
     }
-    /// Whether the type contains the value.
+    /// Returns whether the type contains the value.
     [[nodiscard]] constexpr bool carried() const noexcept { return !Carrier::natural || native() >= 0; }
-    /// The number, for a use that is neither a comparison nor a copy.
+    /// Returns the number, for a use that is neither a comparison nor a copy.
     [[nodiscard]] constexpr std::int64_t native() const noexcept {
         if (!known()) tracking.lose(RC_TRACKED_NATIVE);
         return raw();
@@ -377,7 +377,7 @@ private:
         tracking.lose(RC_TRACKED_INEXACT);
         return *this;
     }
-    /// A known result. The model replaces a negative natural number by the first operand.
+    /// Returns a known result. The model replaces a negative natural number by the first operand.
     [[nodiscard]] constexpr Tracked clipped(WideInteger exact) const noexcept {
         return Carrier::natural && exact < 0 ? *this : Tracked(Known{}, exact);
     }
@@ -389,14 +389,14 @@ private:
         result.bits_ = std::int64_t{handle} * 2 + 1;
         return result;
     }
-    /// Adds factor * number; false if the sum is too large.
+    /// Adds factor * number. Returns false if the sum is too large.
     static bool add(std::int64_t& to, std::int64_t number, std::int64_t factor) noexcept {
         const WideInteger exact = to + WideInteger{number} * factor;
         if (exact > greatest_tracked || exact < -greatest_tracked) return false;
         to = static_cast<std::int64_t>(exact);
         return true;
     }
-    /// Adds a multiple of another form; false if they belong to two values or the sum is too large.
+    /// Adds a multiple of another form. Returns false if the forms belong to two values or the sum is too large.
     static bool add(LinearForm& to, const LinearForm& other, std::int64_t factor) noexcept {
         if (!to.known() && !other.known() && (to.type != other.type || to.index != other.index)) return false;
         if (to.known()) {
@@ -408,14 +408,15 @@ private:
             fits = fits && add(to.coefficient[i], other.coefficient[i], factor);
         return fits;
     }
-    /// Natural numbers are subtracted only where they are known: the model clips a negative result.
+    /// Adds a multiple of b to a. Natural numbers are subtracted only where they are known, because the model clips a
+    /// negative result.
     static constexpr Tracked sum(Tracked a, Tracked b, std::int64_t factor) noexcept {
         if (a.known() && b.known()) return a.clipped(WideInteger{a.raw()} + WideInteger{b.raw()} * factor);
         LinearForm form = a.form();
         if ((Carrier::natural && factor < 0) || !add(form, b.form(), factor)) return a.inexact();
         return made(form, a);
     }
-    /// A form times a known whole number; `first` is the first operand of the product.
+    /// Returns a form times a known whole number. `first` is the first operand of the product.
     static Tracked multiple(Tracked form, Tracked factor, Tracked first) noexcept {
         const bool whole = factor.known() && factor.raw() % Carrier::scale == 0;
         if (!whole || (Carrier::natural && factor.raw() < 0)) return first.inexact();
@@ -423,7 +424,7 @@ private:
         if (!add(result, form.form(), factor.raw() / Carrier::scale)) return first.inexact();
         return made(result, first);
     }
-    /// The sign of a - b, recorded unless both are known.
+    /// Returns the sign of a - b. Records the comparison unless both numbers are known.
     static constexpr int difference(Tracked a, Tracked b) noexcept {
         if (!a.known() || !b.known()) record(a, b);
         const std::int64_t one = a.raw(), other = b.raw();
@@ -439,8 +440,8 @@ private:
     std::int64_t bits_ = 0;  ///< twice a known number, or twice the handle of a form plus one
 };
 
-/// The index of an output among the explored values of its type; -1 if it is none of them. Records a loss if the output
-/// is neither known nor a copy of an input value.
+/// Returns the index of an output among the explored values of its type, or -1 if it is none of them. Records a loss if
+/// the output is neither known nor a copy of an input value.
 template <class... Parts>
 std::int64_t place_of_value(std::uint32_t type, Parts... parts) noexcept {
     const std::int64_t numbers[] = {parts.raw()...};
@@ -463,7 +464,7 @@ constexpr std::uint32_t duration(Tracked<Carrier> units) noexcept {
     return time_units(units.native(), Carrier::scale);
 }
 
-/// A real as a whole number, rounded down.
+/// Returns a real as a whole number, rounded down.
 template <class Whole, class Carrier>
 constexpr Whole rounded_down(Tracked<Carrier> value) noexcept {
     return Whole(value);

@@ -1,7 +1,7 @@
-// Sequences of tracked numbers. The code may copy a sequence, and read its size and the least and greatest numbers of
-// windows; each of these is a part of the input value, like the numbers of a record (tracked.hpp). Code that reads a
-// sequence in another way does not compile, or is a loss. Delivered with the generated code. Copyright: see LICENSE
-// (Apache-2.0).
+// Declares sequences of tracked numbers. The code may copy a sequence, and read its size and the least and greatest
+// numbers of windows. Each of these is a part of the input value, like the numbers of a record (tracked.hpp). Code that
+// reads a sequence in another way does not compile, or causes a loss. Delivered with the generated code. Copyright: see
+// LICENSE (Apache-2.0).
 #ifndef ROBOCHART_TRACKED_SEQUENCES_HPP
 #define ROBOCHART_TRACKED_SEQUENCES_HPP
 
@@ -40,7 +40,7 @@ public:
 
     constexpr Sequence() noexcept = default;
     [[nodiscard]] static constexpr Sequence of() noexcept { return {}; }
-    /// Value `index` of type `type`.
+    /// Returns value `index` of type `type`.
     [[nodiscard]] static constexpr Sequence input(std::uint32_t type, std::uint32_t index) noexcept {
         Sequence result;
         result.type_ = type + 1;
@@ -57,7 +57,8 @@ public:
         return Tracked<detail::SizeCarrier>::part_of_sequence(type(), index(), Tracking::size_part);
     }
     [[nodiscard]] TrackedSize size() const noexcept { return TrackedSize(tracked_size()); }
-    /// Whether the size is less than `least`, which is positive. The form 2 * size - (2 * least - 1) is never 0.
+    /// Returns whether the size is less than `least`, which must be positive. The form 2 * size - (2 * least - 1) is
+    /// never 0.
     [[nodiscard]] bool is_shorter_than(std::int64_t least) const noexcept {
         if (known()) return true;
         LinearForm form;
@@ -68,7 +69,7 @@ public:
         tracking.record(form);
         return tracking.value(form) < 0;
     }
-    /// The least or greatest number at the places; 0 if there is none.
+    /// Returns the least or greatest number at the places, or 0 if there is none.
     [[nodiscard]] value_type extremum(const PlaceSet& places, bool greatest) const noexcept {
         const std::int64_t first = places.first();
         std::uint32_t part = 0;

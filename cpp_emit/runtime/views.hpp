@@ -1,6 +1,6 @@
-// Views of sequences and sets: what `ran`, `extract`, `filter`, `union` and similar functions select is visited in
-// place, and no collection is built. So the number of elements has no limit, and a fold over a window of a long
-// sequence reads only the items of the window. The order of a visit is not specified. Delivered with the generated
+// Declares views of sequences and sets. What `ran`, `extract`, `filter`, `union` and similar functions select is
+// visited in place, and no collection is built. So the number of elements has no limit, and a fold over a window of a
+// long sequence reads only the items of the window. The order of a visit is not specified. Delivered with the generated
 // code. Copyright: see LICENSE (Apache-2.0).
 #ifndef ROBOCHART_VIEWS_HPP
 #define ROBOCHART_VIEWS_HPP
@@ -23,7 +23,7 @@ namespace view {
 //   has(value)     whether the value is an element
 //   any_place(first, last, visit)  visits the numbers between both bounds, for views of whole numbers
 
-/// Whether the view has an element equal to `value`.
+/// Returns whether the view has an element equal to `value`.
 template <class View, class Value>
 constexpr bool contains(const View& view, const Value& value) noexcept {
     if constexpr (View::tests_members) {
@@ -35,7 +35,7 @@ constexpr bool contains(const View& view, const Value& value) noexcept {
 }
 
 /// The items of a stored sequence, or the elements of a stored set. `Collection` is a reference to a collection that
-/// outlives the view, or else the collection itself.
+/// outlives the view, or otherwise the collection itself.
 template <class Collection>
 class Items {
 public:
@@ -53,7 +53,7 @@ public:
     }
     [[nodiscard]] constexpr const Plain& collection() const noexcept { return collection_; }
     [[nodiscard]] constexpr std::size_t size() const noexcept { return collection_.size(); }
-    /// The item at a place from 1 to size().
+    /// Returns the item at a place from 1 to size().
     [[nodiscard]] constexpr const value_type& at(std::int64_t place) const noexcept {
         return collection_.begin()[place - 1];
     }
@@ -118,7 +118,7 @@ public:
     }
 
 private:
-    /// Whether an earlier element is equal.
+    /// Returns whether an earlier element is equal.
     [[nodiscard]] constexpr bool repeats(std::size_t place) const noexcept {
         for (std::size_t i = 0; i < place; ++i)
             if (element_[i] == element_[place]) return true;
@@ -231,7 +231,7 @@ template <class A, class B>
 constexpr auto diff(A a, B b) noexcept {
     return select(a, [b](const auto& element) { return !contains(b, element); });
 }
-/// The items of a sequence that belong to a set.
+/// Returns the items of a sequence that belong to a set.
 template <class Sequence, class Set>
 constexpr auto filter(Sequence sequence, Set set) noexcept {
     return inter(sequence, set);
@@ -304,7 +304,7 @@ constexpr bool empty(const View& view) noexcept {
     else
         return !view.any([](const auto&) { return true; });
 }
-/// An element that is not NaN, if there is one. Otherwise some element, or a default-constructed value.
+/// Returns an element that is not NaN, if there is one. Otherwise returns some element, or a default-constructed value.
 template <class View>
 constexpr typename View::value_type first_number(const View& view) noexcept {
     typename View::value_type result{};
@@ -314,7 +314,8 @@ constexpr typename View::value_type first_number(const View& view) noexcept {
     });
     return result;
 }
-/// The least element; a default-constructed value if there is none. NaN counts only if there is nothing else.
+/// Returns the least element, or a default-constructed value if there is none. NaN is ignored unless all elements are
+/// NaN.
 template <class R, class View>
 constexpr R min(const View& view) noexcept {
     if constexpr (OwnFolds<View>::value) {
@@ -328,7 +329,8 @@ constexpr R min(const View& view) noexcept {
         return convert<R>(result);
     }
 }
-/// The greatest element; a default-constructed value if there is none. NaN counts only if there is nothing else.
+/// Returns the greatest element, or a default-constructed value if there is none. NaN is ignored unless all elements
+/// are NaN.
 template <class R, class View>
 constexpr R max(const View& view) noexcept {
     if constexpr (OwnFolds<View>::value) {
@@ -342,7 +344,7 @@ constexpr R max(const View& view) noexcept {
         return convert<R>(result);
     }
 }
-/// The number of items, equal ones included.
+/// Returns the number of items, including equal ones.
 template <class R, class View>
 constexpr R length(const View& view) noexcept {
     std::int64_t count = 0;
@@ -352,7 +354,7 @@ constexpr R length(const View& view) noexcept {
     });
     return R(count);
 }
-/// The number of different elements. If elements may repeat, the time grows with the square of their number.
+/// Returns the number of different elements. If elements may repeat, the time grows with the square of their number.
 template <class R, class View>
 constexpr R size(const View& view) noexcept {
     if constexpr (View::distinct) {
@@ -374,7 +376,7 @@ constexpr R size(const View& view) noexcept {
         return R(count);
     }
 }
-/// Whether all elements of `a` belong to `b`.
+/// Returns whether all elements of `a` belong to `b`.
 template <class A, class B>
 constexpr bool subseteq(const A& a, const B& b) noexcept {
     return !a.any([&](const auto& element) { return !contains(b, element); });

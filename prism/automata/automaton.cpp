@@ -118,7 +118,7 @@ private:
         return result;
     }
 
-    /// Returns X of a formula, with the X moved inside the outermost operator.
+    /// Returns X of a formula, with the X moved inside the formula's outermost operator.
     FormulaId move_next_inwards(FormulaId id) {
         const Formula formula = formulas_[id];
         switch (formula.form) {
@@ -143,7 +143,7 @@ private:
         throw NotDecided(beyond);
     }
 
-    /// Collects the operands of nested `form` (both or either), split into tails and other operands.
+    /// Collects the operands of nested `form` (both or either). Tails and other operands are collected separately.
     void operands(FormulaId id, Form form, std::vector<FormulaId>& tails, std::vector<FormulaId>& others) const {
         const Formula& formula = formulas_[id];
         if (formula.form != form) return (formula.tail ? tails : others).push_back(id);
@@ -161,7 +161,7 @@ private:
     std::vector<Conjunction> split_until(const Formula& formula) {
         if (!formula.steps.is_unbounded()) throw NotDecided(beyond);
         const Formula right = formulas_[formula.b];
-        // If prefixes do not matter, a U b holds if and only if b holds now.
+        // If prefixes do not matter for b, a U b holds if and only if b holds now.
         if (right.tail) return (*this)(formula.b);
         if (right.form == Form::either)
             return combine_any((*this)(formulas_.make_until(formula.a, right.a)),
@@ -176,7 +176,7 @@ private:
         return formula.a == Formulas::yes ? split_finally(formula.b) : guarded_until(formula);
     }
 
-    /// F of a formula that is neither a tail nor a disjunction.
+    /// Splits F of a formula that is neither a tail nor a disjunction.
     std::vector<Conjunction> split_finally(FormulaId id) {
         const Formula formula = formulas_[id];
         if (formula.safe) return literal_case({formulas_.make_negation(id), true}, false);
@@ -189,7 +189,7 @@ private:
         throw NotDecided(beyond);
     }
 
-    /// a U b where a is not true.
+    /// Splits a U b where a is not true.
     std::vector<Conjunction> guarded_until(const Formula& formula) {
         const Formula left = formulas_[formula.a];
         const FormulaId at_last = formulas_.make_finally(formula.b);
@@ -221,7 +221,7 @@ private:
         return formula.a == Formulas::no ? split_always(formula.b) : guarded_release(formula);
     }
 
-    /// G of a formula that is neither a tail nor a conjunction.
+    /// Splits G of a formula that is neither a tail nor a conjunction.
     std::vector<Conjunction> split_always(FormulaId id) {
         const Formula formula = formulas_[id];
         if (formula.co_safe) return literal_case({id, true}, true);
@@ -234,7 +234,7 @@ private:
         throw NotDecided(beyond);
     }
 
-    /// a R b where a is not false.
+    /// Splits a R b where a is not false.
     std::vector<Conjunction> guarded_release(const Formula& formula) {
         const Formula left = formulas_[formula.a];
         const FormulaId for_ever = formulas_.make_always(formula.b);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deterministic automata for formulas of LTL. A condition is a disjunction of conjunctions of parts or their negations.
-// A part is a co-safe formula, or G of a co-safe formula. The negation of a safe formula, or of F of a safe formula, is
-// such a part. Co-safe: Kupferman and Vardi, Model Checking of Safety Properties, 2001. G of a co-safe formula holds if
-// the copies of the formula that begin in each state are all fulfilled eventually. The copies are tracked in batches,
-// and the automaton is marked when a batch is fulfilled and the next one begins (Esparza, Kretinsky and Sickert, A
-// Unified Translation of Linear Temporal Logic to omega-Automata, 2020).
+// Builds deterministic automata for formulas of LTL. The formula is converted to a condition: a disjunction of
+// conjunctions of parts or their negations. A part is a co-safe formula, or G of a co-safe formula. Safe formulas and F
+// of safe formulas are the negations of such parts. Co-safe: Kupferman and Vardi, Model Checking of Safety Properties,
+// 2001. G of a co-safe formula holds if the copies of the formula that begin in each state are all fulfilled
+// eventually. The copies are tracked in batches, and the automaton is marked when a batch is fulfilled and the next
+// batch begins (Esparza, Kretinsky and Sickert, A Unified Translation of Linear Temporal Logic to omega-Automata,
+// 2020).
 #pragma once
 
 #include <map>
@@ -21,7 +22,7 @@ struct Part {
     friend bool operator==(const Part&, const Part&) = default;
 };
 
-/// A part, and whether it must hold.
+/// The index of a part, and whether the part must hold.
 using Literal = std::pair<std::size_t, bool>;
 using Conjunction = std::vector<Literal>;
 
@@ -30,7 +31,7 @@ struct Condition {
     std::vector<Conjunction> any;
 };
 
-/// Throws NotDecided if the formula is not equivalent to such a condition.
+/// Converts a formula to a condition. Throws NotDecided if no condition is equivalent to the formula.
 [[nodiscard]] Condition condition(Formulas& formulas, FormulaId formula);
 
 class Automaton {
@@ -43,18 +44,18 @@ public:
     [[nodiscard]] State start() const { return 0; }
     /// Throws NotDecided.
     [[nodiscard]] State successor_of(State state, Letter letter);
-    /// Whether the formula of a part that is not `always` holds.
+    /// Returns whether the formula of a part without `always` holds.
     [[nodiscard]] bool is_done(State state, std::size_t part) const {
         return states_[state][part].now == Residues::yes;
     }
-    /// Whether a batch of a part that is `always` is fulfilled.
+    /// Returns whether a batch of an `always` part is fulfilled.
     [[nodiscard]] bool is_marked(State state, std::size_t part) const { return states_[state][part].marked; }
     [[nodiscard]] std::size_t states() const { return states_.size(); }
 
 private:
     struct OfPart {
-        ResidueId now = Residues::yes;    ///< for `always`: of the current batch
-        ResidueId later = Residues::yes;  ///< for `always`: of the copies that have begun since
+        ResidueId now = Residues::yes;    ///< what remains to be fulfilled; for `always`, of the current batch
+        ResidueId later = Residues::yes;  ///< for `always`: the same for the copies that have begun since
         bool marked = false;
         friend auto operator<=>(const OfPart&, const OfPart&) = default;
     };

@@ -53,7 +53,7 @@ FormulaId Formulas::make_until(FormulaId a, FormulaId b, Steps steps) {
     const Formula& right = formulas_[b];
     if (a == yes && steps.is_unbounded() && right.form == Form::until && right.a == yes && right.steps.is_unbounded())
         return b;
-    // F of G x, for any x.
+    // The right operand is F G x, for some x.
     const bool persists = a == yes && right.form == Form::release && right.a == no && right.steps.is_unbounded();
     const bool tail = steps.is_unbounded() && (persists || (a == yes && right.tail));
     return add({Form::until, 0, a, b, steps, left.co_safe && right.co_safe,

@@ -28,9 +28,9 @@ struct Formula {
     std::uint32_t atom = 0;
     FormulaId a = 0, b = 0;
     Steps steps = {};
-    bool co_safe = true;  ///< every path that satisfies it has a prefix all of whose continuations satisfy it
-    bool safe = true;     ///< every path that violates it has a prefix none of whose continuations satisfies it
-    bool tail = false;    ///< the truth on a path does not change if a prefix is added or removed
+    bool co_safe = true;  ///< every path that satisfies the formula has a prefix all of whose continuations satisfy it
+    bool safe = true;     ///< every path that violates the formula has a prefix all of whose continuations violate it
+    bool tail = false;    ///< adding or removing a prefix does not change whether a path satisfies the formula
 };
 
 class Formulas {
@@ -46,7 +46,7 @@ public:
     FormulaId make_disjunction(FormulaId a, FormulaId b);
     FormulaId make_next(FormulaId a);
     FormulaId make_until(FormulaId a, FormulaId b, Steps steps = {});
-    /// The dual of `until`: the negation of `until` of negations.
+    /// Makes the dual of `until`: the negation of the `until` of the negated operands.
     FormulaId make_release(FormulaId a, FormulaId b, Steps steps = {});
     FormulaId make_finally(FormulaId a) { return make_until(yes, a); }
     FormulaId make_always(FormulaId a) { return make_release(no, a); }

@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    /// Returns the product state in which the automaton, coming from `before`, has read a state of the model.
+    /// Returns the product state for a state of the model that the automaton reads next, coming from `before`.
     markov::State state_after(markov::State state, Automaton::State before) {
         const Automaton::State now = automaton_.successor_of(before, letters_[state]);
         const auto [found, fresh] =
@@ -92,9 +92,9 @@ markov::StateSet done_states(const Product& product, const Automaton& automaton,
     return result;
 }
 
-/// In an end component, a part that is not `always` is fulfilled in all states or in none. The batches of an `always`
-/// are fulfilled infinitely often, or never from some time on. A scheduler can visit all states of a component
-/// infinitely often.
+/// Finds end components that satisfy the condition. In an end component, a part without `always` is fulfilled in all
+/// states or in none. The batches of an `always` part are fulfilled infinitely often, or never from some time on. A
+/// scheduler can visit all states of a component infinitely often.
 markov::StateSet winning_states(const Product& product, const Automaton& automaton, const Condition& condition,
                                 diagnostics::Budget* budget) {
     const markov::Model& model = product.model;

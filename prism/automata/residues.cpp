@@ -88,7 +88,7 @@ ResidueId Residues::residue_after(ResidueId residue, Letter letter) {
     return result;
 }
 
-/// a U b is b | (a & X (a U b)), a R b is b & (a | X (a R b)).
+/// Expands a formula by one step: a U b is b | (a & X (a U b)), and a R b is b & (a | X (a R b)).
 ResidueId Residues::step(FormulaId id, Letter letter) {
     const Formula formula = formulas_[id];
     if (formula.form == Form::atom) return (letter >> formula.atom & 1U) != 0 ? yes : no;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rest of a formula after the first states of a path (its derivatives), as Boolean functions of formulas that must
-// hold from the next state on. The functions are binary decision diagrams, so equal ones have the same number and a
-// formula has finitely many of them.
+// Computes what remains of a formula after the first states of a path (its derivatives). A rest is a Boolean function
+// of formulas that must hold from the next state on. The functions are binary decision diagrams, so equal rests have
+// the same number, and a formula has only finitely many rests.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace robochart::prism::automata {
 using Letter = std::uint64_t;
 inline constexpr std::size_t most_atoms = 64;
 
-/// Thrown for a formula that these automata do not support, or for which they become too large.
+/// Thrown if a formula is not supported, or if its automaton becomes too large.
 class NotDecided : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -55,7 +55,7 @@ private:
 
     ResidueId variable(FormulaId formula);
     ResidueId node(std::uint32_t variable, ResidueId low, ResidueId high);
-    /// If, then, else.
+    /// Returns the decision diagram "if `condition` then `then`, else `otherwise`".
     ResidueId choice(ResidueId condition, ResidueId then, ResidueId otherwise);
     ResidueId step(FormulaId formula, Letter letter);
     [[nodiscard]] std::uint32_t variable_of(ResidueId id) const;

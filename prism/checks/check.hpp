@@ -10,10 +10,10 @@
 
 namespace robochart::prism {
 
-/// Returns no value, and reports findings, if a rule is violated.
+/// Checks a model. If a rule is violated, reports findings and returns no value.
 [[nodiscard]] std::optional<CheckedModel> check_model(const ModelFile& file, diagnostics::Diagnostics& diagnostics);
 
-/// Checks properties over a model. The result contains the properties without errors, even if there are findings.
+/// Checks properties over a model. The result contains only the properties without errors.
 [[nodiscard]] CheckedProperties check_properties(const CheckedModel& model, const PropertyFile& file,
                                                  diagnostics::Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models. See check.hpp.
+// Checks models. See check.hpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -73,8 +73,8 @@ private:
             model_.modules.push_back(std::move(module));
             return;
         }
-        // The base may be declared before or after the renamed module. A base that is itself renamed must be declared
-        // before.
+        // A base that is itself renamed must be declared before the renamed module. Any other base may also be declared
+        // after it.
         const auto named = [&](const Module& module) { return module.name.text == written.base.text; };
         const auto above = std::ranges::find_if(model_.modules, named);
         if (above != model_.modules.end()) return add_renamed(written, *above);
@@ -102,7 +102,8 @@ private:
         }
     }
 
-    /// Replaces names after the expansion of formulas. Functions and actions can be renamed too.
+    /// Adds a copy of a module, with names replaced after the expansion of formulas. Functions and actions can be
+    /// renamed too.
     void add_renamed(const Module& written, Module base) {
         std::map<std::string, std::string, std::less<>> names;
         Rewriter rewriter;
@@ -199,8 +200,8 @@ private:
                         check_command(module, command, types);
     }
 
-    /// The actions of a model are those of its commands, and the new names in the composition. A model without commands
-    /// gets its transitions from elsewhere (GivenSpace).
+    /// Collects the actions of the model: those of its commands, and new names in the composition. A model without
+    /// commands gets its transitions from elsewhere (GivenSpace).
     void check_actions() {
         std::set<std::string> actions;
         bool commands = false;
@@ -282,7 +283,7 @@ private:
     CheckedModel model_;
     Rewriter formulas_;
     Scope scope_;
-    /// For each variable, the module that may write it. No value for a global variable.
+    /// For each variable, the module that may write it, or no value for a global variable.
     std::map<std::string, std::optional<std::string>, std::less<>> writer_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties. See check.hpp.
+// Checks properties. See check.hpp.
 #include <set>
 
 #include "prism/checks/check.hpp"
@@ -10,7 +10,7 @@
 namespace robochart::prism {
 namespace {
 
-/// The labels in an expression; they may be names of properties.
+/// Collects the labels in an expression. They may be names of properties.
 void collect_labels(const ExprPtr& expr, std::set<std::string>& labels, std::set<const Expr*>& seen) {
     if (!expr || !seen.insert(expr.get()).second) return;
     if (expr->op == Op::label) labels.insert(expr->text);
@@ -23,7 +23,7 @@ public:
         : model_(model), file_(file), diagnostics_(diagnostics) {}
 
     CheckedProperties operator()() {
-        diagnostics::Diagnostics of_the_model;  // reported already
+        diagnostics::Diagnostics of_the_model;  // not shown, because they have been reported already
         declare_names(model_, scope_, of_the_model);
         for (const Definition& formula : model_.formulas)
             formulas_.expressions.emplace(formula.name.text, formula.body);
@@ -74,7 +74,7 @@ private:
         }
     }
 
-    /// Checks properties; those to which others refer come first.
+    /// Checks all properties. A property is checked after the properties that it refers to.
     void properties() {
         std::vector<Defined> defined;
         for (const Property& property : file_.properties) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models and properties without static errors, as data: names are declared, types are correct, formulas are expanded,
-// renamed modules are written out, and the composition is a list of synchronisations.
+// Declares models and properties without static errors, as data. Names are declared, types are correct, formulas are
+// expanded, renamed modules are written out, and the composition is a list of synchronisations.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace robochart::prism {
 
-/// The commands of one module with one action ("": none).
+/// The commands of one module that have the same action ("": no action).
 struct ActionOfModule {
     std::size_t module = 0;
     std::string action;
     friend bool operator==(const ActionOfModule&, const ActionOfModule&) = default;
 };
 
-/// A synchronisation: one enabled command of each part. `action` is its visible name ("": none).
+/// A synchronisation consists of one enabled command of each part. `action` is its visible name ("": none).
 struct Synchronisation {
     std::string action;
     std::vector<ActionOfModule> parts;

@@ -9,8 +9,8 @@
 
 namespace robochart::prism {
 
-/// Without a composition, all modules synchronise on their common actions. Modules that are missing, unknown or
-/// duplicated are reported.
+/// Lists the synchronisations of a composition. Without a composition, all modules synchronise on their common actions.
+/// Reports modules that are missing, unknown or duplicated.
 [[nodiscard]] std::vector<Synchronisation> compose(const std::vector<Module>& modules, const CompositionPtr& system,
                                                    diagnostics::Diagnostics& diagnostics);
 

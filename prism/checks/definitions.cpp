@@ -12,7 +12,7 @@
 namespace robochart::prism {
 namespace {
 
-/// Depth-first search without recursion, because chains of definitions may be long.
+/// Sorts definitions by a depth-first search. The search does not recurse, because chains of definitions may be long.
 class Order {
 public:
     Order(const std::vector<Defined>& definitions, diagnostics::Diagnostics& diagnostics)

@@ -11,7 +11,7 @@
 
 namespace robochart::prism {
 
-/// A definition by its name; the body may be null.
+/// The name and the body of a definition; the body may be null.
 struct Defined {
     Name name;
     ExprPtr body;
@@ -21,12 +21,12 @@ struct Defined {
 [[nodiscard]] std::vector<std::size_t> definition_order(const std::vector<Defined>& definitions,
                                                         diagnostics::Diagnostics& diagnostics);
 
-/// Adds the expanded formulas to the rewriter's replacements; returns them in the order of the text. Reports
+/// Expands formulas, adds them to the rewriter's replacements, and returns them in the order of the text. Reports
 /// definitions that depend on themselves or grow too large.
 [[nodiscard]] std::vector<Definition> expand_formulas(const std::vector<Definition>& formulas, Rewriter& rewriter,
                                                       diagnostics::Diagnostics& diagnostics);
 
-/// Whether an expression is within the size limit. If it is not, reports this.
+/// Returns whether an expression is within the size limit, and reports a finding if it is not.
 bool is_manageable(const ExprPtr& expr, Span place, diagnostics::Diagnostics& diagnostics);
 
 }  // namespace robochart::prism

@@ -19,12 +19,12 @@ public:
     /// Functions that are renamed.
     std::map<std::string, std::string, std::less<>> functions;
 
-    /// Null for null.
+    /// Returns the tree with all names replaced, or null for null.
     [[nodiscard]] ExprPtr operator()(const ExprPtr& expr);
 
 private:
     [[nodiscard]] ExprPtr rewrite_expression(const ExprPtr& expr);
-    std::unordered_map<const Expr*, ExprPtr> done_;  ///< results of this call
+    std::unordered_map<const Expr*, ExprPtr> done_;  ///< results of the current call
 };
 
 /// Calls `visit` with every name in a tree, once for each shared part.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static rules of PRISM models and properties, as a table.
+// Declares the static rules for PRISM models and properties.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scope of a model.
+// Declares the names of a model, for the type checker.
 #pragma once
 
 #include "prism/checks/checked.hpp"
@@ -7,9 +7,10 @@
 
 namespace robochart::prism {
 
-/// Constants, variables and formulas share one name space; duplicate declarations are reported.
+/// Declares the constants, variables and formulas of a model, which share one name space. Reports duplicate
+/// declarations.
 void declare_names(const CheckedModel& model, Scope& scope, diagnostics::Diagnostics& diagnostics);
-/// A constant of a model or of a properties file.
+/// Declares a constant of a model or of a properties file.
 void declare_constant(const Constant& constant, Scope& scope, diagnostics::Diagnostics& diagnostics);
 
 }  // namespace robochart::prism

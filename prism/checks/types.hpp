@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Types of expressions of models and properties.
+// Checks the types of expressions in models and properties.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace robochart::prism {
 
-/// The meaning of names, and the allowed kinds of expressions.
+/// The types of names at some place in the text, and the kinds of expressions that are allowed there.
 struct Scope {
     struct Symbol {
         Type type = Type::integer;
@@ -25,7 +25,7 @@ struct Scope {
     bool properties = false;                    ///< queries and labels are allowed
     std::set<std::string, std::less<>> labels;  ///< with "deadlock" and "init"
     std::vector<std::string> rewards;           ///< names, "" if a structure has none
-    /// Known types of properties by name.
+    /// The known types of properties, by name.
     std::map<std::string, std::optional<Type>, std::less<>> named;
 };
 
@@ -42,7 +42,7 @@ public:
 private:
     using Result = std::optional<Type>;
 
-    /// `path`: whether path formulas are allowed.
+    /// Determines the type of an expression. `path`: whether path formulas are allowed.
     Result type(const ExprPtr& expr, bool path);
     Result compute_type(const Expr& expr, bool path);
     Result type_of_name(const Expr& expr);
@@ -58,7 +58,8 @@ private:
     Result type_of_filter(const Expr& expr);
     Result type_of_path_operator(const Expr& expr);
     bool check_operand(const ExprPtr& expr, Type expected, bool path = false);
-    /// All operands must be numbers; the result is int if all are int.
+    /// Determines the type of an operation on numbers: int if all operands are int. Reports operands that are no
+    /// numbers.
     Result type_of_numbers(const std::vector<ExprPtr>& parts);
     Result report_wrong_type(const Expr& expr, const std::string& expected, Type found);
     void check_constant(const ExprPtr& expr, const char* what);

@@ -21,7 +21,8 @@ std::vector<prism::Assignment> append_assignments(std::vector<prism::Assignment>
 
 }  // namespace
 
-/// R9: "One command per statement. Assignment: unlabelled; the last also unlocks and moves."
+/// Emits the commands of statements. R9: "One command per statement. Assignment: unlabelled; the last also unlocks and
+/// moves."
 void MachineEmitter::run_statements(Part& part, std::size_t place, std::string point,
                                     const std::vector<ir::StmtPtr>& statements, const Assignments& then,
                                     const std::string& where) {
@@ -63,7 +64,7 @@ Channel* MachineEmitter::channel_of(const Part& part, ir::EventId event, Directi
     return nullptr;
 }
 
-/// R13: "Sender writes EVT__<label>"; "the receiver keeps" a FIN.
+/// Declares the variables of a value. R13: "Sender writes EVT__<label>"; "the receiver keeps" a FIN.
 void MachineEmitter::declare_value(const Channel& channel, Direction direction) {
     const bool in = direction == Direction::in;
     const std::string name = in ? channel.ready_at(direction) : channel.value_at(direction);
@@ -91,7 +92,7 @@ void MachineEmitter::emit_communication(Part& part, std::size_t place, const std
         emit_send(part, place, point, *found, what.value.get(), std::move(then), where);
 }
 
-/// R13: "Sender writes EVT__<label> in the synchronised command; to a buffer it then waits one step for
+/// Emits a send. R13: "Sender writes EVT__<label> in the synchronised command; to a buffer it then waits one step for
 /// FIN__OUT_...=true."
 void MachineEmitter::emit_send(Part& part, std::size_t place, const std::string& point, const Channel& channel,
                                const ir::Expr* value, Assignments then, const std::string& where) {
@@ -113,7 +114,7 @@ void MachineEmitter::emit_send(Part& part, std::size_t place, const std::string&
                       std::move(then)));
 }
 
-/// R13: "[IN_...] ... & FIN=true -> FIN'=false & scpc'=e_n, then x'=EVT & FIN'=true."
+/// Emits a receive. R13: "[IN_...] ... & FIN=true -> FIN'=false & scpc'=e_n, then x'=EVT & FIN'=true."
 void MachineEmitter::emit_receive(Part& part, std::size_t place, const std::string& point, const Channel& channel,
                                   ir::VariableId variable, const Assignments& then) {
     declare_value(channel, Direction::in);
@@ -130,7 +131,7 @@ void MachineEmitter::emit_receive(Part& part, std::size_t place, const std::stri
             then)));
 }
 
-/// R14: "per machine one copy".
+/// Returns the machine's copy of the called operation. R14: "per machine one copy".
 Part* MachineEmitter::called_operation(const Part& caller, const ir::Stmt& stmt) {
     const ir::OperationSignature& signature = caller.machine->operations[stmt.operation.index];
     const auto refuse = [&](const std::string& problem) -> Part* {
@@ -150,8 +151,8 @@ Part* MachineEmitter::called_operation(const Part& caller, const ir::Stmt& stmt)
     return &made;
 }
 
-/// R14: "call [] here & op_scpc=INACTIVE -> op_scpc'=op_i0 & op_arg'=...; wait [] here & op_scpc=TERMINATED ->
-/// op_scpc'=INACTIVE & continue".
+/// Emits a call. R14: "call [] here & op_scpc=INACTIVE -> op_scpc'=op_i0 & op_arg'=...; wait [] here &
+/// op_scpc=TERMINATED -> op_scpc'=INACTIVE & continue".
 void MachineEmitter::emit_call(Part& part, std::size_t place, const std::string& point, const ir::Stmt& stmt,
                                Assignments then, const std::string& where) {
     const Part* const operation = called_operation(part, stmt);

@@ -10,7 +10,7 @@
 namespace robochart::prism_emit {
 namespace {
 
-/// The largest number of values of a platform input, which has a command for each value.
+/// Limits the number of values of a platform input, which has a command for each value.
 constexpr std::int64_t most_values = 100'000;
 
 }  // namespace
@@ -76,15 +76,15 @@ std::vector<Channels::Hop> Channels::next_hops(const End& from, Direction direct
     return result;
 }
 
-/// Follows an event from a machine out of its controller, through the module, into another machine or to the platform.
-/// Each event on the path has one neighbour on each side, because communication between more than two ends is not
-/// encoded.
+/// Follows an event from a machine, out of its controller and through the module, to another machine or to the
+/// platform. Each event on the path has one neighbour on each side, because communication between more than two ends is
+/// not encoded.
 std::optional<Channels::Route> Channels::follow_route(const End& from, Direction direction,
                                                       std::string& problem) const {
     const Direction back = direction == Direction::out ? Direction::in : Direction::out;
     Route route{from, false};
     bool inside = true;
-    for (unsigned hop = 0; hop < 4; ++hop) {  // out of a controller, to the next, into it
+    for (unsigned hop = 0; hop < 4; ++hop) {  // out of a controller, to the next controller, into it
         const std::vector<Hop> next = next_hops(route.end, direction, inside);
         if (next.empty()) {
             problem = "it is used, but not connected" +
@@ -153,9 +153,9 @@ void Channels::emit_modules() {
     emit_platform();
 }
 
-/// R12: "Untyped buffer: f:bool; OUT always possible (overwrites, loses), IN if full." R13: "Buffer: OUT needs both
-/// FINs, clears f, then one unlabelled step copies EVT__IN'=EVT__OUT, fills." An end that no machine uses has no
-/// command, so no step is possible there.
+/// Emits the module of a buffer. R12: "Untyped buffer: f:bool; OUT always possible (overwrites, loses), IN if full."
+/// R13: "Buffer: OUT needs both FINs, clears f, then one unlabelled step copies EVT__IN'=EVT__OUT, fills." If no
+/// machine uses an end, it has no command, so no step is possible at this end.
 void Channels::emit_buffer(const Channel& channel) {
     prism::Module module;
     module.name.text = context_.unique_name("BUF_" + channel.name);
@@ -182,7 +182,7 @@ void Channels::emit_buffer(const Channel& channel) {
     context_.emission.model.modules.push_back(std::move(module));
 }
 
-/// R12: "Platform input: [RP__e] true -> true."
+/// Emits the module of the platform. R12: "Platform input: [RP__e] true -> true."
 /// R13: "Typed platform input: one command per value, so values are uniform."
 void Channels::emit_platform() {
     prism::Module module;

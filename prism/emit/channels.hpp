@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follows events of machines through the connections of controllers and modules to PRISM's labels and buffers (R2, R12,
-// R13).
+// Follows events of machines through the connections of controllers and modules, to find their labels and buffers in
+// PRISM (R2, R12, R13).
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace robochart::prism_emit {
 
-/// A machine in its context, by indices in Module::controllers and Controller::machines.
+/// A machine as the indices of its controller (in Module::controllers) and of itself (in Controller::machines).
 struct Seat {
     std::uint32_t controller = 0, machine = 0;
     friend auto operator<=>(const Seat&, const Seat&) = default;
@@ -29,12 +29,12 @@ struct Channel {
     Kind kind = Kind::platform;
     std::string name;                     ///< "odsTick_18"
     std::optional<Carrier> carrier;       ///< the range of the value that the channel carries, if any
-    bool sent = false, received = false;  ///< whether machines send or receive, in commands that were made
+    bool sent = false, received = false;  ///< whether commands of machines that send or receive have been made
 
-    /// The labels of the two ends.
+    /// Return the labels of the two ends.
     [[nodiscard]] std::string out_label() const;
     [[nodiscard]] std::string in_label() const;
-    /// The variable with the value at an end, and the variable that is true between handshakes.
+    /// Return the variable with the value at an end, and the variable that is true between handshakes.
     [[nodiscard]] std::string value_at(Direction) const;
     [[nodiscard]] std::string ready_at(Direction) const;
 };
@@ -43,14 +43,15 @@ class Channels {
 public:
     explicit Channels(Context& context) : context_(context) {}
 
-    /// The channel of a machine's event in one direction. Null, with a finding, if the event cannot be encoded.
+    /// Returns the channel of a machine's event in one direction. Returns null and reports a finding if the event
+    /// cannot be encoded.
     [[nodiscard]] Channel* find_channel(Seat seat, const ir::Event& event, Direction direction, diagnostics::Span span);
 
-    /// R12, R13: the modules of buffers and of the platform, for all channels that were used.
+    /// Adds the modules of buffers and of the platform (R12, R13) for all channels that were used.
     void emit_modules();
 
 private:
-    /// An event at one end of a connection: of a machine, of a controller, or of the platform.
+    /// An event at one end of a connection. The event belongs to a machine, a controller or the platform.
     struct End {
         enum class Level { machine, controller, platform } level = Level::machine;
         Seat seat;

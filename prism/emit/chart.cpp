@@ -32,7 +32,8 @@ private:
         context_.diagnostics.report(rules::unsupported_construct, span, {what, element_ + "::" + where});
     }
 
-    /// R15, "deadlines vanish, clocks are not emitted": statements that only reset clocks also vanish.
+    /// Flattens a statement. Statements that only reset clocks vanish (R15: "deadlines vanish, clocks are not
+    /// emitted").
     void flatten_statement(const ir::StmtPtr& stmt, const std::string& where, std::vector<ir::StmtPtr>& result) {
         if (!stmt) return;
         switch (stmt->kind) {
@@ -54,7 +55,7 @@ private:
                 result.push_back(stmt);
                 return;
             case ir::StmtKind::exec:    // RoboSim, which is not encoded
-            case ir::StmtKind::choose:  // only in models that are decided by the CSP checker
+            case ir::StmtKind::choose:  // only in models for the CSP checker
                 assert(false);
                 return;
         }
@@ -97,7 +98,8 @@ private:
         chart_.steps.push_back(std::move(step));
     }
 
-    /// R7: "Chains through a junction after a trigger are composed." Removes the junctions that become unreachable.
+    /// Composes chains. R7: "Chains through a junction after a trigger are composed." Removes the junctions that become
+    /// unreachable.
     void compose_chains() {
         std::vector<Step> done;
         for (Step& step : chart_.steps)
@@ -146,8 +148,8 @@ private:
         }
     }
 
-    /// R7: "a transition with trigger and action is split at a fresh probabilistic junction: sp1_k (trigger, guard) to
-    /// sp_pj_j, sp2_l (action) on."
+    /// Splits transitions. R7: "a transition with trigger and action is split at a fresh probabilistic junction: sp1_k
+    /// (trigger, guard) to sp_pj_j, sp2_l (action) on."
     void split_triggers() {
         std::vector<Step> done;
         for (Step& step : chart_.steps) {
@@ -171,7 +173,8 @@ private:
         chart_.steps = std::move(done);
     }
 
-    /// R11: "a substate without outgoing transition gets to_loop_k to a fresh state loop_j with loop_self_i."
+    /// Adds loops. R11: "a substate without outgoing transition gets to_loop_k to a fresh state loop_j with
+    /// loop_self_i."
     void close_dead_ends() {
         std::set<std::size_t> left;
         for (const Step& step : chart_.steps) left.insert(step.source);

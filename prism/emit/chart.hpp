@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal form that RoboTool gives a state machine before the encoding (R7, R11).
+// Computes the normal form that RoboTool gives a state machine before the encoding (R7, R11).
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace robochart::prism_emit {
 
-/// A node of the model, or an added one.
+/// A node of the model, or one that the normal form adds.
 struct Place {
     ir::NodeKind kind = ir::NodeKind::state;
     std::string name;
@@ -18,10 +18,10 @@ struct Place {
     std::optional<std::size_t> parent, initial;
     std::vector<ir::StmtPtr> entry;
     bool composite = false;
-    bool dropped = false;  ///< whether it has become unreachable
+    bool dropped = false;  ///< whether the node has become unreachable
 };
 
-/// A transition of the model, or an added one.
+/// A transition of the model, or one that the normal form adds.
 struct Step {
     std::string name;
     std::size_t source = 0, target = 0;
@@ -32,13 +32,14 @@ struct Step {
     diagnostics::Span span;
 };
 
-/// The nodes and transitions of the normal form. The first places are the nodes of the machine, by id.
+/// The nodes and transitions of the normal form. The first places are the nodes of the machine, in the order of their
+/// ids.
 struct Chart {
     std::vector<Place> places;
     std::vector<Step> steps;
 };
 
-/// The normal form of a machine or an operation; `element` names it in findings.
+/// Returns the normal form of a machine or an operation; findings name it as `element`.
 [[nodiscard]] Chart normal_form(Context&, const ir::Machine&, const std::string& element);
 
 }  // namespace robochart::prism_emit

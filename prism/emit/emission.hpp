@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of the emission, as data.
+// Declares the result of the emission, as data.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@ struct NameOf {
     std::string kind;                        ///< "STM", "event", "constant", "variable", "node", "transition"
     std::string element;                     ///< "modUVC::ctrlUVC::stm_ref0::p0"
     std::string name;                        ///< "modUVC_ctrlUVC_stm_ref0_p0"
-    std::vector<std::string> literals = {};  ///< for a variable of an enumeration: its values, from 0
+    std::vector<std::string> literals = {};  ///< the values of a variable whose type is an enumeration, from 0
 };
 
-/// Bounds of a type of numbers.
+/// The bounds of a numeric type.
 struct Range {
     std::int64_t low = 0, high = 0;
-    bool asked = false;  ///< whether the user has given the range, which is then not widened
+    bool asked = false;  ///< whether the user has given the range; such a range is not widened
     friend bool operator==(const Range&, const Range&) = default;
 };
 
-/// RoboTool's preferences of the translation.
+/// RoboTool's preferences for the translation.
 struct Preferences {
     Range nat, integer, real;
     prism::ModelKind kind = prism::ModelKind::dtmc;
@@ -35,10 +35,10 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// Functions that assertions define, by name: the result for arguments (R16, `pfunction`).
+/// The functions that assertions define, by name. Each computes the result for given arguments (R16, `pfunction`).
 using Functions = std::map<std::string, std::function<prism::ExprPtr(const std::vector<prism::ExprPtr>&)>>;
 
-/// A module of the RoboChart model in PRISM.
+/// The PRISM encoding of a RoboChart module.
 struct Emission {
     prism::ModelFile model;
     std::vector<NameOf> names;

@@ -16,10 +16,10 @@
 namespace robochart::prism_emit {
 namespace {
 
-/// The heading above the names.
+/// The heading of the list of names in the file.
 constexpr std::string_view names_heading = "// Renames of RoboChart elements";
 
-/// R10: the stages of an exit.
+/// Adds the constants for the stages of an exit (R10).
 void add_exit_constants(Context& context) {
     static const std::vector<std::pair<std::string, int>> stages{
         {"Exit_NONE", 0},    {"Exit_ACT_Parent", 1},      {"Exit_ACT_Trans", 2}, {"Exit_EXITED", 3},
@@ -28,7 +28,7 @@ void add_exit_constants(Context& context) {
         context.emission.model.constants.push_back(tree::constant(context.unique_name(name), value));
 }
 
-/// R3: "Variables provided by the platform become global."
+/// Adds the platform's variables. R3: "Variables provided by the platform become global."
 std::map<std::string, std::string> add_globals(Context& context) {
     std::map<std::string, std::string> names;
     const std::string platform = context.module.name + "::" + context.module.platform.name + "::";
@@ -81,7 +81,8 @@ bool is_of_robochart(std::string_view text) {
     return text.find(names_heading) != std::string_view::npos;
 }
 
-/// R1: "A comment block `renames of the ... [a::b] to [a_b]` at the end is read by the property generator."
+/// Writes the file. R1: "A comment block `renames of the ... [a::b] to [a_b]` at the end is read by the property
+/// generator."
 std::string file_text(const Emission& emission) {
     const prism::ModelFile model = in_ranges(emission.model);
     std::string result;

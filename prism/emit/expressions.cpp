@@ -15,7 +15,7 @@ using ir::ExprKind;
 using prism::ExprPtr;
 using prism::Op;
 
-/// The operators with the same meaning in both languages.
+/// Returns the operator of PRISM if it has the same meaning in both languages.
 std::optional<Op> operator_of(ExprKind kind) {
     switch (kind) {
         case ExprKind::negate:
@@ -55,7 +55,7 @@ std::optional<Op> operator_of(ExprKind kind) {
     }
 }
 
-/// An exact decimal in PRISM's notation.
+/// Returns an exact decimal in PRISM's notation.
 ExprPtr decimal_literal(const ir::Decimal& value) {
     if (value.decimals == 0) return tree::number(value.unscaled);
     std::string digits = std::to_string(value.unscaled);
@@ -94,7 +94,7 @@ public:
             case ExprKind::modulus:
                 return tree::call("mod", translate_operands(expr));
             case ExprKind::divide:
-                return tree::apply(Op::divide, translate_operands(expr));  // division is on reals in both languages
+                return tree::apply(Op::divide, translate_operands(expr));  // real division in both languages
             case ExprKind::cast:
                 return translate_cast(expr);
             case ExprKind::call:
@@ -138,8 +138,8 @@ private:
         return tree::name(context_.literal_name(expr.type, expr.number));
     }
 
-    /// PRISM has one type of numbers. Whole numbers need no rounding. Other numbers are rejected when they are assigned
-    /// to a variable.
+    /// Translates a cast. PRISM has one type of numbers, and whole numbers need no rounding. Other numbers are rejected
+    /// when they are assigned to a variable.
     ExprPtr translate_cast(const ir::Expr& expr) {
         const bool rounds = context_.system.type(expr.type).kind != ir::TypeKind::real &&
                             context_.system.type(expr.args.front()->type).kind == ir::TypeKind::real;
@@ -147,8 +147,9 @@ private:
         return rounds ? tree::call("floor", {value}) : value;
     }
 
-    /// R16, "Functions stay as #CALLFUNC!f$args# until an assertion supplies pfunctions": such a placeholder is not
-    /// valid PRISM. If an assertion or the model defines the result of the function, the result is inserted instead.
+    /// Translates a call of a function. R16: "Functions stay as #CALLFUNC!f$args# until an assertion supplies
+    /// pfunctions". Such a placeholder is not valid PRISM. If an assertion or the model defines the result of the
+    /// function, the result is inserted instead.
     ExprPtr translate_call(const ir::Expr& expr) {
         const ir::Function& function = context_.system.functions[expr.function.index];
         const auto given = context_.functions.find(function.name);
@@ -184,7 +185,8 @@ private:
     unsigned depth_ = 0;  ///< depth of calls inside functions
 };
 
-/// R15: "each clock atom becomes true". RoboTool's treatment of clocks under a negation is unknown, so it is rejected.
+/// Translates a condition without time. R15: "each clock atom becomes true". A clock under a negation is rejected,
+/// because RoboTool's treatment of it is unknown.
 ExprPtr translate_timeless(Context& context, const Scope& scope, const ir::Expr& expr) {
     bool timed = false;
     ir::visit_operands(expr, [&](const ir::Expr& operand) { timed = timed || ir::reads_clock(operand); });
@@ -198,7 +200,7 @@ ExprPtr translate_timeless(Context& context, const Scope& scope, const ir::Expr&
     return tree::truth(true);
 }
 
-/// The part of an expression that is not a whole number; null if there is none.
+/// Returns the part of an expression that is not a whole number, or null if there is none.
 const ir::Expr* find_fraction(const Context& context, const ir::Expr& expr) {
     const bool real = context.system.type(expr.type).kind == ir::TypeKind::real;
     if (expr.kind == ExprKind::real && expr.decimal.decimals > 0) return &expr;

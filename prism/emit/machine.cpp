@@ -27,7 +27,8 @@ std::string join_path(std::string path) {
     return path;
 }
 
-/// Two groups of assignments, one after the other; for each variable only the last assignment is kept.
+/// Joins two groups of assignments, where the second follows the first. For each variable, only the last assignment is
+/// kept.
 std::vector<prism::Assignment> combine_assignments(std::vector<prism::Assignment> first,
                                                    const std::vector<prism::Assignment>& second) {
     for (const prism::Assignment& assignment : second) {
@@ -49,7 +50,8 @@ MachineEmitter::MachineEmitter(Context& context, Channels& channels, const std::
       controller_(context.system.controller(context.module.controllers[seat.controller].controller)),
       instance_(controller_.machines[seat.machine]) {}
 
-/// R2: "One module per machine. Composite states and operations are variables inside their machine's module."
+/// Emits the module of the machine. R2: "One module per machine. Composite states and operations are variables inside
+/// their machine's module."
 void MachineEmitter::operator()() {
     Part& part = part_of(instance_.machine, instance_.name, false);
     module_.name.text = part.stem;
@@ -66,7 +68,8 @@ void MachineEmitter::emit_part(Part& part) {
 
 // ---------------------------------------------------------------- names and variables
 
-/// R1: "Qualified name with _. References, not types, name the instances: a machine used twice gives two modules."
+/// Finds or adds a part. R1: "Qualified name with _. References, not types, name the instances: a machine used twice
+/// gives two modules."
 Part& MachineEmitter::part_of(ir::MachineId machine, const std::string& name, bool operation) {
     std::unique_ptr<Part>& part = parts_[machine.index];
     part = std::make_unique<Part>();
@@ -84,8 +87,8 @@ Part& MachineEmitter::part_of(ir::MachineId machine, const std::string& name, bo
     return *part;
 }
 
-/// R3: "Variables provided by the platform become global; a machine's own (also those its operations require) are
-/// local."
+/// Names the variables of a part. R3: "Variables provided by the platform become global; a machine's own (also those
+/// its operations require) are local."
 void MachineEmitter::name_variables(Part& part) {
     const Part* const host = parts_.at(instance_.machine.index).get();
     for (const ir::Variable& variable : part.machine->variables) {
@@ -121,7 +124,7 @@ void MachineEmitter::name_constants(Part& part) {
         part.constants.push_back(constant_name(part, {i}));
 }
 
-/// R3: "`const` without value: undefined `const double|int`."
+/// Names a constant. R3: "`const` without value: undefined `const double|int`."
 std::string MachineEmitter::constant_name(Part& part, ir::ConstantId id) {
     const ir::Constant& declared = part.machine->constants[id.index];
     const ir::ConstantSource source = ir::constant_source(context_.system, &context_.module, &controller_,
@@ -149,7 +152,7 @@ std::string MachineEmitter::constant_name(Part& part, ir::ConstantId id) {
     return name;
 }
 
-/// The name of the controller's reference to the machine or operation.
+/// Returns the name of the controller's reference to the machine or operation.
 std::string MachineEmitter::name_in_controller(const Part& part) const {
     for (std::size_t i = 0; i < controller_.definitions.size(); ++i)
         if (&context_.system.machine(controller_.definitions[i]) == part.machine)
@@ -176,8 +179,8 @@ std::string MachineEmitter::add_point(Region& region, const std::string& name) {
     return name;
 }
 
-/// R4: "Each state; X_entering iff X has an entry action; Action_n for each further statement; e_n after a typed
-/// communication; junctions; i0; final states."
+/// Names the program points. R4: "Each state; X_entering iff X has an entry action; Action_n for each further
+/// statement; e_n after a typed communication; junctions; i0; final states."
 void MachineEmitter::name_places(Part& part) {
     part.lock = context_.unique_name(part.stem + "_lock_7");
     part.free = context_.unique_name(part.stem + "_LOCK_FREE");
@@ -246,8 +249,8 @@ void MachineEmitter::declare_variables(Part& part) {
     }
 }
 
-/// R3: "Per machine and composite state: scpc : [0..k] init i0 (machine) or init INACTIVE (=0); exit : [0..6] init
-/// Exit_NONE. Per machine and operation: lock : [0..n] init LOCK_FREE (=0)."
+/// Declares the counters. R3: "Per machine and composite state: scpc : [0..k] init i0 (machine) or init INACTIVE (=0);
+/// exit : [0..6] init Exit_NONE. Per machine and operation: lock : [0..n] init LOCK_FREE (=0)."
 void MachineEmitter::declare_counters(const Part& part) {
     const bool machine = part.machine->kind == ir::MachineKind::state_machine;
     for (const Region& region : part.regions) {
@@ -278,7 +281,7 @@ Region& MachineEmitter::region_at(Part& part, std::size_t place) {
     return part.regions[part.region_of.at(part.chart.places[place].parent)];
 }
 
-/// R6: "Substates add parentscpc=P for every ancestor."
+/// Returns the conditions that a composite state is active. R6: "Substates add parentscpc=P for every ancestor."
 std::vector<ExprPtr> MachineEmitter::active_conditions(const Part& part, std::optional<std::size_t> composite) const {
     std::vector<ExprPtr> result;
     for (; composite; composite = part.chart.places[*composite].parent) {
@@ -295,8 +298,8 @@ ExprPtr MachineEmitter::at_point(Part& part, std::size_t place, const std::strin
     return tree::all_of(result);
 }
 
-/// R6: "junction, else Y_entering, else Y (with lock'=FREE in the same step)"; R9: a composite state begins with its
-/// child's "scpc'=i0 (the lock stays)".
+/// Returns the assignments that begin to enter a place. R6: "junction, else Y_entering, else Y (with lock'=FREE in the
+/// same step)". R9: a composite state begins with its child's "scpc'=i0 (the lock stays)".
 MachineEmitter::Assignments MachineEmitter::arrive_at(Part& part, std::size_t place) {
     const Place& target = part.chart.places[place];
     if (!target.entry.empty()) return {tree::set(region_at(part, place).pc, part.entering[place])};
@@ -304,7 +307,8 @@ MachineEmitter::Assignments MachineEmitter::arrive_at(Part& part, std::size_t pl
     return {tree::set(region_at(part, place).pc, part.points[place])};
 }
 
-/// R9: "the last statement sets scpc'=X, then unlock (simple) or child scpc'=i0 (composite; the lock stays)."
+/// Returns the assignments that enter a place. R9: "the last statement sets scpc'=X, then unlock (simple) or child
+/// scpc'=i0 (composite; the lock stays)."
 MachineEmitter::Assignments MachineEmitter::enter_place(Part& part, std::size_t place) {
     Assignments result{tree::set(region_at(part, place).pc, part.points[place])};
     const Place& target = part.chart.places[place];
@@ -322,7 +326,7 @@ bool MachineEmitter::releases_lock(const Part& part, const Assignments& assignme
 
 // ---------------------------------------------------------------- steps
 
-/// R9: "Entry actions start at X_entering."
+/// Emits entry actions. R9: "Entry actions start at X_entering."
 void MachineEmitter::emit_entries(Part& part) {
     for (std::size_t i = 0; i < part.chart.places.size(); ++i) {
         const Place& place = part.chart.places[i];
@@ -355,7 +359,7 @@ void MachineEmitter::emit_steps(Part& part) {
     }
 }
 
-/// The assignments that begin the action of a step or, without an action, enter its target.
+/// Returns the assignments that begin the action of a step or, without an action, enter its target.
 MachineEmitter::Assignments MachineEmitter::go_on(Part& part, const Step& step) {
     if (step.action.empty()) return arrive_at(part, step.target);
     const std::string first = context_.numbered_name("Action");
@@ -366,9 +370,10 @@ MachineEmitter::Assignments MachineEmitter::go_on(Part& part, const Step& step) 
     return {tree::set(region_at(part, step.source).pc, first)};
 }
 
-/// R5: "[] scpc=i0 -> scpc'=target (a step of its own; plus unlock if the target is a simple state without entry
-/// action)." A transition with an action takes the lock. A transition to a composite state does so too, because its
-/// substates are not entered yet (R6: the lock is "free when the innermost entry is complete").
+/// Emits the step from an initial junction. R5: "[] scpc=i0 -> scpc'=target (a step of its own; plus unlock if the
+/// target is a simple state without entry action)." A transition with an action takes the lock. So does a transition to
+/// a composite state, because its substates are not entered yet (R6: the lock is "free when the innermost entry is
+/// complete").
 void MachineEmitter::from_initial(Part& part, const Step& step) {
     const std::string lock = add_lock(part, step);
     Assignments then = go_on(part, step);
@@ -394,8 +399,8 @@ bool MachineEmitter::trigger_fits(const Part& part, const Step& step, const Chan
     return fits;
 }
 
-/// R6: "[event] scpc=X & lock=FREE & guard -> scpc'=next & lock'=t. No trigger: unlabelled. No priority between a
-/// composite state's and its substates' transitions; only the lock."
+/// Emits a step from a state. R6: "[event] scpc=X & lock=FREE & guard -> scpc'=next & lock'=t. No trigger: unlabelled.
+/// No priority between a composite state's and its substates' transitions; only the lock."
 void MachineEmitter::from_state(Part& part, const Step& step) {
     const std::string lock = add_lock(part, step);
     Channel* found = nullptr;
@@ -436,7 +441,8 @@ void MachineEmitter::from_simple(Part& part, const Step& step, const std::string
     add_command(tree::command("", at_point(part, step.source, point), combine_assignments(read, then)));
 }
 
-/// R10: "(1) lock'=t & exit'=ACT_Trans; (7) EXITED & lock=t -> NONE and on to action/target."
+/// Emits a step from a composite state. R10: "(1) lock'=t & exit'=ACT_Trans; (7) EXITED & lock=t -> NONE and on to
+/// action/target."
 void MachineEmitter::from_composite(Part& part, const Step& step, const std::string& lock, Channel* channel,
                                     std::vector<ExprPtr> guard) {
     if (channel != nullptr && channel->carrier) {
@@ -455,14 +461,15 @@ void MachineEmitter::from_composite(Part& part, const Step& step, const std::str
                               combine_assignments({tree::set(exit, none)}, then)));
 }
 
-/// R8: "Junction: one unlabelled command per outgoing guard."
+/// Emits a step from a junction. R8: "Junction: one unlabelled command per outgoing guard."
 void MachineEmitter::from_junction(Part& part, const Step& step) {
     std::vector<ExprPtr> guard{at_point(part, step.source, part.points[step.source])};
     for (ExprPtr& condition : step_guards(part, step, "")) guard.push_back(std::move(condition));
     add_command(tree::command("", tree::all_of(guard), go_on(part, step)));
 }
 
-/// R8: "Probabilistic junction: one unlabelled command p1:(scpc'=...) + p2:(...); lock stays."
+/// Emits a probabilistic step. R8: "Probabilistic junction: one unlabelled command p1:(scpc'=...) + p2:(...); lock
+/// stays."
 void MachineEmitter::from_probabilistic(Part& part, std::size_t junction) {
     prism::Command command = tree::command("", at_point(part, junction, part.points[junction]), {});
     command.branches.clear();
@@ -483,8 +490,8 @@ void MachineEmitter::from_probabilistic(Part& part, std::size_t junction) {
 
 // ---------------------------------------------------------------- exits
 
-/// R10: "(4/2) simple substate current: Sub_ACT -> Sub_EXITED"; the steps "are emitted (dead code)" even if there is no
-/// composite state.
+/// Emits the exits of states. R10: "(4/2) simple substate current: Sub_ACT -> Sub_EXITED". These steps "are emitted
+/// (dead code)" even if there is no composite state.
 void MachineEmitter::emit_exits(Part& part) {
     for (std::size_t i = 0; i < part.chart.places.size(); ++i) {
         const Place& place = part.chart.places[i];
@@ -499,10 +506,9 @@ void MachineEmitter::emit_exits(Part& part) {
     }
 }
 
-/// R10: "(2) ACT_* -> Sub_ACT; (3) composite substate: Sub_ACT -> Sub_ACT_Waiting & its exit'=ACT_Parent; (5)
-/// Sub_EXITED
-/// -> EXITED & scpc'=INACTIVE; (6) child EXITED & parent Waiting -> child NONE & parent Sub_EXITED", one unlabelled
-/// step each.
+/// Emits the exit of a composite state. R10: "(2) ACT_* -> Sub_ACT; (3) composite substate: Sub_ACT -> Sub_ACT_Waiting
+/// & its exit'=ACT_Parent; (5) Sub_EXITED -> EXITED & scpc'=INACTIVE; (6) child EXITED & parent Waiting -> child NONE &
+/// parent Sub_EXITED", one unlabelled step each.
 void MachineEmitter::emit_composite_exit(Part& part, std::size_t place) {
     const Region& inner = part.regions[part.region_of.at(place)];
     const std::string outer = region_at(part, place).exit;

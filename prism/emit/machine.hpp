@@ -15,22 +15,22 @@
 
 namespace robochart::prism_emit {
 
-/// The top level of a machine, or a composite state. A region has a current place.
+/// The top level of a machine, or a composite state. A variable of the region contains its current place.
 struct Region {
     std::optional<std::size_t> owner;  ///< the composite state
     std::string stem;                  ///< prefix of its names: "modUVC_ctrlUVC_stm_ref0"
     std::string pc, exit;              ///< variables: the current place, and the stage of its exit
     std::string inactive;
-    unsigned points = 0;  ///< numbered from 1; 0 is `inactive`
+    unsigned points = 0;  ///< number of program points, which are numbered from 1; 0 is `inactive`
 };
 
-/// A machine, or an operation that it calls. A part has a lock.
+/// A machine, or an operation that it calls. Each part has a lock.
 struct Part {
     const ir::Machine* machine = nullptr;
     std::string stem;     ///< prefix of its names
     std::string element;  ///< its name in the model, as "modUVC::ctrlUVC::stm_ref0"
     Chart chart;
-    std::vector<Region> regions;                                  ///< with the top level first
+    std::vector<Region> regions;                                  ///< the first is the top level
     std::map<std::optional<std::size_t>, std::size_t> region_of;  ///< by owner
     std::vector<std::string> points, entering;                    ///< program points of places; "" if there is none
     std::vector<std::string> variables;                           ///< names of the machine's variables

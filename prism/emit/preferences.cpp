@@ -23,7 +23,7 @@ std::string_view trim_blanks(std::string_view text) {
     return text;
 }
 
-/// A whole number of PRISM, with 32 bits.
+/// Reads a whole number of PRISM, with 32 bits.
 bool read_number(std::string_view text, std::int64_t& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() &&
@@ -36,8 +36,8 @@ bool read_kind(std::string_view text, prism::ModelKind& kind) {
     return true;
 }
 
-/// Whether a setting of RoboTool does not affect the model: settings about logs and about the order of modules, and
-/// empty ones.
+/// Returns whether a setting of RoboTool does not affect the model. Such settings are empty, or about logs, or about
+/// the order of modules.
 bool means_nothing(std::string_view key, std::string_view value) {
     static constexpr std::string_view others[] = {"DBG_OPTION", "ERROR_LOG_FILE", "OUTPUT_LOG_FILE", "STM_GEN_ORDER"};
     return value.empty() || value == "false" || std::ranges::find(others, key) != std::end(others);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads RoboTool's preferences of the translation to PRISM, rc2prism.prefs: lines KEY=VALUE, comments with #.
+// Reads RoboTool's preferences for the translation to PRISM from rc2prism.prefs. The file has lines KEY=VALUE, and
+// comments that begin with #.
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace robochart::prism_emit {
 
-/// Reads the ranges (NAT_MIN, NAT_MAX, INT_*, REAL_*) and the kind of model (PRISM_MODELTYPE); other keys concern only
-/// RoboTool. Returns the error with its line, or "". The line number, from 1, is also stored in `wrong_line`.
+/// Reads the ranges (NAT_MIN, NAT_MAX, INT_*, REAL_*) and the kind of model (PRISM_MODELTYPE). Other keys matter only
+/// for RoboTool. Returns the error with its line, or "". Also stores the line number, from 1, in `wrong_line`.
 [[nodiscard]] std::string read_preferences(std::string_view text, Preferences& preferences,
                                            std::size_t* wrong_line = nullptr);
 

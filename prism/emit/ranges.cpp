@@ -54,8 +54,8 @@ private:
         if (low && high) ranges_[variable.name.text] = {low->low, high->high};
     }
 
-    /// The condition that every possible branch writes values within the ranges of its variables; `true` if that always
-    /// holds.
+    /// Returns the condition that every possible branch writes values within the ranges of its variables. The condition
+    /// is `true` if this always holds.
     ExprPtr stays_inside(const prism::Command& command) const {
         std::vector<ExprPtr> all;
         for (const prism::Branch& branch : command.branches) {
@@ -81,7 +81,7 @@ private:
             conditions.push_back(tree::apply(Op::less_equal, {assignment.value, tree::number(range->second.high)}));
     }
 
-    /// The condition that all other modules with this action can take part.
+    /// Returns the condition that all other modules with this action can take part.
     ExprPtr others_take_part(std::size_t module, const std::string& action) const {
         std::vector<ExprPtr> all;
         for (std::size_t i = 0; i < model_.modules.size() && !action.empty(); ++i) {
@@ -94,7 +94,7 @@ private:
         return tree::all_of(all);
     }
 
-    /// The least and greatest value of an integer; no value if they are unknown.
+    /// Returns the least and the greatest value of an integer, or no value if they are unknown.
     Known bounds_of(const Expr& expr) const {
         constexpr std::int64_t most = std::int64_t{1} << 40U;
         const Known result = compute_bounds(expr);

@@ -7,11 +7,11 @@
 
 namespace robochart::prism_emit {
 
-/// The label of the states in which a step is omitted because it would leave a range.
+/// The label of the states in which a step is omitted, because its update would leave a range.
 inline constexpr const char* left_out_label = "out_of_range";
 
-/// Adds a guard to each command whose update may leave a range. If there is one, also adds `left_out_label`; no
-/// reachable state may satisfy it.
+/// Adds a guard to each command whose update may leave a range. If there is such a command, also adds `left_out_label`.
+/// No reachable state may satisfy this label.
 [[nodiscard]] prism::ModelFile in_ranges(prism::ModelFile model);
 
 }  // namespace robochart::prism_emit

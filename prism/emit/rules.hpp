@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules about constructs that RoboTool's encoding in PRISM does not support. They are rejected with their names,
-// because a wrong number is worse than no number.
+// Declares the rules for constructs that RoboTool's encoding in PRISM does not support. Such constructs are rejected by
+// name, because a wrong number is worse than no number.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Short functions for constructing PRISM's syntax tree.
+// Constructs nodes of PRISM's syntax tree.
 #pragma once
 
 #include <concepts>
@@ -19,12 +19,12 @@ using prism::Op;
 [[nodiscard]] ExprPtr truth(bool value);
 [[nodiscard]] ExprPtr apply(Op op, std::vector<ExprPtr> operands);
 [[nodiscard]] ExprPtr call(const std::string& function, std::vector<ExprPtr> operands);
-/// `variable = value`; both are names.
+/// Returns the comparison `variable = value`; both are names.
 [[nodiscard]] ExprPtr is(const std::string& variable, const std::string& value);
 [[nodiscard]] inline ExprPtr is(const std::string& variable, std::same_as<bool> auto value) {
     return apply(Op::equal, {name(variable), truth(value)});
 }
-/// The conjunction; `true` operands are omitted, and an empty conjunction is `true`.
+/// Returns the conjunction. Operands that are `true` are omitted, and the empty conjunction is `true`.
 [[nodiscard]] ExprPtr all_of(const std::vector<ExprPtr>& operands);
 [[nodiscard]] bool is_true(const ExprPtr&);
 
@@ -35,10 +35,10 @@ using prism::Op;
 }
 
 [[nodiscard]] prism::Constant constant(const std::string& name, std::int64_t value);
-/// A variable with the range low..high. If `initial` is null, PRISM's default applies.
+/// Declares a variable with the range low..high. If `initial` is null, PRISM's default applies.
 [[nodiscard]] prism::Variable range(const std::string& name, std::int64_t low, std::int64_t high, ExprPtr initial);
 [[nodiscard]] prism::Variable boolean(const std::string& name, ExprPtr initial);
-/// `[action] guard -> assignments`; "" means no action.
+/// Makes the command `[action] guard -> assignments`; "" means no action.
 [[nodiscard]] prism::Command command(const std::string& action, ExprPtr guard,
                                      std::vector<prism::Assignment> assignments);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compilation. See code.hpp; evaluate.cpp has the evaluation.
+// Compiles expressions. See code.hpp; evaluate.cpp contains the evaluation.
 #include "prism/explore/code.hpp"
 
 #include <fmt/format.h>
@@ -151,7 +151,8 @@ Code::Root Code::operation(const Expr& expr) {
     return add(node, expr.span);
 }
 
-/// Comparisons of a variable with a constant have special operations because most guards consist of them.
+/// Compiles a comparison. Comparisons of a variable with a constant have special operations, because most guards
+/// consist of them.
 Code::Root Code::comparison(const Expr& expr) {
     Node node;
     node.type = Type::boolean;
@@ -208,8 +209,8 @@ std::vector<Code::Root> Code::operands(const Node& node) const {
     return one ? std::vector<Root>{node.a} : std::vector<Root>{node.a, node.b};
 }
 
-/// Evaluates an expression that reads no variable. If the evaluation fails, the expression is not replaced, because the
-/// model may never evaluate it.
+/// Evaluates an expression that reads no variable, and replaces it by its value. If the evaluation fails, the
+/// expression stays, because the model may never evaluate it.
 Code::Root Code::fold_constants(Root root) {
     const Node node = nodes_[root];
     using enum Operation;

@@ -24,18 +24,19 @@ public:
     /// `variables` maps names to indices in a state; constants have values.
     Code(std::map<std::string, std::uint32_t, std::less<>> variables, std::vector<Type> types, Values constants);
 
-    /// The expression must have been checked (checks/types.hpp) and contain no query; labels must have been replaced.
+    /// Compiles an expression. It must have been checked (checks/types.hpp) and contain no query, and its labels must
+    /// have been replaced.
     Root compile(const ExprPtr& expr);
-    /// Adds a name with a value for expressions compiled from now on.
+    /// Defines a name as a value, for expressions that are compiled later.
     void define(const std::string& name, Value value);
 
     [[nodiscard]] Type type(Root root) const { return nodes_[root].type; }
     [[nodiscard]] Span span(Root root) const { return spans_[root]; }
     [[nodiscard]] bool is_constant(Root root) const { return nodes_[root].op == Operation::constant; }
-    /// The variables that the code reads, ascending.
+    /// Returns the variables that the code reads, ascending.
     [[nodiscard]] std::vector<std::uint32_t> variables(Root root) const;
 
-    // Both throw EvaluationError.
+    // This function and the next throw EvaluationError.
     [[nodiscard]] bool holds(Root root, StateValues state) const { return integer(root, state) != 0; }
     [[nodiscard]] std::int64_t integer(Root root, StateValues state) const;
     [[nodiscard]] Real real(Root root, StateValues state) const;
@@ -85,7 +86,7 @@ private:
     std::vector<Span> spans_;
     std::vector<std::uint32_t> lists_;
     std::vector<Real> reals_;
-    std::unordered_map<const Expr*, Root> known_;  ///< for the expression that is being compiled
+    std::unordered_map<const Expr*, Root> known_;  ///< the nodes of the expression that is being compiled
 };
 
 }  // namespace robochart::prism

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of a model as code, and their effects in a state.
+// Compiles the commands of a model to code, and computes their effects in a state.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace robochart::prism {
 
-/// The effect of one branch of an enabled command: its probability, and the variables that it writes.
+/// The effect of one branch of an enabled command: its probability, and the assignments to variables.
 struct Effect {
     NumberTable::Id probability = NumberTable::one;
     std::uint32_t first_write = 0, end_write = 0;  ///< indices into CommandTable::writes
@@ -25,11 +25,11 @@ struct Write {
     std::int64_t value = 0;
 };
 
-/// Rejects states in which the encoding leaves out a step (CheckedModel::left_out).
+/// Checks that the encoding omits no step in a state (CheckedModel::left_out).
 class LeftOut {
 public:
     LeftOut(const CheckedModel& model, Code& code);
-    /// Throws EvaluationError.
+    /// Throws EvaluationError if the encoding omits a step in this state.
     void refuse_left_out(StateValues state) const;
 
 private:
@@ -37,14 +37,14 @@ private:
     std::optional<Code::Root> root_;
 };
 
-/// The commands in groups: one group for each action of each module.
+/// The commands in groups. Each action of each module has a group.
 class CommandTable {
 public:
-    /// Throws EvaluationError. Warnings are reported to `diagnostics`, which must outlive the table.
+    /// Throws EvaluationError. Reports warnings to `diagnostics`, which must outlive the table.
     CommandTable(const CheckedModel& model, const Layout& layout, Code& code, NumberTable& numbers,
                  diagnostics::Diagnostics& diagnostics);
 
-    /// A synchronisation, with its parts as groups.
+    /// A synchronisation, whose parts are groups of commands.
     struct Act {
         std::uint32_t action = 0;  ///< index into `actions`
         std::vector<std::uint32_t> groups;
@@ -52,12 +52,12 @@ public:
     [[nodiscard]] const std::vector<Act>& acts() const { return acts_; }
     [[nodiscard]] const std::vector<std::string>& actions() const { return actions_; }  ///< the first is ""
 
-    /// Finds the enabled commands of all groups, and evaluates the effects of those that can act. Throws
+    /// Finds the enabled commands of all groups, and evaluates the effects of the commands that can act. Throws
     /// EvaluationError.
     void evaluate(StateValues state);
-    /// Finds the enabled commands of all groups without their effects.
+    /// Finds the enabled commands of all groups without evaluating their effects.
     void evaluate_guards(StateValues state);
-    /// The effects of one command that is enabled in the state.
+    /// Evaluates the effects of one command that is enabled in the state.
     void evaluate_effects(std::uint32_t command, StateValues state) { evaluate_effects(commands_[command], state); }
     /// Returns the enabled commands of a group, as indices for the effects of commands.
     [[nodiscard]] const std::vector<std::uint32_t>& enabled_commands(std::uint32_t group) const {
@@ -68,13 +68,13 @@ public:
     }
     [[nodiscard]] const Write* write(std::uint32_t index) const { return writes_.data() + index; }
     [[nodiscard]] Span span(std::uint32_t command) const { return commands_[command].source->span; }
-    /// The name of the module that contains the commands of a group.
+    /// Returns the name of the module that contains the commands of a group.
     [[nodiscard]] const std::string& module(std::uint32_t group) const {
         return model_.modules[group_names_[group].module].name.text;
     }
 
 private:
-    /// A probability in the text: a constant, or an expression that is evaluated from the values of variables.
+    /// A probability of a command: a constant, or an expression that reads variables.
     struct Probability {
         bool fixed = true;
         NumberTable::Id id = NumberTable::one;
@@ -94,7 +94,7 @@ private:
         std::vector<CodedBranch> branches;
         bool fixed = true;  ///< all probabilities are constant
         bool warned = false;
-        std::vector<Effect> effects;  ///< in the state evaluated last
+        std::vector<Effect> effects;  ///< the effects in the state that was evaluated last
     };
 
     void add_command(const Command& command);
@@ -105,7 +105,7 @@ private:
     void check_probability(const Probability& probability, NumberTable::Id id);
     void evaluate_effects(CodedCommand& command, StateValues state);
     void write_values(const CodedBranch& branch, Effect& effect, StateValues state);
-    /// Divides by the sum if it is almost 1.
+    /// Divides the probabilities of the command by their sum if the sum is almost 1.
     void check_sum(CodedCommand& command);
 
     const CheckedModel& model_;

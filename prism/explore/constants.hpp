@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of constants, defined by the model or given by the caller.
+// Evaluates constants that the model defines or the caller gives.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace robochart::prism {
 
-/// Adds the values of the constants to the known values. `given`: values of constants without definition, by name; an
-/// int is converted for a double. Throws EvaluationError if a constant has no value, unless `optional` is set.
+/// Adds the values of the constants to `known`. `given` contains values, by name, for constants without a definition;
+/// an int is converted to a double if necessary. Throws EvaluationError if a constant has no value, unless `optional`
+/// is set.
 void evaluate_constants(const std::vector<Constant>& constants, const Values& given, Values& known,
                         bool optional = false);
 

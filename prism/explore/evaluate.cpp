@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluation. See code.hpp.
+// Evaluates compiled expressions. See code.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -158,7 +158,7 @@ std::int64_t Code::integral_power(std::int64_t base, std::int64_t exponent, Root
     return result;
 }
 
-/// `round` rounds ties up: round(-1.5) is -1.
+/// Rounds a real. Ties are rounded up: round(-1.5) is -1.
 std::int64_t Code::round_real(const Node& node, Root root, StateValues state) const {
     Real operand = real(node.a, state);
     if (node.op == Operation::round) operand = operand + Real(Rational(1, 2));

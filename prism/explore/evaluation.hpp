@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the evaluation of expressions, and values of constants.
+// Declares the errors of the evaluation of expressions, and the values of constants.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace robochart::prism {
 
-/// A violation of a rule in explore/rules.hpp, with its place, and the state if it is known.
+/// A violation of a rule in explore/rules.hpp, with its place in the text and, if known, the state.
 class EvaluationError : public std::exception {
 public:
     EvaluationError(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments)
         : rule_(&rule), span_(span), arguments_(std::move(arguments)) {}
     [[nodiscard]] const char* what() const noexcept override { return rule_->code.data(); }
-    /// "in the state x=1, y=false".
+    /// For example "in the state x=1, y=false".
     std::string state;
     [[nodiscard]] bool is(const diagnostics::Rule& rule) const { return rule_ == &rule; }
     diagnostics::Diagnostic& report(diagnostics::Diagnostics& diagnostics) const {

@@ -71,7 +71,7 @@ void Explorer::expand(markov::State state) {
     finish_state(state);
 }
 
-/// Every combination of one enabled command of each part is a choice.
+/// Adds the choices of a synchronisation: every combination of one enabled command of each part is a choice.
 void Explorer::explore_act(const CommandTable::Act& act) {
     for (const std::uint32_t group : act.groups)
         if (commands_.enabled_commands(group).empty()) return;
@@ -147,7 +147,8 @@ NumberTable::Id Explorer::number_of(std::uint64_t count) {
     return counts_[count];
 }
 
-/// In a dtmc all combinations are equally likely. A state without combinations gets a loop.
+/// Stores the choices of a state. In a dtmc all combinations are equally likely. A state without combinations gets a
+/// loop.
 void Explorer::finish_state(markov::State state) {
     markov::Model& chain = space_.chain_;
     const bool deadlock = combinations_ == 0;

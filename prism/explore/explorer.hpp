@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breadth-first exploration: fills a state space. See "Semantics" in docs/probability.md.
+// Explores the states of a model in breadth-first order and fills a state space. See "Semantics" in
+// docs/probability.md.
 #pragma once
 
 #include <utility>
@@ -36,11 +37,11 @@ private:
     NumberTable numbers_;
     CommandTable commands_;
     std::vector<std::int32_t> values_;
-    std::vector<std::vector<lts::Word>> partial_;  ///< packed successor after the given number of parts
+    std::vector<std::vector<lts::Word>> partial_;  ///< by number of parts: the packed successor after these parts
     std::vector<std::uint32_t> chosen_;            ///< the chosen command of each part
     Distribution all_;                             ///< the single choice of a dtmc
     std::vector<NumberTable::Id> counts_;          ///< the numbers 0, 1, 2, ...
-    std::uint64_t combinations_ = 0;               ///< in this state
+    std::uint64_t combinations_ = 0;               ///< number of combinations in this state
     LeftOut left_out_;
 };
 

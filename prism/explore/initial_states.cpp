@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See list_initial_states in instance.hpp.
+// Lists the initial states of a model. See list_initial_states in instance.hpp.
 #include <fmt/format.h>
 
 #include "prism/explore/instance.hpp"
@@ -54,7 +54,7 @@ private:
     std::vector<std::int32_t> values_;
 };
 
-/// The initial values in the declarations.
+/// Returns the initial values in the declarations.
 std::vector<std::int32_t> declared_values(const Instance& instance, Code& code) {
     const auto& fields = instance.layout().fields();
     std::vector<std::int32_t> values(fields.size());

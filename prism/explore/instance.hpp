@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model with values for its constants: the packing of its states, and code over them.
+// Combines a model with values for its constants. An instance packs states and compiles expressions over them.
 #pragma once
 
 #include <functional>
@@ -19,15 +19,15 @@ public:
     Instance(const CheckedModel& model, const Values& constants);
 
     [[nodiscard]] const CheckedModel& model() const { return model_; }
-    /// Values of the constants of the model.
+    /// Returns the values of the model's constants.
     [[nodiscard]] const Values& constants() const { return constants_; }
     [[nodiscard]] const Layout& layout() const { return layout_; }
-    /// Returns code for expressions over the states, with additional constants. In a state, two booleans with the
-    /// following names may come after the values of the variables. Throws EvaluationError.
+    /// Returns an object that compiles and evaluates expressions over the states, with additional constants. In a
+    /// state, two booleans with the following names may come after the values of the variables. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more = {}) const;
 
-    /// Names of booleans that follow the variables in a state: whether the state is a deadlock, and whether it is
-    /// initial.
+    /// The names of the booleans that follow the variables in a state. They tell whether the state is a deadlock and
+    /// whether it is initial.
     static constexpr const char* deadlock_name = "\"deadlock\"";
     static constexpr const char* initial_name = "\"init\"";
 
@@ -37,8 +37,8 @@ private:
     Layout layout_;
 };
 
-/// Calls `found` with the values of each initial state. To find the states of init ... endinit, it assigns values and
-/// evaluates every conjunct as soon as its variables have values. Throws EvaluationError.
+/// Calls `found` with the values of each initial state. For init ... endinit, it assigns the variables one after the
+/// other, and evaluates each conjunct as soon as its variables have values. Throws EvaluationError.
 void list_initial_states(const Instance& instance, Code& code, diagnostics::Budget* budget,
                          const std::function<void(const std::int32_t*)>& found);
 

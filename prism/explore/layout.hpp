@@ -21,7 +21,7 @@ public:
         std::int64_t low = 0, high = 0;
         bool bounded = true;  ///< has a declared range, or is a bool
         std::uint32_t word = 0, shift = 0;
-        std::uint32_t mask = 0;  ///< before it is shifted
+        std::uint32_t mask = 0;  ///< mask of the value's bits, before the shift
     };
 
     /// Evaluates the ranges. Throws EvaluationError.
@@ -37,9 +37,10 @@ public:
         const auto bits = static_cast<std::uint32_t>(value - field.low);
         state[field.word] = (state[field.word] & ~(field.mask << field.shift)) | bits << field.shift;
     }
-    /// "x=1, y=false".
+    /// Returns a text such as "x=1, y=false".
     [[nodiscard]] std::string state_text(const std::int32_t* values) const;
-    /// The text of the variables whose values differ from `before`. If `before` is null, all variables are included.
+    /// Returns the text of the variables whose values differ from `before`. If `before` is null, the text contains all
+    /// variables.
     [[nodiscard]] std::string changes_text(const std::int32_t* before, const std::int32_t* after) const;
 
 private:

@@ -74,7 +74,7 @@ void MoveReader::branch(const CommandTable::Act& act, std::size_t part, const st
     }
 }
 
-/// Whether the branches are those of a choice: the same targets with the same probabilities.
+/// Returns whether the branches are those of a choice: the same targets with the same probabilities.
 bool MoveReader::is_choice(const Branches& branches) const {
     const markov::Model& chain = space_.chain();
     const std::uint64_t first = chain.first_branch[choice_];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transitions of a state space in terms of the model: the commands and modules that cause them.
+// Describes transitions of a state space by the commands and modules that cause them.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,8 @@ struct Move {
     std::vector<Part> parts;
 };
 
-/// "[go] Robot (line 7), Human (line 12)"; several moves are joined by "or"; "no command" if there is none.
+/// Returns a text such as "[go] Robot (line 7), Human (line 12)". Several moves are joined by "or"; without a move the
+/// text is "no command".
 [[nodiscard]] std::string text_of(const std::vector<Move>& moves, const diagnostics::SourceManager& sources);
 
 class MoveReader {
@@ -31,9 +32,9 @@ public:
     /// `space` must outlive the object.
     explicit MoveReader(const StateSpace& space);
 
-    /// Returns the commands for a choice of a state; if `to` is given, only those that may lead to it. In a dtmc the
-    /// result may contain several moves, one of which the model draws. In an mdp it contains several moves if different
-    /// commands form the same choice. It is empty for the loop of a deadlock.
+    /// Returns the moves that lead to a choice of a state. If `to` is given, only moves that may lead to `to` are
+    /// returned. In a dtmc the result may contain several moves, one of which the model draws. In an mdp it contains
+    /// several moves if different commands form the same choice. It is empty for the loop at a deadlock.
     [[nodiscard]] std::vector<Move> list_moves(markov::State state, std::uint32_t choice,
                                                std::optional<markov::State> to = {});
 

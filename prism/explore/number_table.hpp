@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers in a model, without duplicates. Results of operations are cached, because a state space adds and
+// Stores the numbers of a model without duplicates. Results of operations are cached, because a state space adds and
 // multiplies the same few numbers many times.
 #pragma once
 
@@ -32,7 +32,7 @@ public:
         if (a == one) return b;
         return b == one ? a : combined(Operation::product, a, b);
     }
-    /// The divisor must not be 0.
+    /// Divides a by b, which must not be 0.
     Id quotient(Id a, Id b) { return b == one ? a : combined(Operation::quotient, a, b); }
 
 private:

@@ -15,14 +15,14 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Fractions with more bits are replaced by enclosures.
+/// The largest size of a fraction in bits. Larger fractions are replaced by enclosures.
 constexpr unsigned most_bits = 1U << 15U;
 
 unsigned bits(const Integer& value) {
     return value.is_zero() ? 0 : static_cast<unsigned>(msb(abs(value))) + 1;
 }
 
-/// Widens a value by a few units in the last place, which covers the error of the mathematical library.
+/// Widens a value by a few units in the last place, to cover the error of the mathematical library.
 Enclosure widen_by_rounding(double value) {
     double low = value;
     double high = value;
@@ -154,8 +154,8 @@ Real infinite(bool positive) {
     return positive ? Enclosure{infinity, infinity} : Enclosure{-infinity, -infinity};
 }
 
-/// Throws an error for an operation without a value. If `certain` is true, the operation has no value for any number of
-/// the enclosure; otherwise it has none for some of them.
+/// Throws the error of an operation without a value. If `certain` is true, the operation has no value for any number of
+/// the enclosure; otherwise it has no value for some of its numbers.
 [[noreturn]] void no_value(bool certain, const std::string& what) {
     if (certain) throw std::domain_error(what + " has no value");
     throw Unclear("whether it is " + what + " is not known");
@@ -206,7 +206,7 @@ Real operator/(const Real& a, const Real& b) {
 
 namespace {
 
-/// A power whose base or exponent is known to be infinite.
+/// Returns a power whose base or exponent is known to be infinite.
 Real infinite_power(const Real& base, const Real& exponent) {
     const auto compared = [](const Real& a, std::int64_t b) { return a.compare(Real(b)); };
     if (base.is_infinite()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rewards of a structure by state. See state_space.hpp.
+// Computes the rewards of states. See state_space.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace robochart::prism {
 
-/// Adds up the rewards of matching items. In a dtmc the single choice of a state represents all combinations of
-/// commands, which are equally likely, so its reward is the mean of their rewards.
+/// Adds up the rewards of matching items. In a dtmc, the single choice of a state represents all combinations of
+/// commands, which are equally likely. So its reward is the mean of the rewards of the combinations.
 class RewardTable {
 public:
     RewardTable(const StateSpace& space, const RewardStructure& structure, bool exact)
@@ -84,7 +84,7 @@ private:
 
     void add_choice_rewards(markov::State state) {
         const markov::Model& chain = space_.chain_;
-        // A loop that was added at a deadlock earns no reward. Given states have no such loops.
+        // A loop that was added at a deadlock earns no reward. Given states contain no such loops.
         const bool deadlock = space_.deadlocks_[state] && !space_.given_;
         if (chain.kind == markov::Kind::dtmc)
             return add(deadlock ? NumberTable::zero : mean_reward(), result_.choice, result_.exact_choice);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors in the evaluation of constants, states and rewards of a PRISM model, as a table.
+// Declares the errors that the evaluation of constants, states and rewards of a PRISM model reports.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model with values for its constants, explored: its states, and the Markov model over them.
+// Explores a model with values for its constants: finds its states, and builds the Markov model over them.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct ExploreOptions {
     diagnostics::Budget* budget = nullptr;
 };
 
-/// States that another program part has explored, with the values of a model's variables.
+/// States that another component of the program has explored, with the values of a model's variables.
 struct GivenSpace {
     markov::Model chain;
     markov::StateSet deadlocks;        ///< states in which the label "deadlock" holds
@@ -32,11 +32,11 @@ struct GivenSpace {
 /// The reachable states, numbered in breadth-first order, and their transitions.
 class StateSpace {
 public:
-    /// `model` and `diagnostics`, which receives warnings, must outlive the object. Throws EvaluationError,
-    /// LimitReached.
+    /// Explores the model. `model` and `diagnostics`, which receives warnings, must outlive the object. Throws
+    /// EvaluationError, LimitReached.
     StateSpace(const CheckedModel& model, const Values& constants, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
-    /// Creates the space from given states. The model provides the names of their variables and the rewards. Throws
+    /// Creates the space from given states. `model` provides the names of the variables and the rewards. Throws
     /// EvaluationError.
     StateSpace(const CheckedModel& model, const Values& constants, GivenSpace given, const ExploreOptions& options,
                diagnostics::Diagnostics& diagnostics);
@@ -45,29 +45,30 @@ public:
     [[nodiscard]] const Instance& instance() const { return instance_; }
     [[nodiscard]] const CheckedModel& model() const { return instance_.model(); }
     [[nodiscard]] const Layout& layout() const { return instance_.layout(); }
-    /// Values of the constants of the model.
+    /// Returns the values of the model's constants.
     [[nodiscard]] const Values& constants() const { return instance_.constants(); }
-    /// Number of transitions as PRISM counts them: branches.
+    /// Returns the number of branches, which PRISM reports as the number of transitions.
     [[nodiscard]] std::uint64_t transitions() const { return chain_.target.size(); }
-    /// States in which no command is enabled.
+    /// Returns the states in which no command is enabled.
     [[nodiscard]] const markov::StateSet& deadlocks() const { return deadlocks_; }
     [[nodiscard]] std::uint64_t deadlock_count() const { return deadlock_count_; }
 
-    /// "x=1, y=false".
+    /// Returns a text such as "x=1, y=false".
     [[nodiscard]] std::string state_text(markov::State state) const;
     [[nodiscard]] lts::StateView packed_state(markov::State state) const {
         if (!given_) return store_[state];
         return lts::StateView(rows_).subspan(std::size_t{state} * layout().words(), layout().words());
     }
-    /// The number of a reachable packed state; only for explored spaces.
+    /// Returns the number of a reachable packed state; only for explored spaces.
     [[nodiscard]] markov::State number_of(lts::StateView packed) const { return store_.find(packed); }
     void unpack(markov::State state, std::int32_t* values) const { layout().unpack(packed_state(state), values); }
 
-    /// Code for expressions over its states, with more constants. Throws EvaluationError.
+    /// Returns an object that compiles expressions over the states, with additional constants. Throws EvaluationError.
     [[nodiscard]] Code code(const Values& more) const { return instance_.code(more); }
-    /// The states in which a bool expression holds; labels of the model, "deadlock" and "init" must have been replaced.
+    /// Returns the states in which a bool expression holds. Labels of the model, "deadlock" and "init" must have been
+    /// replaced.
     [[nodiscard]] markov::StateSet states_satisfying(const Code& code, Code::Root root) const;
-    /// Returns the rewards of a structure, given by its index. `exact`: whether to include fractions.
+    /// Returns the rewards of the structure with this index. `exact`: whether to include fractions.
     [[nodiscard]] markov::Rewards rewards(std::size_t structure, bool exact) const;
 
 private:
@@ -79,7 +80,7 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     lts::StateStore store_;
     bool given_ = false;
-    std::vector<lts::Word> rows_;  ///< for given states, several of which may have equal values
+    std::vector<lts::Word> rows_;  ///< for given states, of which several may have equal values
     markov::Model chain_;
     markov::StateSet deadlocks_;
     std::uint64_t deadlock_count_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The estimate of a value from samples.
+// Declares the estimate of a value from samples.
 #pragma once
 
 #include <cstdint>

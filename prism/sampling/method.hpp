@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number of paths to sample and the conclusions from them: PRISM's four methods, with its parameters.
+// Declares PRISM's four methods of statistical model checking, with their parameters, and reads them from a text.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Two of `width`, `confidence` and `samples` determine the third. If fewer than two are given, a default is used.
+/// A method with its parameters. Two of `width`, `confidence` and `samples` determine the third. If fewer than two are
+/// given, a default is used.
 struct Method {
     enum class Kind : std::uint8_t {
         ci,    ///< confidence interval: mean +- `width`, by Student's distribution
@@ -26,16 +27,17 @@ struct Method {
         sprt   ///< sequential probability ratio test: decides a bound on a probability
     };
     Kind kind = Kind::ci;
-    std::optional<std::uint64_t> samples;  ///< 1,000 unless the other two are given; sprt takes as many as it needs
+    std::optional<std::uint64_t> samples;  ///< 1,000 unless both others are given; sprt takes as many as it needs
     std::optional<double>
         width;  ///< half of the interval; epsilon for apmc; for sprt the indifference, 0.05 by default
     std::optional<double> confidence;  ///< the probability of an error: alpha, or delta for apmc; 0.01 by default
     std::uint64_t path = 10'000;       ///< maximal number of steps of a path
 };
 
-/// Reads "ci", "apmc,width=0.01,confidence=0.05", "sprt,width=0.01", "aci,samples=5000,path=100000". Throws BadMethod.
+/// Reads a method such as "ci", "apmc,width=0.01,confidence=0.05", "sprt,width=0.01" or "aci,samples=5000,path=100000".
+/// Throws BadMethod.
 [[nodiscard]] Method read_method(const std::string& text);
-/// "ci".
+/// Returns the name of a method, such as "ci".
 [[nodiscard]] const char* method_name(Method::Kind kind);
 
 struct SamplingOptions {

@@ -112,7 +112,7 @@ void PathFormula::observe_state(Until& until, StateValues values) const {
         until.holds = false;
 }
 
-/// An event that has not happened in any of the repeated states never happens.
+/// Ends a path that repeats: an event that has not happened in any of the repeated states never happens.
 void PathFormula::end_in_loop(std::uint64_t period) {
     for (Until& until : untils_)
         if (!until.holds && seen_ >= until.begin + until.steps.from + period) until.holds = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A path formula, decided along one path: state by state, until the states seen determine whether it holds.
+// Decides a path formula along one path: reads states until they determine whether the formula holds.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,9 @@
 
 namespace robochart::prism {
 
-/// , <=> over such formulas. All are reduced to `left U right` from some state of the path: => Supports X, F, G, U, W
-/// and R of state formulas, with bounds on the steps and inside any number of X, and !, &, |, =>, <=> over such
-/// formulas. All are reduced to `left U right` from some state of the path: =>, <=> over such formulas. All are reduced
-/// to `left U right` from some state of the path: F a is true U a, G a is !F !a, a W b is !((a & !b) U (!a & !b)), a R
-/// b is !(!a U !b), and a state formula a is F<=0 a.
+/// Supports X, F, G, U, W and R of state formulas, with bounds on the steps and inside any number of X, and !, &, |,
+/// =>, <=> over such formulas. All are reduced to `left U right` from some state of the path: F a is true U a, G a is
+/// !F !a, a W b is !((a & !b) U (!a & !b)), a R b is !(!a U !b), and a state formula a is F<=0 a.
 class PathFormula {
 public:
     /// Labels must have been replaced, except for "deadlock" and "init". Throws Unsampled, EvaluationError.
@@ -27,7 +25,7 @@ public:
     void observe_state(StateValues state);
     /// Records that the last `period` states of the path repeat forever.
     void end_in_loop(std::uint64_t period);
-    /// Whether the formula holds; no value if this is not known yet.
+    /// Returns whether the formula holds, or no value if this is not known yet.
     [[nodiscard]] std::optional<bool> holds() const { return holds(root_); }
 
 private:

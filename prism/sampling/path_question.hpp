@@ -21,7 +21,7 @@ struct Sample {
 class PathQuestion {
 public:
     /// `question` is P [ path ], or R [ F state ], [ C<=k ], [ I=k ]. Labels must have been replaced, except for
-    /// "deadlock" and "init". `walk` is over the model of the code. Throws Unsampled, EvaluationError.
+    /// "deadlock" and "init". `walk` must use the model of `code`. Throws Unsampled, EvaluationError.
     PathQuestion(const Expr& question, const Instance& instance, Code& code, Walk& walk);
 
     /// Follows a path for at most `most_steps` steps. Throws EvaluationError, LimitReached.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reward of a path, item by item of a reward structure.
+// Adds up the reward of a path, item by item of a reward structure.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace robochart::prism {
 
-/// The rewards of matching items are added.
+/// Evaluates rewards. If several items match, their rewards are added.
 class PathRewards {
 public:
     /// `structure` must outlive the object. Throws EvaluationError.
     PathRewards(const RewardStructure& structure, const std::vector<std::string>& actions, Code& code);
 
-    // Both functions throw EvaluationError. This one returns the reward of being in a state.
+    // Returns the reward of being in a state. This function and the next throw EvaluationError.
     [[nodiscard]] double of_state(StateValues state) const { return sum(of_states_, state); }
-    /// The reward of leaving a state with an action.
+    /// Returns the reward of leaving a state with an action.
     [[nodiscard]] double of_step(StateValues state, std::uint32_t action) const {
         return sum(by_action_[action], state);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One random path of a dtmc, stored state by state.
+// Stores one random path of a dtmc, state by state.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,8 @@ struct RandomPath {
     bool deadlock = false;  ///< true if the last state is a deadlock
 };
 
-/// Returns the path with this number, which is the path that samples with the same seed follow. It has at most `steps`
-/// steps and ends at a deadlock. The model must be a dtmc with one initial state. Throws Unsampled, EvaluationError,
-/// LimitReached.
+/// Returns the path that the sample with this seed and number follows. The path has at most `steps` steps and ends at a
+/// deadlock. The model must be a dtmc with one initial state. Throws Unsampled, EvaluationError, LimitReached.
 [[nodiscard]] RandomPath random_path(const Instance& instance, std::uint64_t seed, std::uint64_t number,
                                      std::uint64_t steps, diagnostics::Budget* budget);
 

@@ -43,7 +43,7 @@ Sample Sampler::next_sample() {
     return block_[taken_++];
 }
 
-/// The size of blocks grows over time, so that few computed samples are not used.
+/// Computes the next block of samples. Blocks grow over time, so that few of the computed samples stay unused.
 void Sampler::fill_block() {
     finished_ += block_.size();
     taken_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The samples of a query in order, computed by several threads.
+// Computes the samples of a query with several threads, and returns them in order.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace robochart::prism {
 
-/// Sample i is the result of path i, so it depends only on the seed and on i. Samples are computed in advance in
-/// blocks. The sizes of blocks do not depend on the number of threads.
+/// Sample i is the result of path i, so it depends only on the seed and on i. Samples are computed in blocks before
+/// they are used. The sizes of blocks do not depend on the number of threads.
 class Sampler {
 public:
-    /// `question` must be supported by PathQuestion. `instance` must outlive the object. `constants` are those of the
-    /// properties. Computes at most `most` samples. Throws Unsampled, EvaluationError.
+    /// `question` must be supported by PathQuestion. `instance` must outlive the object. `constants` contains the
+    /// values of the properties' constants. Computes at most `most` samples. Throws Unsampled, EvaluationError.
     Sampler(const Instance& instance, const Expr& question, const Values& constants, std::uint64_t most,
             const SamplingOptions& options);
     ~Sampler();
@@ -24,7 +24,7 @@ public:
 
     /// Throws EvaluationError, LimitReached.
     [[nodiscard]] Sample next_sample();
-    /// Reports the warnings of all threads, each once.
+    /// Reports each warning of the threads once.
     void report(diagnostics::Diagnostics& diagnostics) const;
 
 private:
@@ -35,7 +35,7 @@ private:
     const std::uint64_t most_;
     std::vector<std::unique_ptr<Worker>> workers_;
     std::vector<Sample> block_;
-    std::size_t taken_ = 0;       ///< samples taken from the block
+    std::size_t taken_ = 0;       ///< number of samples taken from the block
     std::uint64_t finished_ = 0;  ///< number of samples in previous blocks
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exception for queries that samples cannot answer.
+// Declares the exception for queries that samples cannot answer.
 #pragma once
 
 #include <stdexcept>

@@ -45,7 +45,7 @@ void Walk::begin(const Draws& draws) {
     find_enabled_combinations();
 }
 
-/// Finds the combinations of commands that are possible next. They also determine the label "deadlock".
+/// Finds the combinations of commands that are possible next. This also decides the label "deadlock".
 void Walk::find_enabled_combinations() {
     try {
         left_out_.refuse_left_out(values_.data());
@@ -100,7 +100,7 @@ std::vector<std::string> Walk::moving_modules() const {
     return result;
 }
 
-/// Right-hand sides read the old state, so all are evaluated before the first write.
+/// Executes the drawn commands. Right-hand sides read the old state, so all are evaluated before the first write.
 void Walk::step() {
     try {
         for (const std::uint32_t command : chosen_) commands_.evaluate_effects(command, values_.data());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// See counterexample.hpp. An upper bound is violated if the formula is too likely, and a lower bound if its negation is
-// too likely. Both are reachability probabilities (docs/probability.md, "Counterexamples"): if `left U right` is too
-// unlikely, paths to states from which it has probability 0 are too likely.
+// Explains violated bounds. See counterexample.hpp. An upper bound is violated if the formula is too likely, and a
+// lower bound if its negation is too likely. Both are reachability probabilities (docs/probability.md,
+// "Counterexamples"): `left U right` is too unlikely if paths to states from which it has probability 0 are too likely.
 #include "prism/session/counterexample.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ markov::Precision with_strategy(const EvaluatorOptions& options) {
     return {options.relative, most_sweeps, options.budget, true};
 }
 
-/// The chain in which every state takes its choice of a strategy.
+/// Returns the chain in which every state takes its choice of a strategy.
 markov::Model induced_chain(const markov::Model& model, const std::vector<std::uint32_t>& strategy) {
     markov::Model chain;
     chain.initial = model.initial;
@@ -38,7 +38,7 @@ markov::Model induced_chain(const markov::Model& model, const std::vector<std::u
     return chain;
 }
 
-/// Describes paths of states in terms of the model.
+/// Describes paths with the names of the model.
 class PathDescriber {
 public:
     PathDescriber(const StateSpace& space, const std::vector<std::uint32_t>& strategy)
@@ -109,7 +109,7 @@ public:
         return result.count == 0 ? std::nullopt : std::optional(std::move(result));
     }
 
-    /// A scheduler that attains the value of a query.
+    /// Returns a scheduler that attains the value of a query.
     std::vector<std::uint32_t> best_strategy(const Expr& question) {
         constexpr const char* supported =
             "a strategy exists for P [ F, G, U, W, R ], R [ F ] and R [ C ] without steps";
@@ -146,7 +146,7 @@ private:
         if (result.scheduled) strategy_ = until_strategy(reach, !result.never);
     }
 
-    /// Replaces the event by reaching states in which it has become impossible.
+    /// Replaces the event by its opposite: to reach states in which the event has become impossible.
     void replace_by_avoidance(Event& event) const {
         const markov::Model chain = induced_chain(space_.chain(), strategy_);
         markov::StateSet never = prob0a(markov::Graph(chain), event.left, event.right);

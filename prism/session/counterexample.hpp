@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explains why a bound on a probability is violated, by the most probable paths that together are evidence.
+// Explains why a bound on a probability is violated, by the most probable paths that together violate it.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace robochart::prism {
 
-/// A path in terms of the model.
+/// A path, described with the names of the model.
 struct ProbablePath {
     struct Step {
         std::vector<Move> by;  ///< the commands that caused the step; if there are several moves, one of them did
@@ -26,7 +26,7 @@ struct ProbablePath {
 
 /// Paths whose probabilities add up, since none is a prefix of another.
 struct Counterexample {
-    bool holds = true;       ///< the formula holds on these paths; if false, it does not, for any continuation
+    bool holds = true;       ///< the formula holds on these paths; if false, no continuation of them satisfies it
     bool never = false;      ///< the paths lead to states from which the formula cannot hold
     bool scheduled = false;  ///< for an mdp: the probabilities are those under the scheduler that maximises them
     std::vector<ProbablePath> paths;  ///< the most probable ones, at most `most_kept`
@@ -38,14 +38,14 @@ struct Counterexample {
     static constexpr std::size_t most_kept = 100;
 };
 
-/// Explains a violated bound on P of F, G, U, W or R of state formulas in an initial state. No value for other
+/// Explains a violated bound on P of F, G, U, W or R of state formulas in an initial state. Returns no value for other
 /// properties, or if a scheduler would need to know the number of steps. Labels must have been replaced. Throws
 /// EvaluationError, Undecided, LimitReached.
 [[nodiscard]] std::optional<Counterexample> counterexample(const StateSpace& space, Code& code, const ExprPtr& question,
                                                            const EvaluatorOptions& options);
 
 /// Returns the choices of a scheduler that attains the value of P or R without a step bound (within the width of the
-/// enclosures). For each state, the choice is an index into the choices of the model. Throws the exceptions of
+/// enclosures). For each state, the result contains an index into the choices of the model. Throws the exceptions of
 /// `counterexample`, and Undecided if no memoryless scheduler attains the value.
 [[nodiscard]] std::vector<std::uint32_t> best_choices(const StateSpace& space, Code& code, const ExprPtr& question,
                                                       const EvaluatorOptions& options);

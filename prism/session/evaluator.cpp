@@ -24,7 +24,7 @@ markov::StateSet Evaluator::initial_state_set() const {
     return result;
 }
 
-/// Whether the expression contains a query, or a label that no formula of the model defines.
+/// Returns whether the expression contains a query, or a label that no formula of the model defines.
 bool Evaluator::contains_query(const ExprPtr& expr) {
     if (const auto known = asks_.find(expr.get()); known != asks_.end()) return known->second;
     bool result =
@@ -105,7 +105,7 @@ StateVector Evaluator::state_by_state(Code::Root root) {
     return result;
 }
 
-/// Throws the error of a missing value whose state needs it.
+/// Throws the error of a value that is missing in a state but needed.
 void Evaluator::throw_missing_value(const NoValue& missing) const {
     const std::string state = space_.state_text(static_cast<markov::State>(missing.state()));
     if (!missing.undefined_reason().open.empty())

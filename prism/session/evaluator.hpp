@@ -31,13 +31,13 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A path formula as `left U right`, or as the negation of such a formula. The step bound is that of the formula.
+/// A path formula as `left U right`, or as the negation of such a formula. The step bound is that of the path formula.
 struct Reachability {
     markov::StateSet left, right;
     bool negated = false;
 };
 
-/// The direction of a query P or R: a lower bound needs the minimum, an upper bound the maximum.
+/// Returns the direction of a query P or R: a lower bound needs the minimum, an upper bound the maximum.
 [[nodiscard]] markov::Direction direction_of(const Query& query);
 
 struct EvaluatorOptions {
@@ -53,13 +53,14 @@ public:
     Evaluator(const StateSpace& space, Code& code, const EvaluatorOptions& options);
 
     /// Evaluates an expression in every state. If it has no value in a state, such as 0/0, this is an error only if the
-    /// value is used.
+    /// missing value is used.
     [[nodiscard]] StateVector evaluate(const ExprPtr& expr);
     /// Returns the result for the states of the filter if there is one, otherwise for the initial states.
     [[nodiscard]] Result answer_question(const ExprPtr& expr);
     /// Returns the states in which the expression holds. Throws Undecided if this is unknown in some state.
     [[nodiscard]] markov::StateSet states_satisfying(const ExprPtr& expr);
-    /// F, G, U, W or R of state formulas. G a is not F !a; a W b is not (a & !b) U (!a & !b); a R b is not !a U !b.
+    /// Reduces F, G, U, W or R of state formulas. G a is not F !a; a W b is not (a & !b) U (!a & !b); a R b is not !a U
+    /// !b.
     [[nodiscard]] Reachability reachability(const Expr& expr);
 
 private:

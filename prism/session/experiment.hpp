@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values for the constants that a model or its properties do not define: one value for each constant, or a range.
+// Reads values for the constants that a model or its properties do not define. Each constant has one value or a range.
 #pragma once
 
 #include <stdexcept>
@@ -17,17 +17,17 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A constant with its values, at least one.
+/// A constant with at least one value.
 struct Series {
     std::string name;
     std::vector<Value> values;
 };
 
-/// Reads "N=4:6,T=0:10:100,p=1/3": single values, low:high, low:step:high; each bound is an expression without names.
-/// Only the constants in `open` are allowed. Throws BadValue.
+/// Reads a text such as "N=4:6,T=0:10:100,p=1/3": single values, low:high or low:step:high. Each bound is an expression
+/// without names. Only the constants in `open` are allowed. Throws BadValue.
 [[nodiscard]] std::vector<Series> read_series(const std::string& text, const std::vector<Constant>& open);
 
-/// The constants without a definition.
+/// Returns the constants without a definition.
 [[nodiscard]] std::vector<Constant> open_constants(const std::vector<Constant>& constants);
 
 /// Returns every combination of the values; the last series varies fastest. Returns one empty combination if there is

@@ -19,7 +19,8 @@ std::string probability(const markov::Model& chain, std::uint64_t branch) {
     return fmt::format("{}", Enclosure{chain.numbers[index].low, chain.numbers[index].high}.middle());
 }
 
-/// Calls `visit` with state, choice of the state, choice of the model and branch.
+/// Calls `visit` with the state, the choice as an index in the state, the choice as an index in the model, and the
+/// branch.
 template <class Visit>
 void for_each_branch(const markov::Model& chain, const Visit& visit) {
     for (std::size_t state = 0; state < chain.states(); ++state)

@@ -11,23 +11,24 @@
 
 namespace robochart::prism {
 
-/// Receives a text piece by piece.
+/// Receives a text in pieces.
 using TextSink = std::function<void(std::string_view)>;
 
-/// Transitions: "states transitions", then a line "from to probability" for each; for an mdp "states choices
-/// transitions", then lines "from choice to probability action". Probabilities are doubles with all digits.
+/// Writes the transitions. For a dtmc: "states transitions", then a line "from to probability" for each transition. For
+/// an mdp: "states choices transitions", then lines "from choice to probability action". Probabilities are doubles with
+/// all digits.
 void export_transitions(const StateSpace& space, const TextSink& sink);
-/// "(x,y)", then a line such as "0:(1,false)" for each state.
+/// Writes "(x,y)", then a line such as "0:(1,false)" for each state.
 void export_states(const StateSpace& space, const TextSink& sink);
-/// `0="init" 1="deadlock" 2="done"`, then "0: 0 2" for each state with labels.
+/// Writes `0="init" 1="deadlock" 2="done"`, then a line such as "0: 0 2" for each state with labels.
 void export_labels(const StateSpace& space, const TextSink& sink);
-/// For Graphviz.
+/// Writes the transitions as a graph for Graphviz.
 void export_graph(const StateSpace& space, const TextSink& sink);
-/// A line for each state with several choices that is reachable under the scheduler: "x=1, y=false: [go] Robot (line
-/// 7)".
+/// Writes a line for each state that has several choices and is reachable under the scheduler: "x=1, y=false: [go]
+/// Robot (line 7)".
 void export_strategy(const StateSpace& space, const std::vector<std::uint32_t>& choices,
                      const diagnostics::SourceManager& sources, const TextSink& sink);
-/// The stored paths as one graph for Graphviz; an edge of several paths occurs once.
+/// Writes the stored paths as one graph for Graphviz. An edge of several paths occurs once.
 void export_counterexample(const Counterexample& counterexample, const diagnostics::SourceManager& sources,
                            const TextSink& sink);
 

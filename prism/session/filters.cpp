@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filters, and the results of properties without a filter. See evaluator.hpp.
+// Evaluates filters, and summarises the results of properties without a filter. See evaluator.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace robochart::prism {
 namespace {
 
-/// The least and the greatest number in a set of states.
+/// Returns the least and the greatest number in a set of states.
 std::pair<Real, Real> least_and_greatest(const StateVector& values, const markov::StateSet& states) {
     std::optional<std::pair<Real, Real>> result;
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -38,7 +38,8 @@ std::size_t count_states(const markov::StateSet& states) {
 
 }  // namespace
 
-/// Summarises values. Booleans give the conjunction over all states; numbers give the value or the range.
+/// Summarises the values of some states. Booleans give the conjunction over all these states; numbers give the value or
+/// the range.
 Result Evaluator::summarise_values(const StateVector& values, const StateSet& states) const {
     Result result;
     result.type = values.type;
@@ -78,7 +79,7 @@ Result Evaluator::answer_question(const ExprPtr& expr) {
 
 namespace {
 
-/// Returns the states with the least or the greatest value. A state is unknown if enclosures overlap, unless no other
+/// Returns the states with the least or the greatest value. If enclosures overlap, a state is unknown, unless no other
 /// state can have the extreme value.
 StateVector at_extreme(const StateVector& values, const markov::StateSet& states, bool least) {
     const auto [low, high] = least_and_greatest(values, states);
@@ -98,7 +99,7 @@ bool asks_for_states(const Expr& filter) {
 
 }  // namespace
 
-/// argmin and argmax.
+/// Evaluates argmin and argmax.
 Result Evaluator::extreme_states(const Expr& expr) {
     const StateSet states = expr.parts.size() > 1 ? states_satisfying(expr.parts[1]) : StateSet(chain_.states(), true);
     if (count_states(states) == 0) throw Undecided("no state satisfies the filter");
@@ -116,7 +117,7 @@ Result Evaluator::extreme_states(const Expr& expr) {
     return result;
 }
 
-/// The value of a filter inside an expression, which is the same in all states.
+/// Evaluates a filter inside an expression. Its value is the same in all states.
 StateVector Evaluator::evaluate_filter(const Expr& expr) {
     if (asks_for_states(expr)) {
         const StateSet states =

@@ -10,7 +10,8 @@
 
 namespace robochart::prism {
 
-/// Replaces labels by their definitions, and names of properties by the properties; "deadlock" and "init" stay.
+/// Replaces labels by their definitions, and names of properties by the properties. "deadlock" and "init" are not
+/// replaced.
 class LabelResolver {
 public:
     LabelResolver(const CheckedModel& model, const CheckedProperties& properties);

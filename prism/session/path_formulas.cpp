@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nested path formulas: builds the product of the model with an automaton of the formula. See evaluator.hpp.
+// Evaluates nested path formulas in the product of the model with an automaton of the formula. See evaluator.hpp.
 #include <algorithm>
 
 #include "prism/automata/product.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates P, S, R, A and E. See evaluator.hpp.
+// Evaluates the queries P, S, R, A and E. See evaluator.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -99,7 +99,7 @@ StateVector Evaluator::compare_with_bound(const Expr& expr, const StateVector& n
     return result;
 }
 
-/// Bounds 0 and 1 of reachability are decided on the graph.
+/// Decides the bounds 0 and 1 of reachability on the graph.
 std::optional<StateVector> Evaluator::compare_qualitatively(const Expr& expr, Direction direction, const Real& bound,
                                                             Op relation) {
     const Expr& body = *expr.parts[0];
@@ -109,7 +109,7 @@ std::optional<StateVector> Evaluator::compare_qualitatively(const Expr& expr, Di
     if (body.op != Op::until && body.op != Op::eventually && body.op != Op::globally) return std::nullopt;
     for (const ExprPtr& part : body.parts)
         if (is_path(*part)) return std::nullopt;
-    // G a has probability 1 (0) exactly if F !a has probability 0 (1) in the other direction.
+    // G a has probability 1 (0) exactly if F !a has probability 0 (1) in the other direction (minimum or maximum).
     const bool always = body.op == Op::globally;
     const StateSet right =
         always ? complement_set(states_satisfying(body.parts[0])) : states_satisfying(body.parts.back());
@@ -139,7 +139,7 @@ StateVector Evaluator::evaluate_question(const Expr& expr, Direction direction) 
     return evaluate_reward(expr, direction);
 }
 
-/// The probability of a path formula.
+/// Returns the probability of a path formula.
 StateVector Evaluator::path_probabilities(const ExprPtr& expr, Direction direction) {
     if (!is_path(*expr)) {
         const StateSet holds = states_satisfying(expr);
@@ -187,7 +187,7 @@ StateVector Evaluator::next_probabilities(const ExprPtr& operand, Direction dire
     return to_state_vector(markov::next(chain_, target, direction, options_.budget));
 }
 
-/// The expectation of a value after one step.
+/// Returns the expectation of a value after one step.
 StateVector Evaluator::one_step_before(const StateVector& after, Direction direction) const {
     StateVector result;
     result.type = Type::real;
@@ -223,8 +223,8 @@ StateVector Evaluator::until_probabilities(const StateSet& left, const StateSet&
     return to_state_vector(bounded_until(chain_, left, right, from, to, direction, precision()));
 }
 
-/// Evaluates G F a (`always` false) and F G a. The greatest probability is that of reaching end components that satisfy
-/// the formula. The least is 1 minus the greatest probability of the negation.
+/// Evaluates G F a (`always` false) and F G a. The greatest probability is the probability to reach end components that
+/// satisfy the formula. The least is 1 minus the greatest probability of the negation.
 StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Direction direction) {
     const StateSet states = states_satisfying(operand);
     const StateSet everywhere(states.size(), true);
@@ -239,7 +239,7 @@ StateVector Evaluator::again_and_again(const ExprPtr& operand, bool always, Dire
     return complement_values(until_probabilities(everywhere, components, nullptr, Direction::maximum));
 }
 
-/// Returns the states of end components within one set that contain a state of the other set.
+/// Returns the states of those end components within one set that contain a state of the other set.
 markov::StateSet Evaluator::maximal_components(const StateSet& within, const StateSet& touched) {
     StateSet result(within.size());
     const markov::SubModel part{within, std::vector<bool>(chain_.choices(), true)};
@@ -299,7 +299,7 @@ StateVector Evaluator::evaluate_reward(const Expr& expr, Direction direction) {
     return to_state_vector(reachability_reward(chain_, rewards, target, direction, precision()));
 }
 
-/// CTL: A [ path ] and E [ path ].
+/// Decides A [ path ] and E [ path ] of CTL.
 markov::StateSet Evaluator::branching_states(const Expr& expr, bool always) {
     if (expr.steps) throw Undecided("A and E with bounds on the steps are not decided");
     if (expr.op == Op::negation && is_path(expr)) return complement_set(branching_states(*expr.parts[0], !always));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a property.
+// Declares the result of a property.
 #pragma once
 
 #include <optional>

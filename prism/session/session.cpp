@@ -10,7 +10,7 @@
 namespace robochart::prism {
 namespace {
 
-/// Models with at most this many states are solved with fractions if enclosures do not decide.
+/// The largest number of states of a model that is solved with fractions if enclosures do not decide.
 constexpr std::size_t few_states = 300;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model explored for one set of constants, and its properties.
+// Decides properties of a model that was explored for one set of constants.
 #pragma once
 
 #include <string>
@@ -23,9 +23,9 @@ public:
     /// All arguments must outlive the object.
     Session(const StateSpace& space, const CheckedProperties& properties, const SessionOptions& options);
 
-    /// Decides a property, with values for the constants that the properties do not define. Throws EvaluationError,
-    /// LimitReached. A comparison that the enclosures do not decide is repeated with narrower ones, and then with
-    /// fractions if the model is small.
+    /// Decides a property, with values for the constants that the properties do not define. If the enclosures do not
+    /// decide a comparison, it is repeated with narrower enclosures, and then with fractions if the model is small.
+    /// Throws EvaluationError, LimitReached.
     [[nodiscard]] Result check(std::size_t property, const Values& constants) const;
 
     /// Returns the counterexample for a bound that is violated according to `check`, if there is one. Throws the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See simulation.hpp. The formulas of the methods are those of PRISM's manual.
+// Implements simulation.hpp. The formulas of the methods are those of PRISM's manual.
 #include "prism/session/simulation.hpp"
 
 #include <fmt/format.h>
@@ -25,11 +25,11 @@ using Kind = Method::Kind;
 constexpr std::uint64_t usual_samples = 1000;
 constexpr double usual_alpha = 0.01;
 constexpr double usual_indifference = 0.05;
-/// Intervals are not used below this number of samples, because their variance is unreliable and may be 0 by chance.
+/// The least number of samples for an interval. With fewer samples the variance is unreliable and may be 0 by chance.
 constexpr std::uint64_t least_samples = 1000;
 constexpr std::uint64_t any_number = std::numeric_limits<std::uint64_t>::max();
 
-/// Returns the number of samples that the method determines in advance, or `any_number` if it decides during sampling.
+/// Returns the number of samples that the method fixes in advance, or `any_number` if it decides during sampling.
 std::uint64_t samples_of(const Method& method) {
     if (method.kind == Kind::sprt) return any_number;
     if (method.samples || !method.width) return method.samples.value_or(usual_samples);
@@ -87,15 +87,15 @@ private:
                                    : statistics::student_quantile(alpha / 2, values_.count() - 1);
     }
 
-    /// Whether N >= v t^2 / w^2. The test first uses the known quantile of the normal distribution, which is less than
-    /// Student's.
+    /// Returns whether N >= v t^2 / w^2. The test first uses the known quantile of the normal distribution, which is
+    /// less than Student's quantile.
     [[nodiscard]] bool narrow_enough() const {
         const double error = values_.standard_error();
         return values_.count() >= least_samples && normal_ * error <= *method_.width &&
                quantile(alpha()) * error <= *method_.width;
     }
 
-    /// The estimate so far. Of samples, width and confidence, the third follows from the other two.
+    /// Returns the estimate so far. Any two of samples, width and confidence determine the third.
     [[nodiscard]] Estimate estimate() const {
         Estimate result;
         result.method = method_.kind;
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    /// Returns the probability of a value that is this many standard deviations above the mean.
+    /// Returns the probability that a value is at least this many standard deviations above the mean.
     [[nodiscard]] double tail(double deviations) const {
         return method_.kind == Kind::aci ? statistics::normal_tail(deviations)
                                          : statistics::student_tail(deviations, values_.count() - 1);
@@ -160,9 +160,9 @@ private:
         return result;
     }
 
-    /// The answer is known after one path in three cases. If the formula holds on a path, the probability is not 0. If
-    /// it does not hold, the probability is not 1. If a path never reaches the target, the reward is infinite. All
-    /// other results depend on the intervals.
+    /// Compares the result with a bound. One path decides in three cases. If the formula holds on a path, the
+    /// probability is not 0. If it does not hold, the probability is not 1. If a path never reaches the target, the
+    /// reward is infinite. All other results depend on the intervals.
     Result compare_with_bound() const {
         const double bound = bound_->bounds().middle();
         if (endless_) return truth_result(true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value for every state: a boolean, which may be unknown, or a number. A state may also have no value.
+// Stores a value for every state: a boolean, which may be unknown, or a number. A state may also have no value.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,14 @@ enum class Truth : std::uint8_t { no, yes, unknown, undefined };
 [[nodiscard]] Truth negation_of(Truth truth);
 [[nodiscard]] Truth conjunction_of(Truth a, Truth b);
 
-/// The reason why an expression has no value in a state; with `open`, the reason why it is unknown whether the
-/// expression has a value.
+/// Why an expression has no value in a state, or, with `open`, why it is unknown whether the expression has a value.
 struct Undefined {
     EvaluationError error;
-    std::string open;  ///< "": the expression certainly has no value
+    std::string open;  ///< "": the expression has no value for certain
 };
 using UndefinedPtr = std::shared_ptr<const Undefined>;
 
-/// Thrown if the missing value of a state is used.
+/// Thrown if the value of a state is used although it is missing.
 class NoValue : public std::exception {
 public:
     NoValue(std::size_t state, UndefinedPtr why) : state_(state), why_(std::move(why)) {}
@@ -50,7 +49,7 @@ public:
     std::vector<Enclosure> numbers;  ///< for numbers that are not exact
     std::vector<Real> reals;         ///< for exact numbers, and infinity
     std::string reason;              ///< the reason why a value is unknown, or wider than requested
-    /// States without a value. Their truth is Truth::undefined.
+    /// The states without a value. Their truth is Truth::undefined.
     std::map<std::size_t, UndefinedPtr> undefined;
 
     [[nodiscard]] std::size_t size() const { return truths.size() + numbers.size() + reals.size(); }
@@ -74,7 +73,7 @@ public:
     static StateVector from_set(const markov::StateSet& set);
 };
 
-/// Applies a relation, `less` to `greater_equal`, `equal` or `unequal`; unknown if enclosures overlap.
+/// Applies a relation: `less` to `greater_equal`, `equal` or `unequal`. Returns `unknown` if enclosures overlap.
 [[nodiscard]] Truth apply_relation(const Real& a, Op relation, const Real& b);
 
 }  // namespace robochart::prism

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries with bounds in models in which bounds count time units (markov::Model::counted), not steps. They are
-// evaluated in the model whose states include the count (markov/operators/layers.hpp). See evaluator.hpp.
+// Evaluates queries with bounds in models whose bounds count time units (markov::Model::counted), not steps. The states
+// of the evaluated model include the count (markov/operators/layers.hpp). See evaluator.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,8 +42,8 @@ StateVector Evaluator::layered_until(const StateSet& left, const StateSet& right
     return result;
 }
 
-/// Handles bounds with more units than can be unfolded. For every scheduler, the value is at least that for fewer
-/// units, and at most that without a bound.
+/// Handles bounds with too many units to unfold. For every scheduler, the value is at least that for fewer units, and
+/// at most that without a bound.
 StateVector Evaluator::long_until(const StateSet& left, const StateSet& right, Direction direction) {
     constexpr std::uint64_t few_states = 2'000'000;  // in all layers together
     const std::uint64_t units = std::max<std::uint64_t>(1, few_states / std::max<std::size_t>(1, chain_.states()));

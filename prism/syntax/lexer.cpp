@@ -17,7 +17,7 @@ namespace {
 
 using diagnostics::is_digit;
 
-/// The longest symbols come first. `<-`, `||` and `|[` are read as two tokens each, because `x<-1` is a comparison. The
+/// The symbols, longest first. `<-`, `||` and `|[` are read as two tokens each, because `x<-1` is a comparison. The
 /// last symbols belong to unsupported constructs, which the parser reports.
 constexpr std::array<std::string_view, 34> symbols{"<=>", "..", "->", "=>", "<=", ">=", "!=", ";", ":", ",", "(", ")",
                                                    "[",   "]",  "{",  "}",  "=",  "<",  ">",  "+", "-", "*", "/", "^",
@@ -69,8 +69,8 @@ private:
         push_token(Tok::word, begin);
     }
 
-    /// `0` or digits without a leading zero are integers; `01` is a decimal number, as in PRISM. Digits before `..` are
-    /// an integer.
+    /// Reads a number. `0` and digits without a leading zero are integers; `01` is a decimal number, as in PRISM.
+    /// Digits before `..` are an integer.
     void read_number() {
         const std::size_t begin = at_;
         skip_digits();
@@ -115,7 +115,7 @@ private:
         diagnostics_.report(rules::bad_character, span_from(begin), {fmt::format("'{}'", shown)});
     }
 
-    /// Skips `#...#`, which is text for the preprocessor of PRISM, or for a tool that fills holes.
+    /// Skips `#...#`, which is text for PRISM's preprocessor or for other tools that fill in templates.
     void skip_preprocessor_text() {
         const std::size_t begin = at_++;
         skip_to("#\n");

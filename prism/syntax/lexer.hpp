@@ -16,13 +16,13 @@ struct Token {
     Tok kind = Tok::end;
     diagnostics::Span span;
     std::string_view text;     ///< the covered text; for a quoted name, the text inside the quotes
-    bool line_begins = false;  ///< the first token of its line
+    bool line_begins = false;  ///< true for the first token of its line
 };
 
-/// All tokens of a text; the last one is `end`. Malformed tokens are reported and skipped.
+/// Returns all tokens of a text; the last one is `end`. Malformed tokens are reported and skipped.
 [[nodiscard]] std::vector<Token> lex(std::string_view text, diagnostics::SourceId source, diagnostics::Diagnostics&);
 
-/// Whether the word is reserved and cannot be a name.
+/// Returns whether the word is reserved and cannot be a name.
 [[nodiscard]] bool is_reserved(std::string_view word);
 
 }  // namespace robochart::prism

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions. See parser.hpp.
+// Parses expressions. See parser.hpp.
 #include <fmt/format.h>
 
 #include <array>
@@ -16,7 +16,7 @@ struct Infix {
     int level;
 };
 
-/// Left-associative operators by level, lowest precedence first. `!` is between levels 2 and 3.
+/// The left-associative operators by level, lowest precedence first. `!` is between levels 2 and 3.
 constexpr std::array<Infix, 13> infixes{{
     {"<=>", Op::iff, 0},
     {"|", Op::disjunction, 1},
@@ -44,7 +44,7 @@ bool is_function(std::string_view word) {
     return false;
 }
 
-/// The operator X, F or G.
+/// Returns the operator of X, F or G.
 Op temporal_operator(std::string_view word) {
     if (word == "X") return Op::next;
     return word == "F" ? Op::eventually : Op::globally;
@@ -72,8 +72,8 @@ ExprPtr Parser::make_infix(Op op, ExprPtr left, ExprPtr right) {
     return make_node(op, from, {std::move(left), std::move(right)});
 }
 
-/// Parses `a U<=3 b`. Operators such as U are not associative. Outside brackets, `R` begins the next property, because
-/// semicolons between properties are optional.
+/// Parses an expression with path operators, such as `a U<=3 b`. Operators such as U are not associative. Outside
+/// brackets, `R` begins the next property, because semicolons between properties are optional.
 ExprPtr Parser::parse_expression() {
     const Depth depth(*this);
     ExprPtr left = parse_temporal();
@@ -108,8 +108,8 @@ ExprPtr Parser::parse_temporal() {
     return make_checked_node(std::move(expr), token.span);
 }
 
-/// Accepts `a & F b`, which PRISM accepts only in parentheses. Reports ambiguous text: in `a & F b & c` and in `F a & F
-/// b` the end of the operand is unclear.
+/// Parses the operand of a path operator. Accepts `a & F b`, which PRISM accepts only in parentheses. Reports ambiguous
+/// text: in `a & F b & c` and in `F a & F b` the end of the operand is unclear.
 ExprPtr Parser::parse_temporal_operand() {
     const Depth depth(*this);
     const Token& token = take_token();
@@ -125,7 +125,7 @@ ExprPtr Parser::parse_temporal_operand() {
     return make_checked_node(std::move(expr), token.span);
 }
 
-/// `<=t <t >=t >t =t [a,b]`; t is a literal, a name, or an expression in parentheses.
+/// Parses a bound `<=t <t >=t >t =t [a,b]`; t is a literal, a name, or an expression in parentheses.
 std::shared_ptr<const StepBound> Parser::parse_steps() {
     if (at_text("^")) fail_unsupported("bounds on rewards (F^{...})", peek().span);
     auto result = std::make_shared<StepBound>();
@@ -186,7 +186,7 @@ ExprPtr Parser::parse_binary(int level) {
     }
 }
 
-/// `!x=1` is `!(x=1)`.
+/// Parses a negation: `!x=1` is `!(x=1)`.
 ExprPtr Parser::parse_negation() {
     const Depth depth(*this);
     const Span from = expect("!");
@@ -194,7 +194,7 @@ ExprPtr Parser::parse_negation() {
     return make_node(Op::negation, from, {std::move(operand)});
 }
 
-/// `2^3^2` is `2^(3^2)`.
+/// Parses a power: `2^3^2` is `2^(3^2)`.
 ExprPtr Parser::parse_power() {
     ExprPtr base = parse_prefix();
     if (!accept("^")) return base;
@@ -203,7 +203,7 @@ ExprPtr Parser::parse_power() {
     return make_infix(Op::power, std::move(base), std::move(exponent));
 }
 
-/// `-2^2` is `(-2)^2`.
+/// Parses a minus sign: `-2^2` is `(-2)^2`.
 ExprPtr Parser::parse_prefix() {
     if (!at_text("-")) return parse_primary();
     const Depth depth(*this);

@@ -77,7 +77,7 @@ void Parser::parse_relation(Query& query) {
     fail("'=?' or a bound such as '>=0.5'");
 }
 
-/// `F φ`, `C<=k`, `C`, `I=k`, `S`, or a path.
+/// Parses `F φ`, `C<=k`, `C`, `I=k`, `S`, or a path.
 ExprPtr Parser::parse_reward_body() {
     const Span from = peek().span;
     if (accept("C")) {
@@ -95,7 +95,7 @@ ExprPtr Parser::parse_reward_body() {
     return parse_expression();
 }
 
-/// `P=? [ path {states}{min}{max} ]`, the form of filters in older versions.
+/// Parses `P=? [ path {states}{min}{max} ]`, the form of filters in older versions of PRISM.
 ExprPtr Parser::parse_old_filter(ExprPtr question, Span from) {
     const Within braces(*this, in_brackets);
     ExprPtr states;

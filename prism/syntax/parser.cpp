@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses tokens and the items of files. See parser.hpp.
+// Parses the items of files. See parser.hpp.
 #include "prism/syntax/parser.hpp"
 
 #include <fmt/format.h>
@@ -171,7 +171,7 @@ void Parser::parse_kind_of_model(ModelFile& file) {
     file.kind_given = true;
 }
 
-/// `const [int|double|bool] n [= e];`, `rate` and `prob` are double.
+/// Parses `const [int|double|bool] n [= e];`. `rate` and `prob` are double.
 void Parser::parse_constant(std::vector<Constant>& constants) {
     Constant constant;
     const bool old_form = !at_text("const");
@@ -209,7 +209,7 @@ Definition Parser::parse_label() {
     return result;
 }
 
-/// `x : [lo..hi] | bool | int [init e];`
+/// Parses `x : [lo..hi] | bool | int [init e];`
 Variable Parser::parse_variable() {
     Variable result;
     result.name = parse_identifier("the name of a variable");
@@ -291,7 +291,7 @@ std::vector<Renaming> Parser::parse_renamings(std::string_view between, std::str
     return result;
 }
 
-/// `[act] guard -> upd;` or `... -> p1:upd + p2:upd + ...;`
+/// Parses `[act] guard -> upd;` or `... -> p1:upd + p2:upd + ...;`
 Command Parser::parse_command() {
     Command result;
     const Span from = expect("[");
@@ -306,7 +306,7 @@ Command Parser::parse_command() {
     return result;
 }
 
-/// An update begins with `true` or `(x'`; anything else is a probability.
+/// Parses a branch. An update begins with `true` or `(x'`; anything else is a probability.
 Branch Parser::parse_branch() {
     if (at_text("[")) fail_unsupported("intervals of probabilities", peek().span);
     const bool at_update = (at_text("(") && peek(1).kind == Tok::word && at_text("'", 2)) ||
@@ -390,7 +390,7 @@ CompositionPtr Parser::make_composition(Composition composition) {
     return std::make_shared<const Composition>(std::move(composition));
 }
 
-/// `a || b`, `a ||| b`, `a |[x,y]| b`; equal precedence, left-associative.
+/// Parses `a || b`, `a ||| b`, `a |[x,y]| b`. The operators have equal precedence and are left-associative.
 CompositionPtr Parser::parse_parallel() {
     CompositionPtr left = parse_composed();
     while (accept("|")) {

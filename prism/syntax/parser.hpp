@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recursive-descent parser for PRISM. The operators, lowest precedence first, are: U W R; ? : and => (both
+// Parses PRISM by recursive descent. The operators, lowest precedence first, are: U W R; ? : and => (both
 // right-associative); <=>; |; &; !; = !=; < <= > >=; + -; * /; ^ (right-associative); unary minus.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace robochart::prism {
 
-/// Parses tokens. After an error it reports one finding and continues after the erroneous part.
+/// Parses tokens. After an error, the parser reports one finding and continues after the erroneous text.
 class Parser {
 public:
     /// Maximal depth of recursion.
@@ -25,7 +25,7 @@ public:
 
     [[nodiscard]] ModelFile model();
     [[nodiscard]] PropertyFile properties();
-    /// Returns the expression if the whole text is one. Otherwise returns null and reports findings.
+    /// Parses the whole text as one expression. Returns null and reports findings if this fails.
     [[nodiscard]] ExprPtr lone_expression();
 
 private:
@@ -51,15 +51,16 @@ private:
     bool accept(std::string_view text);
     Span expect(std::string_view text);
     Name parse_identifier(std::string_view what);
-    /// Names of modules and actions cannot occur in expressions, so letters such as R, which begin queries in
-    /// expressions, are allowed as these names.
+    /// Letters such as R begin queries in expressions. They are allowed as names of modules and actions, which cannot
+    /// occur in expressions.
     Name parse_letter_or_identifier(std::string_view what);
     Name parse_quoted(std::string_view what);
     [[nodiscard]] Span span_since(Span from) const;
     [[noreturn]] void fail(std::string_view expected);
     [[noreturn]] void fail(const diagnostics::Rule& rule, Span span, std::vector<std::string> arguments);
     [[noreturn]] void fail_unsupported(std::string_view what, Span span);
-    /// Runs a part of the parser; after an error it continues after the next `;` or at a word that begins an item.
+    /// Runs a part of the parser. After an error, the parser continues after the next `;` or at a word that begins an
+    /// item.
     template <class Piece>
     void parse_with_recovery(const Piece& piece, std::initializer_list<std::string_view> stops);
     void skip_to(std::initializer_list<std::string_view> stops);
@@ -121,9 +122,9 @@ private:
 
     /// The context in which the parser reads an expression.
     struct Surroundings {
-        bool enclosed = false;  ///< in brackets, where `R` is the path operator and not the next query
+        bool enclosed = false;  ///< in brackets, where `R` is the path operator and does not begin the next query
         bool operand = false;   ///< in the operand of a path operator, outside inner brackets
-        bool joined = false;    ///< that operand contains a connective
+        bool joined = false;    ///< the operand contains a connective
     };
     static constexpr Surroundings in_brackets{true, false, false};
     /// Sets the context during its lifetime.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See printer.hpp. Parentheses are printed only if the tree requires them.
+// Implements printer.hpp. Parentheses are printed only if the tree requires them.
 #include "prism/syntax/printer.hpp"
 
 #include <fmt/format.h>
@@ -171,7 +171,7 @@ std::pair<std::string, int> text_and_level(const Expr& expr) {
     return {fmt::format("{}{}{}{}", left, how.symbol, steps, right), how.level};
 }
 
-/// Returns the text for a place that requires at least the precedence `level`, in parentheses if necessary.
+/// Returns the text for a position that requires at least the precedence `level`, with parentheses if necessary.
 std::string text_of(const ExprPtr& expr, int level) {
     auto [text, own] = text_and_level(*expr);
     return own < level ? "(" + text + ")" : text;

@@ -11,7 +11,7 @@ namespace robochart::prism {
 
 /// Parses a model. If there are errors, the result contains the parts that could be parsed.
 [[nodiscard]] ModelFile read_model(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
-/// A properties file.
+/// Parses a properties file in the same way.
 [[nodiscard]] PropertyFile read_properties(const diagnostics::SourceManager&, diagnostics::SourceId,
                                            diagnostics::Diagnostics&);
 /// Parses a single expression, such as the value of a constant on the command line. Returns null and reports findings

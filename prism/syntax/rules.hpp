@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnostics of the PRISM reader, as a table.
+// Declares the diagnostics of the PRISM reader.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

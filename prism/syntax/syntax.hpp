@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language of PRISM as a tree: models and properties share one expression language. Plain data; the parser builds
-// it (reader.hpp), the printer writes it (printer.hpp).
+// Declares the language of PRISM as a tree. Models and properties share one expression language. The parser builds the
+// tree (reader.hpp), and the printer writes it (printer.hpp).
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Name {
 };
 
 enum class Type : std::uint8_t { boolean, integer, real };
-/// "int", "double", "bool".
+/// Returns "int", "double" or "bool".
 [[nodiscard]] const char* type_name(Type type);
 
 /// The kind of an expression. `Expr::parts` are its operands in the order of the text, unless documented otherwise.
@@ -61,14 +61,14 @@ struct Query {
     ExprPtr reward_index;  ///< R{2}
 };
 
-/// The steps of a path operator: `<=t`, `[a,b]`. A null side is unbounded.
+/// The bound on the steps of a path operator: `<=t`, `[a,b]`. A side that is null is unbounded.
 struct StepBound {
     ExprPtr low, high;
     bool low_strict = false, high_strict = false;
     bool single = false;  ///< `=t`: low and high are equal
 };
 
-/// An expression of a model or a property.
+/// An expression in a model or a property.
 struct Expr {
     Op op = Op::boolean;
     Span span;
@@ -85,16 +85,16 @@ inline constexpr std::uint32_t max_height = 4000;
 /// Maximal size of a tree, also after the expansion of formulas.
 inline constexpr std::uint64_t max_size = 5'000'000;
 
-/// Computes height and size from the parts.
+/// Makes a node and computes its height and size from its parts.
 [[nodiscard]] ExprPtr make_expr(Expr expr);
-/// An operation on operands, at their place.
+/// Makes an operation on operands; `span` is its place.
 [[nodiscard]] ExprPtr make_expr(Op op, Span span, std::vector<ExprPtr> parts, std::string text = {});
-/// Whether both have the same operators, names and literals, ignoring places.
+/// Returns whether both have the same operators, names and literals. Places may differ.
 [[nodiscard]] bool same_expr(const ExprPtr& a, const ExprPtr& b);
 
-/// Whether the operator is one of X F G U W R.
+/// Returns whether the operator is one of X F G U W R.
 [[nodiscard]] bool is_temporal(Op op);
-/// Whether the expression contains path operators outside inner queries.
+/// Returns whether the expression contains path operators outside inner queries.
 [[nodiscard]] bool is_path(const Expr& expr);
 
 struct Constant {
@@ -103,7 +103,7 @@ struct Constant {
     ExprPtr value;  ///< null: no definition
 };
 
-/// A formula or a label.
+/// The definition of a formula or a label.
 struct Definition {
     Name name;
     ExprPtr body;
@@ -121,7 +121,7 @@ struct Assignment {
     ExprPtr value;
 };
 
-/// `p : (x'=e) & ...`
+/// A branch of a command: `p : (x'=e) & ...`
 struct Branch {
     ExprPtr probability;  ///< null: 1
     std::vector<Assignment> assignments;

@@ -22,7 +22,7 @@ constexpr const char* not_said =
     "the states of the chain do not say whether it holds: it is about measures that are not "
     "distinguished, or values between levels";
 
-/// The index of the last state in a trial; the state at 0 s has index 0.
+/// Returns the index of the last state in a trial; the state at 0 s has index 0.
 std::uint64_t last_step(const Scenario& scenario) {
     return scenario.step_count() / scenario.steps_between_samples();
 }
@@ -196,7 +196,8 @@ private:
     [[nodiscard]] std::size_t fresh_count() const { return sequences_.size() - first_fresh_; }
     [[nodiscard]] double error_of_check() const { return error_ / static_cast<double>(last_step(scenario_) + 1); }
 
-    /// The first state of the swarm is one step after the start state, so steps are counted from there.
+    /// Bounds the probability to reach the goal. The first state of the swarm is one step after the start state, so
+    /// steps are counted from there.
     void bound_reach() {
         const std::uint64_t steps = last_step(scenario_) + 1;
         const auto& goal = answer_.asked.goal;
@@ -216,7 +217,8 @@ private:
         answer_.high = markov::cost_bounds(chain_, goal, cost, Direction::maximum, rounds, budget_)[ChainStates::start];
     }
 
-    /// Chains with more transitions get fewer rounds; a bound is correct even if it has not converged.
+    /// Returns the number of rounds. Chains with more transitions get fewer rounds; a bound is correct even if it has
+    /// not converged.
     [[nodiscard]] std::uint64_t most_rounds() const {
         std::uint64_t transitions = 0;
         for (const markov::UncertainRow& row : chain_) transitions += row.size();
@@ -272,7 +274,7 @@ private:
     const std::vector<statistics::StateSequence>& sequences_;
     const std::vector<TrialResult>& trials_;
     const std::size_t first_fresh_;
-    const double error_;  ///< the error of the intervals, and also the error of all checks together
+    const double error_;  ///< error of the intervals together, and also of all checks together
     diagnostics::Budget* budget_;
     markov::UncertainChain chain_;
     ChainAnswer answer_;

@@ -41,7 +41,7 @@ std::string answer_word(const ChainAnswer& answer) {
 
 namespace {
 
-/// Probabilities rounded down and up.
+/// These functions write probabilities, rounded down and up.
 std::string lower_bound_text(const ChainAnswer& answer) {
     if (answer.asked.kind != ChainAsked::Kind::time) return percent_below(answer.low);
     return fmt::format("{:.1f} s", std::floor(answer.low * 10) / 10);
@@ -61,7 +61,7 @@ std::string interval_text(const statistics::Interval& interval) {
     return fmt::format("between {} and {}", percent_below(interval.low), percent_above(interval.high));
 }
 
-/// The first check that contradicts the prediction.
+/// Describes the first check that contradicts the prediction.
 std::string contradiction_text(const ChainAnswer& answer) {
     const auto found = std::ranges::find_if(answer.checks, [](const ChainCheck& check) { return check.contradicts; });
     const auto all = std::ranges::count_if(answer.checks, [](const ChainCheck& check) { return check.contradicts; });
@@ -197,7 +197,7 @@ Json answer_json(const ChainAnswer& answer) {
                 {"checks", json_array(answer.checks, check_json)}};
 }
 
-/// Null if there is no contradiction.
+/// Returns the result of the test of the order, or null if there is no contradiction.
 Json order_json(const ChainStates& states, const ChainResult& result) {
     if (!result.order) return nullptr;
     const statistics::OrderContradiction& found = result.order->found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The results of a chain as text, tables, JSON and plots.
+// Writes the results of a chain as text, tables, JSON and plots.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace robochart::simulation {
 
-/// The results of a complete study.
+/// The results of a chain's estimation, answers and checks.
 struct ChainResult {
     std::vector<ChainAnswer> answers;  ///< one per question, in order; fewer if the run was interrupted
     std::size_t questions = 0;
     std::string proof;                  ///< the proof that excludes transitions, or the reason why there is none
-    std::size_t transitions = 0;        ///< between states of the chain
+    std::size_t transitions = 0;        ///< number of permitted transitions between states of the chain
     std::size_t excluded = 0;           ///< number of transitions that are excluded
     std::size_t seen = 0;               ///< number of transitions that occurred in the trials for estimation
     std::uint32_t trials = 0;           ///< the number of trials for estimation; as many are used for checks
-    bool order_asked = false;           ///< the order was tested on all trials
-    std::optional<OrderFinding> order;  ///< the refutation of the chain for all questions
+    bool order_asked = false;           ///< true if the order was tested on all trials
+    std::optional<OrderFinding> order;  ///< the refutation of the order, and so of the chain
     bool interrupted = false;
     double cpu_seconds = 0;
 
@@ -32,25 +32,25 @@ struct ChainResult {
     [[nodiscard]] bool is_complete() const;
 };
 
-/// "holds", "FAILS", "open", "estimated", "REFUTED".
+/// Returns the answer as a word: "holds", "FAILS", "open", "estimated" or "REFUTED".
 [[nodiscard]] std::string answer_word(const ChainAnswer&);
-/// The result of the test of the chain's order, on one line.
+/// Returns the result of the test of the chain's order, on one line.
 [[nodiscard]] std::string order_text(const ChainStates&, const ChainResult&);
-/// For each question: the answer, its bounds, and the check by fresh trials.
+/// Returns, for each question, the answer, its bounds, and the check by fresh trials.
 [[nodiscard]] std::string answers_text(const ChainResult&);
-/// A text about the estimation of the chain.
+/// Describes how the chain was estimated.
 [[nodiscard]] std::string study_text(const Scenario&, const ChainStates&, const ChainResult&);
 /// Summarises the results on one line.
 [[nodiscard]] std::string chain_summary(const ChainResult&);
-/// A row for each permitted transition whose source state occurred. The row contains the counts, and the interval at
-/// the confidence of the first question.
+/// Returns a table with a row for each permitted transition whose source state occurred. The row contains the counts,
+/// and the interval at the confidence of the first question.
 [[nodiscard]] std::string transitions_csv(const ChainStates&, const statistics::Permitted&,
                                           const statistics::TransitionCounts&, double error);
-/// A row for each check of each answer.
+/// Returns a table with a row for each check of each answer.
 [[nodiscard]] std::string checks_csv(const ChainResult&);
-/// The predictions over time, and the fresh trials with their intervals.
+/// Draws the predictions over time, and the fresh trials with their intervals.
 [[nodiscard]] std::string answer_svg(const ChainAnswer&);
-/// Schema "robochart-verify/chain/1" (docs/cli.md).
+/// Writes the results in the schema "robochart-verify/chain/1" (docs/cli.md).
 [[nodiscard]] std::string chain_json(const Scenario&, const ChainStates&, const ChainResult&,
                                      const std::vector<std::string>& files, int exit);
 

@@ -198,7 +198,7 @@ std::optional<MeasureClass> ChainStates::class_of_measure(std::size_t state, std
 
 namespace {
 
-/// True if all values of a class are in the band, false if none is; otherwise no value.
+/// Returns true if all values of a class are in the band, false if none is, and otherwise no value.
 std::optional<bool> is_class_within(const MeasureClass& values, double low, double high, std::uint32_t robots) {
     if (!values.share) {
         if (low <= values.low && values.high <= high) return true;
@@ -214,7 +214,7 @@ std::optional<bool> is_class_within(const MeasureClass& values, double low, doub
 
 }  // namespace
 
-/// Three-valued logic (Kleene).
+/// Evaluates a condition in three-valued logic (Kleene).
 std::optional<bool> ChainStates::holds_in(const Formula& formula, std::size_t state) const {
     switch (formula.kind) {
         case Formula::Kind::compare: {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a chain over a swarm, and the permitted transitions. A state contains the class of each measure that
-// the scenario distinguishes. Robots are treated as exchangeable: only the numbers of robots in each robot state are
-// stored (counter abstraction: Lomuscio and Pirovano, AAMAS 2019).
+// Computes the states of a chain over a swarm, and the permitted transitions. A state contains the class of each
+// measure that the scenario distinguishes. Robots are treated as exchangeable: only the numbers of robots in each robot
+// state are stored (counter abstraction: Lomuscio and Pirovano, AAMAS 2019).
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 
 namespace robochart::simulation {
 
-/// The changes of state that a robot can make between two states of the chain. A class is a set of bits: bit i is set
-/// if the robot is in the state of the i-th distinction by `in_state`.
+/// The changes that a robot's own state can make between two states of the chain. A class is a set of bits: bit i is
+/// set if the robot is in the state of the i-th distinction by `in_state`.
 struct RobotSteps {
     std::vector<std::uint32_t> classes;    ///< ascending
-    std::vector<bool> first;               ///< [class]: a robot can start in it
-    std::vector<std::vector<bool>> after;  ///< [from][to]: a robot can be in `to` at the next state of the chain
+    std::vector<bool> first;               ///< by class: true if a robot can start in it
+    std::vector<std::vector<bool>> after;  ///< [from][to]: true if a robot in `from` can be in `to` one state later
 };
 
-/// Thrown if there are more states, or distributions of robots, than a chain may have.
+/// Thrown if there are too many states, or too many distributions of robots over classes.
 class TooManyStates : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A class of a measure: a fraction of the robots, or values above `low` up to `high`.
+/// A class of a measure. It contains one fraction of the robots, or the values above `low` up to `high`.
 struct MeasureClass {
     bool share = false;
     std::uint32_t least = 0, most = 0;
-    double low = 0, high = 0;  ///< the bounds of the class; for a fraction, its least and greatest value
+    double low = 0, high = 0;  ///< the bounds of the class; for a fraction of the robots, its least and greatest value
 
     friend bool operator==(const MeasureClass&, const MeasureClass&) = default;
 };
@@ -42,37 +42,38 @@ struct MeasureClass {
 class ChainStates {
 public:
     static constexpr std::size_t most_states = 500;
-    static constexpr std::size_t most_distributions = 1000;  ///< the most ways to distribute robots over classes
+    static constexpr std::size_t most_distributions = 1000;  ///< limit for the ways to distribute robots over classes
     /// Represents no state.
     static constexpr std::size_t none = ~std::size_t{0};
 
-    /// Computes the states for a scenario with an abstraction. The measures of the scenario must contain the numbers of
-    /// their states. If the steps of a robot are given, the result contains only states that the robot's classes
+    /// Computes the states for a scenario with an abstraction. The indices of the states must have been set in the
+    /// scenario's measures. If the steps of a robot are given, the result contains only states that the robot's classes
     /// permit. Throws TooManyStates.
     ChainStates(const Scenario&, std::optional<RobotSteps>);
 
-    /// The state in which every trial begins, before the first state of the swarm.
+    /// The state in which every trial begins. It comes before the first state of the swarm.
     static constexpr std::size_t start = 0;
-    /// The number of states, including the start state.
+    /// Returns the number of states, including the start state.
     [[nodiscard]] std::size_t size() const { return states_.size() + 1; }
-    /// The state for the values of a sample; `none` if there is none.
+    /// Returns the state for the values of a sample, or `none` if there is no such state.
     [[nodiscard]] std::size_t find_state(const std::vector<double>& sample) const;
-    /// "searching 3 of 10, way 50 to 100 cm".
+    /// Returns a text such as "searching 3 of 10, way 50 to 100 cm".
     [[nodiscard]] std::string state_text(std::size_t state) const;
-    /// The class of a measure in a state; no value if it is not distinguished, or in the start state.
+    /// Returns the class of a measure in a state. Returns no value for the start state, or if the scenario does not
+    /// distinguish the measure.
     [[nodiscard]] std::optional<MeasureClass> class_of_measure(std::size_t state, std::size_t measure) const;
-    /// For each state, whether the condition is true in it (false in the start state); no value if a state does not
-    /// determine it.
+    /// Returns, for each state, whether the condition is true in it (false in the start state). Returns no value if
+    /// some state does not determine whether the condition is true.
     [[nodiscard]] std::optional<std::vector<bool>> states_satisfying(const Formula& condition) const;
-    /// The permitted transitions. The robots' steps restrict changes of robot numbers; other measures may change
-    /// without restriction. A robot's steps allow a change of the numbers if and only if, for every set of classes, the
-    /// number of robots in the set is at most the number of robots in its successors afterwards (Hall's theorem for
-    /// transports). If they allow no successor of a state, all successors are permitted, because a proof that time
-    /// stops does not apply to code that continues.
+    /// Returns the permitted transitions. The robots' steps restrict changes of robot numbers; other measures may
+    /// change without restriction. A robot's steps allow a change of the numbers if and only if every set of classes
+    /// satisfies a condition: the number of robots in the set is at most the number of robots in its successors
+    /// afterwards (Hall's theorem for transports). If the steps allow no successor of a state, all successors are
+    /// permitted, because a proof that time stops does not apply to code that continues.
     [[nodiscard]] statistics::Permitted permitted_transitions(diagnostics::Budget* = nullptr) const;
 
 private:
-    /// One class for each distinction.
+    /// For each distinction, the index of its class.
     using Tuple = std::vector<std::size_t>;
     /// The number of robots in each class of a robot.
     using Distribution = std::vector<std::uint32_t>;
@@ -81,7 +82,7 @@ private:
     void find_distributions(const std::vector<std::uint32_t>& classes);
     void add_distributions(Distribution& so_far, std::size_t at, std::uint32_t left);
     void find_states(std::size_t at, Tuple& so_far);
-    /// The classes of the distinctions by `in_state` for these robots; 0 for all other distinctions.
+    /// Returns the classes of the distinctions by `in_state` for these robots, and 0 for all other distinctions.
     [[nodiscard]] Tuple project_distribution(const Distribution&, const std::vector<std::uint32_t>& classes) const;
     [[nodiscard]] bool is_admitted(const Tuple&) const;
     [[nodiscard]] Tuple robots_in(const Tuple&) const;
@@ -98,7 +99,8 @@ private:
     std::vector<Tuple> states_;       ///< ascending
 };
 
-/// The classes of a robot of an unknown model: those of all states of the machine, and of the time between states.
+/// Returns the classes of a robot whose steps are not known: those of all states of the machine, and of the time
+/// between states.
 [[nodiscard]] std::vector<std::uint32_t> robot_classes(const Scenario&);
 
 }  // namespace robochart::simulation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all charts have in common: the title, the legend, the axes with their scales and ticks, and the style of lines
-// and areas. Charts add their marks.
+// Draws what all charts have in common: the title, the legend, the axes with their scales and ticks, and the style of
+// lines and areas. Each chart adds its own marks.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct Axis {
     double high = 1;    ///< the value at its other end; greater than `low`
     std::vector<Tick> ticks;
 };
-/// An axis with at most `most_ticks` round numbers. It ends at `low` + 1 if `high` is not greater than `low`.
+/// Makes an axis with at most `most_ticks` round numbers. It ends at `low` + 1 if `high` is not greater than `low`.
 [[nodiscard]] Axis number_axis(std::string label, double low, double high, std::size_t most_ticks);
 
 /// The rectangle between the axes of a chart, in pixels from the upper left corner of the chart.
@@ -30,28 +30,29 @@ struct PlotArea {
     double left = 0, top = 0, width = 0, height = 0;
 };
 
-/// A chart: the frame, and the marks that were added, on top of it.
+/// A chart, which consists of the frame and the marks that were added on top of it.
 class ChartFrame {
 public:
     /// The width and height are those of the area between the axes, in pixels.
     ChartFrame(std::string title, std::vector<LegendEntry> legend, Axis horizontal, Axis vertical, double width = 550,
                double height = 260);
 
-    /// The place of a value, in pixels. Vertically, values beyond the ends of the axis are drawn at its ends.
+    /// Returns the position of a value, in pixels. Vertically, values beyond the ends of the axis are drawn at its
+    /// ends.
     [[nodiscard]] double x(double value) const;
     [[nodiscard]] double y(double value) const;
-    /// "X,Y " for the points of a line or polygon.
+    /// Returns "X,Y " for a point of a line or polygon.
     [[nodiscard]] std::string point(double x_value, double y_value) const;
     /// Adds SVG elements.
     void add(const std::string& marks) { content_ += marks; }
 
     [[nodiscard]] const PlotArea& area() const { return area_; }
-    /// The size with title, legend and labels, in pixels.
+    /// Returns the size with title, legend and labels, in pixels.
     [[nodiscard]] double width() const;
     [[nodiscard]] double height() const;
-    /// The elements of the chart, for a picture that contains picture_style().
+    /// Returns the elements of the chart, for a picture that contains picture_style().
     [[nodiscard]] const std::string& content() const { return content_; }
-    /// The chart as a picture.
+    /// Returns the chart as a complete picture.
     [[nodiscard]] std::string svg() const;
 
 private:
@@ -63,14 +64,14 @@ private:
     std::string content_;
 };
 
-/// A picture with the charts below each other.
+/// Draws the charts below each other in one picture.
 [[nodiscard]] std::string charts_svg(const std::string& title, const std::vector<ChartFrame>& charts);
 
-/// The attributes of the line with this number: its colour, width and dashes.
+/// Returns the attributes of the line with this number: its colour, width and dashes.
 [[nodiscard]] std::string line_style(std::size_t number);
-/// The legend entry of the line with this number.
+/// Returns the legend entry of the line with this number.
 [[nodiscard]] LegendEntry line_entry(std::size_t number, std::string text);
-/// The legend entry of an area in the colour of the line with this number.
+/// Returns the legend entry of an area, in the colour of the line with this number.
 [[nodiscard]] LegendEntry area_entry(std::size_t number, double opacity, std::string text);
 
 }  // namespace robochart::simulation

@@ -153,7 +153,7 @@ std::string placement_text(const Placement& place) {
     return fmt::format("at random in {} to {}", point(place.region.low), point(place.region.high));
 }
 
-/// " of leaders", if a scenario has several kinds.
+/// Returns " of leaders" if a scenario has several kinds.
 std::string of_whom(const Scenario& scenario, const RobotKind& kind) {
     if (scenario.others.empty()) return "";
     return kind.kind.text.empty() ? " of the first kind" : " of " + kind.kind.text;
@@ -216,7 +216,7 @@ std::string act_text(const Scenario& scenario, const WorldAct& act) {
     return "";
 }
 
-/// The assumptions about the machine that acts on the world.
+/// Returns the assumptions about the machine that acts on the world.
 std::string environment_line(const Scenario& scenario) {
     const Environment& environment = *scenario.environment;
     std::vector<std::string> parts;
@@ -228,7 +228,7 @@ std::string environment_line(const Scenario& scenario) {
         environment.component.text, fmt::join(parts, "; "));
 }
 
-/// The differences of a kind from the first kind: ", axle of 8 cm, wheels to 6 cm/s, without noise".
+/// Returns the differences of a kind from the first kind: ", axle of 8 cm, wheels to 6 cm/s, without noise".
 std::string drive_differences(const Scenario& scenario, std::size_t kind) {
     const OwnDrive& own = scenario.kind_at(kind).own;
     std::string text;

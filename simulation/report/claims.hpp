@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Judges claims about probabilities on the answers of trials, in the order of their seeds. Therefore the verdict, and
-// the trials that a verdict is based on, do not depend on which trial ends first.
+// Decides claims about probabilities from the answers of trials, in the order of the trials' seeds. Therefore the
+// verdict does not depend on which trial ends first, and neither do the trials that it is based on.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace robochart::simulation {
 
-/// `estimated` is the result of an estimate after all its trials.
+/// The verdict on a claim. `estimated` is the result of an estimate after all its trials.
 enum class ClaimVerdict { holds, fails, open, estimated };
 
 /// The answer of one trial to a claim.
 struct ClaimOutcome {
     bool holds = false;
-    double time = 0;       ///< s, at which the answer was known
+    double time = 0;       ///< the time at which the answer was known, in s
     bool stopped = false;  ///< a controller stopped before the answer was known
 };
 
@@ -27,10 +27,10 @@ struct ClaimResult {
     ClaimVerdict verdict = ClaimVerdict::open;
     std::uint64_t successes = 0;  ///< trials in which the property is true
     double error = 0;             ///< the error of the interval, or of each answer of the test
-    /// For claims decided by intervals: the interval of the last look.
+    /// For claims decided by intervals: the interval when the trials were last evaluated.
     statistics::Interval interval;
-    std::uint64_t looked = 0;            ///< number of trials at the last look
-    std::uint64_t steps = 0;             ///< control steps until the property was known, over all its trials
+    std::uint64_t looked = 0;            ///< number of trials at the last evaluation
+    std::uint64_t steps = 0;             ///< number of control steps until the property was known, over all trials
     std::vector<ClaimOutcome> outcomes;  ///< the trials that the verdict is based on, in the order of seeds
 
     [[nodiscard]] std::uint64_t trial_count() const { return outcomes.size(); }
@@ -62,15 +62,15 @@ private:
     bool done_ = false;
 };
 
-/// "holds", "fails", "open", "estimated".
+/// Returns "holds", "fails", "open" or "estimated".
 [[nodiscard]] std::string verdict_word(ClaimVerdict);
-/// The basis of the verdict: "183 of 183 trials; between 95.032 % and 100 %".
+/// Returns the basis of the verdict: "183 of 183 trials; between 95.032 % and 100 %".
 [[nodiscard]] std::string evidence_text(const Claim&, const ClaimResult&);
-/// One line per claim: verdict, the claim as written, and its basis.
+/// Returns one line per claim: the verdict, the claim as written, and its basis.
 [[nodiscard]] std::string claims_text(const Scenario&, const std::vector<ClaimResult>&);
-/// Describes the world that the probabilities refer to, line by line, so that a reader can judge the results.
+/// Describes the world that the probabilities refer to, line by line.
 [[nodiscard]] std::vector<std::string> world_lines(const Scenario&);
-/// Returns the lines of the description, indented.
+/// Returns the same description as one indented text.
 [[nodiscard]] std::string world_text(const Scenario&);
 
 }  // namespace robochart::simulation

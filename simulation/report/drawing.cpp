@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 8> palette = {"#009e73", "#0072b2", "#d55e00", "#cc79a7",
                                                 "#e69f00", "#56b4e9", "#f0e442", "#999999"};
-/// The colours of the marks on them, chosen for contrast.
+/// The colours of the marks on the robots' disks, chosen for contrast.
 constexpr std::array<const char*, 8> mark_colours = {"#000000", "#ffffff", "#000000", "#000000",
                                                      "#000000", "#000000", "#000000", "#000000"};
 /// Marks for a robot of radius 1 that points to the right.
@@ -42,7 +42,7 @@ std::string rules_of(const Scheme& s) {
         s.ink, s.soft, s.paper, s.floor, s.grid, s.frame);
 }
 
-/// The displayed part of a name; the title contains a long name in full.
+/// Returns the part of a name that is displayed. If the name is too long, the tooltip contains all of it.
 std::string short_text(const std::string& name) {
     constexpr std::size_t most = 40;
     if (name.size() <= most) return diagnostics::xml_text(name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Line plots as SVG: computed or estimated values against a parameter, with intervals as bars.
+// Draws line plots as SVG: computed or estimated values against a parameter, with intervals as bars.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace robochart::simulation {
 
 struct PlotPoint {
     double x = 0, y = 0;
-    double low = 0, high = 0;  ///< an interval around y; equal to y: no interval
+    double low = 0, high = 0;  ///< an interval around y; no interval if both are y
 };
 
 struct PlotLine {

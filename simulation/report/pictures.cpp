@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures of a trial; see pictures.hpp.
+// Draws the pictures of a trial; see pictures.hpp.
 #include "simulation/report/pictures.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ const MachineStates& first_machine(const Machines& machines) {
     return machines.empty() ? none : machines.front();
 }
 
-/// A picture of one world: legend above, axes, scale bar. `inside` is drawn after the floor.
+/// Draws one world, with the legend above, axes and a scale bar. `inside` is drawn after the floor.
 std::string frame_picture(const WorldDrawing& world, const Legend& legend, const std::string& head,
                           const std::string& surroundings, const std::string& inside) {
     const View& view = world.view();
@@ -42,7 +42,7 @@ View view_with_margins(const WorldDrawing& world, double above) {
             view.height + above + world.length_of_dots(lower_margin + 2 * margin)};
 }
 
-/// Key frames of values that change rarely: repeated values are omitted.
+/// Writes key frames of values that change rarely. Repeated values are omitted.
 std::string animate_changes(const char* attribute, const std::vector<std::string>& values,
                             const std::vector<std::string>& times, double seconds) {
     std::vector<std::string> changed_values, at;
@@ -66,7 +66,7 @@ std::string animate_transform(const char* type, const std::vector<std::string>& 
         type, seconds, fmt::join(times, ";"), fmt::join(values, ";"));
 }
 
-/// The key frames of an animation, about 240; a browser interpolates between them.
+/// Computes the key frames of an animation, about 240. The browser interpolates between them.
 class Animation {
 public:
     Animation(const std::vector<Frame>& frames, double speed) {
@@ -129,7 +129,7 @@ private:
     double seconds_ = 1;
 };
 
-/// The progress of the animation: a mark that moves along a time axis.
+/// Draws the progress of the animation: a mark that moves along a time axis.
 std::string time_axis(const WorldDrawing& world, const Animation& animation, double y) {
     const View& view = world.view();
     const auto x = [&](double time) { return view.left + view.width * time / animation.end(); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures and tables of a trial as text: SVG, which browsers show without a library, and CSV for other tools.
+// Writes pictures and tables of a trial as text: SVG, which browsers show without a library, and CSV for other tools.
 #pragma once
 
 #include <string>
@@ -11,27 +11,27 @@
 
 namespace robochart::simulation {
 
-/// The frame nearest to a time.
+/// Returns the frame nearest to a time.
 [[nodiscard]] const Frame& frame_at(const std::vector<Frame>&, double time);
 
-/// The trial at the scenario's picture times, side by side, as in the founding paper's figures.
+/// Draws the trial at the scenario's picture times, side by side, as in the founding paper's figures.
 [[nodiscard]] std::string snapshots_svg(const Scenario&, const std::vector<Frame>&, const Machines&);
-/// Every robot's path, faint at the start and strong at the end, and the final positions.
+/// Draws every robot's path, faint at the start and strong at the end, and the final positions.
 [[nodiscard]] std::string trajectories_svg(const Scenario&, const std::vector<Frame>&);
-/// The trial as an animation (SMIL), `speed` times as fast as real time. For readers who prefer reduced motion, it
-/// shows the end.
+/// Draws the trial as an animation (SMIL), `speed` times as fast as real time. For readers who prefer reduced motion,
+/// it shows the end.
 [[nodiscard]] std::string animation_svg(const Scenario&, const std::vector<Frame>&, const Machines&, double speed);
 
-/// The world of a page.
+/// Returns the drawing of the world for an HTML page.
 [[nodiscard]] WorldDrawing page_world(const Scenario&, const View&, const std::string& prefix);
-/// Draws the last frame of a trial for a page whose script moves the robots. Each robot is a `use` element of the
-/// symbol of its state, with the class `sim-robot` and `data-robot`. Ids begin with `prefix`. The page must contain the
-/// style rules.
+/// Draws the last frame of a trial for an HTML page. A script of the page moves the robots. Each robot is a `use`
+/// element of its state's symbol, with the class `sim-robot` and the attribute `data-robot`. Ids begin with `prefix`.
+/// The page must contain the style rules.
 [[nodiscard]] std::string world_svg(const Scenario&, const View&, const Frame& last, const Machines&,
                                     const std::string& prefix);
 
-/// `t,id,x,y,theta,state` with a header line; seconds, centimetres, radians. If there are several machines, each has a
-/// column whose name contains the machine after `state:`.
+/// Writes a table `t,id,x,y,theta,state` with a header line, in seconds, centimetres and radians. If there are several
+/// machines, each has a column whose name is `state:` followed by the machine's name.
 [[nodiscard]] std::string positions_csv(const std::vector<Frame>&, const Machines&);
 
 }  // namespace robochart::simulation

@@ -10,7 +10,8 @@ namespace robochart::simulation {
 
 namespace {
 
-/// An axis from 0 (or the least value, if that is negative) to the greatest value, including targets that are near.
+/// Returns an axis from 0 (or the least value, if that is negative) to the greatest value. It includes targets that are
+/// near.
 Axis value_axis(const Chart& chart) {
     double low = 0;
     double high = 0;
@@ -52,7 +53,7 @@ public:
     }
 
 private:
-    /// The band of all trials is drawn only for a single series, because several bands would hide each other.
+    /// True for a single series. The bands of several series, each of all trials, would hide each other.
     [[nodiscard]] bool shows_full_band() const { return chart_.series.size() == 1; }
 
     [[nodiscard]] std::vector<LegendEntry> legend_entries() const {
@@ -104,7 +105,7 @@ private:
                                    trial, line_points(plotted.trials[trial]), line_style(series)));
     }
 
-    /// A bracket along values at a time, or along times at a level.
+    /// Draws a bracket along accepted values at a time, or along accepted times at a level.
     void mark_target(const Target& target) {
         const double from = frame_.x(target.from);
         const double low = frame_.y(target.low);
@@ -118,8 +119,8 @@ private:
 
     const Chart& chart_;
     const std::vector<double>& times_;
-    bool several_;      ///< several trials
-    bool trial_lines_;  ///< a line per trial
+    bool several_;      ///< there are several trials
+    bool trial_lines_;  ///< draw a line per trial
     ChartFrame frame_;
 };
 

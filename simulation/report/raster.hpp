@@ -8,13 +8,13 @@
 
 namespace robochart::simulation {
 
-/// A frame as pixels: three bytes each, rows from the top.
+/// The pixels of a frame: three bytes each, with the rows from the top.
 struct Raster {
     std::size_t width = 0;
     std::size_t height = 0;
     std::vector<unsigned char> dots;
 };
-/// `states`: the number of states of a controller's first machine.
+/// Draws a frame. `states` is the number of states of a controller's first machine.
 [[nodiscard]] Raster rasterise_frame(const Scenario&, const Frame&, std::size_t states, std::size_t width);
 
 }  // namespace robochart::simulation

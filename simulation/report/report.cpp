@@ -96,7 +96,7 @@ std::string value_text(const Scenario& scenario, const Band& band, double value)
     const Dimension dimension = dimension_of(scenario, band);
     const double factor = dimension == Dimension::share ? 100 : 1;
     const auto inside = [&](double candidate) { return band.low <= candidate && candidate <= band.high; };
-    // Enough digits that a value outside of a band is not rounded to one inside.
+    // The number of digits with which a value outside a band is not rounded to a value inside.
     constexpr int most_digits = 15;
     int digits = 1;
     std::string number = fmt::format("{:.{}f}", factor * value, digits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a simulation as text and JSON.
+// Writes the result of a simulation as text and JSON.
 #pragma once
 
 #include <string>
@@ -10,17 +10,18 @@
 
 namespace robochart::simulation {
 
-/// "64.3 s", "97.5 %", "13.9 cm", "never".
+/// Returns a text such as "64.3 s", "97.5 %", "13.9 cm" or "never".
 [[nodiscard]] std::string value_text(const Scenario&, const Band&, double value);
-/// One line per band: verdict, the band as written, the value.
+/// Returns one line per band: the verdict, the band as written, the value.
 [[nodiscard]] std::string bands_text(const Scenario&, const RunResult&);
-/// "7 of 7 bands hold", "1 of 2 claims holds, 1 is open".
+/// Returns a text such as "7 of 7 bands hold" or "1 of 2 claims holds, 1 is open".
 [[nodiscard]] std::string summary_text(const RunResult&);
-/// The run itself: trials, seconds simulated, speed.
+/// Describes the run itself: trials, simulated seconds, speed.
 [[nodiscard]] std::string run_text(const Scenario&, const RunResult&);
-/// The guard's result for JSON: `complete`, `notes`; null without a guard. `complete`: everything was observed.
+/// Returns the guard's result, with `complete` and `notes`; null without a guard. `complete` tells whether everything
+/// was observed.
 [[nodiscard]] diagnostics::Json guard_json(const Guard*, bool complete);
-/// Schema "robochart-verify/simulation/1" (docs/cli.md). `guard`: see guard_json.
+/// Writes the result in the schema "robochart-verify/simulation/1" (docs/cli.md). For `guard`, see guard_json.
 [[nodiscard]] std::string result_json(const Scenario&, const RunResult&, diagnostics::Json guard,
                                       const std::vector<std::string>& files, int exit);
 

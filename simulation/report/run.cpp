@@ -75,7 +75,7 @@ private:
         TrialResult trial;
         diagnostics::Diagnostics found;
         bool ended = false;
-        std::uint64_t needed = 0;  ///< steps until the claims that are based on it had their answers
+        std::uint64_t needed = 0;  ///< steps until the claims that use the trial had their answers
     };
 
     void run_worker() {
@@ -88,7 +88,7 @@ private:
         }
     }
 
-    /// Returns the claims that the trials judged so far do not decide. A later trial must answer at least these claims.
+    /// Returns the claims that the trials so far do not decide. A later trial must answer at least these claims.
     std::vector<bool> still_awaited() {
         const std::lock_guard lock(mutex_);
         std::vector<bool> awaited;
@@ -115,7 +115,7 @@ private:
         done.trial.watched = trace == nullptr || trace->is_conclusive();
     }
 
-    /// Judges the claims on the finished trials, in order, up to the first unfinished one.
+    /// Ends a trial: evaluates the claims on the finished trials, in order, up to the first unfinished one.
     void end_trial(std::uint32_t trial) {
         const TrialResult& result = trials_[trial].trial;
         trials_[trial].ended = result.complete || result.stop;
@@ -135,15 +135,15 @@ private:
         }
     }
 
-    /// Called while the workers run: checks for interruption and reports progress.
+    /// Checks for interruption and reports progress while the workers run.
     void watch_workers() {
         if (options_.interrupted && options_.interrupted()) stop_ = enough_ = true;
         const std::lock_guard lock(mutex_);
         if (options_.progress) options_.progress(current_progress());
     }
 
-    /// Returns true if the observers saw everything in the trials that the results are based on. Further trials, which
-    /// threads may have started, are ignored.
+    /// Returns true if the observers saw everything in the trials that the results use. Threads may have started
+    /// further trials, which are ignored.
     [[nodiscard]] bool all_trials_watched() const {
         std::uint64_t used_trials = whole_;
         for (const ClaimResult& claim : result_.claims)
@@ -191,20 +191,20 @@ private:
     std::atomic<std::uint32_t> next_ = 0;
     std::atomic<std::uint64_t> steps_ = 0;
     std::atomic<bool> stop_ = false;    ///< interrupted, or no trial can run
-    std::atomic<bool> enough_ = false;  ///< stop_, or all claims are decided: trials that are only for claims may end
+    std::atomic<bool> enough_ = false;  ///< stop_, or all claims are decided: trials only for claims may end
     std::mutex mutex_;                  ///< protects the members below
     std::vector<ClaimJudge> judges_;
-    std::uint32_t judged_ = 0;  ///< number of trials
+    std::uint32_t judged_ = 0;  ///< number of trials that were evaluated
     std::uint32_t done_ = 0;
 };
 
-/// The distance of a value from a band; infinite for a time that was never reached.
+/// Returns the distance of a value from a band; infinite for a time that was never reached.
 double distance_from_band(const Band& band, double value) {
     if (std::isnan(value)) return std::numeric_limits<double>::infinity();
     return std::max({0.0, band.low - value, value - band.high});
 }
 
-/// The finite end of a band; the middle if both ends are finite.
+/// Returns the finite end of a band, or the middle if both ends are finite.
 double middle_of(const Band& band) {
     if (std::isinf(band.low)) return band.high;
     return std::isinf(band.high) ? band.low : (band.low + band.high) / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs all trials of a scenario on several threads, compares their measures with the bands, and answers claims. Results
-// depend only on the scenario, not on the number of threads: claims are judged in the order of seeds.
+// depend only on the scenario, not on the number of threads, because claims are decided in the order of seeds.
 #pragma once
 
 #include <functional>
@@ -12,9 +12,9 @@
 
 namespace robochart::simulation {
 
-/// The progress of the trials of a scenario.
+/// How far the trials of a scenario have advanced.
 struct RunProgress {
-    std::uint32_t trials = 0;  ///< with claims: the maximum
+    std::uint32_t trials = 0;  ///< if there are claims: the maximum
     std::uint32_t trials_done = 0;
     double simulated_seconds = 0;  ///< over all trials so far
     double total_seconds = 0;      ///< over all trials at the end, if none is shortened
@@ -26,16 +26,16 @@ struct RunOptions {
     unsigned threads = 0;  ///< 0: one per core
     StageMaker stage = embedded_stage;
     bool record = true;  ///< stores positions of the first `recorded_trials`
-    /// The errors of claims are divided by this, so that the claims about this number of values of a sweep hold
-    /// jointly.
+    /// The number of points of a sweep that share the errors of claims. Each error is divided by it, so that the claims
+    /// hold jointly at all points.
     std::uint32_t comparisons = 1;
-    /// Makes the observer of a trial's cycles; called from the trial's thread. Empty: no observer.
+    /// Makes the observer of a trial's cycles. Called from the trial's thread; may be empty.
     std::function<std::unique_ptr<Trace>(std::uint32_t trial)> trace;
     std::function<bool()> interrupted;                 ///< called a few times per second
     std::function<void(const RunProgress&)> progress;  ///< called a few times per second, in the caller's thread
 };
 
-/// The result of one band: whether the trials are in it.
+/// The result of one band.
 struct BandResult {
     bool holds = false;
     double value = 0;                ///< `mean`: the mean; `each`: the worst trial; NaN: a time that was never reached
@@ -48,9 +48,9 @@ struct RunResult {
     std::vector<BandResult> bands;
     std::vector<ClaimResult> claims;
     bool interrupted = false;
-    bool watched = true;           ///< TrialResult::watched of all trials that bands and claims are based on
-    bool stops_are_errors = true;  ///< false if there are only claims: a stopped trial then counts against them
-    std::uint64_t steps = 0;       ///< control steps of these trials, and of those only for claims
+    bool watched = true;           ///< TrialResult::watched of all trials that bands and claims use
+    bool stops_are_errors = true;  ///< false if there are only claims, for which a stopped trial is a failure
+    std::uint64_t steps = 0;       ///< number of control steps of `trials` and of the trials that run only for claims
     double seconds = 0;            ///< elapsed time
     double cpu_seconds = 0;        ///< CPU time of all threads
 
@@ -63,17 +63,18 @@ struct RunResult {
     [[nodiscard]] bool all_hold() const;
 };
 
-/// The number of trials that run to their end. It is the number of the scenario, or 0 if there are only claims and no
+/// Returns the number of trials that run to their end: the number in the scenario, or 0 if there are only claims and no
 /// trial is stored.
 [[nodiscard]] std::uint32_t whole_trials(const Scenario&, bool record);
 
-/// The number of trials whose positions are stored: all, but at most a hundred, and limited by memory.
+/// Returns the number of trials whose positions are stored: all trials, but at most a hundred, and only as many as
+/// memory allows.
 [[nodiscard]] std::uint32_t recorded_trials(const Scenario&);
 
 /// Runs the trials. Reports robots that do not fit, and controllers that stopped.
 [[nodiscard]] RunResult run_trials(const Plan&, const Drives&, const RunOptions&, diagnostics::Diagnostics&);
 
-/// The results of a scenario's bands for finished trials.
+/// Compares finished trials with the bands of the scenario.
 [[nodiscard]] std::vector<BandResult> judge_bands(const Scenario&, const std::vector<TrialResult>&);
 
 }  // namespace robochart::simulation

@@ -92,7 +92,7 @@ private:
         result_.charts.push_back(std::move(chart));
     }
 
-    /// The link lengths of the scenario's `cluster` measures, shortest first.
+    /// Returns the link lengths of the scenario's `cluster` measures, shortest first.
     [[nodiscard]] std::set<double> cluster_links() const {
         std::set<double> lengths;
         for (const Measure& measure : scenario_.measures)
@@ -115,7 +115,7 @@ private:
                 add_targets(m, 100, largest_.targets);
     }
 
-    /// Adds the accepted values of a measure, if they refer to times.
+    /// Adds the values that the scenario accepts for a measure, if they refer to times.
     void add_targets(std::size_t measure, double factor, std::vector<Target>& targets) const {
         for (const Band& band : scenario_.bands) {
             const Statistic& statistic = band.statistic;
@@ -234,7 +234,7 @@ Quartiles quartiles_of(std::vector<double> values) {
 }
 
 std::size_t thinning_factor(std::size_t count, std::size_t most) {
-    // There are count - 1 gaps between the first and the last time, divided into at most most - 1 steps.
+    // There are count - 1 gaps between the first and the last time. They are divided into at most `most` - 1 steps.
     const std::size_t steps = std::max<std::size_t>(most, 2) - 1;
     return count < 2 ? 1 : (count - 1 + steps - 1) / steps;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measures of a swarm over time, for every trial and over all trials, for plots.
+// Computes the measures of a swarm over time, for every trial and over all trials, for plots.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace robochart::simulation {
 
-/// Quartiles of the values of several trials at one time, interpolated between the sorted values (definition 7 of
-/// Hyndman and Fan, Sample quantiles in statistical packages, 1996).
+/// The quartiles of several trials' values at one time, interpolated between the sorted values (definition 7 of Hyndman
+/// and Fan, Sample quantiles in statistical packages, 1996).
 struct Quartiles {
     double least = 0;
     double lower = 0;   ///< quartile
@@ -20,17 +20,17 @@ struct Quartiles {
     double upper = 0;   ///< quartile
     double most = 0;
 };
-/// There must be at least one value.
+/// Returns the quartiles of at least one value.
 [[nodiscard]] Quartiles quartiles_of(std::vector<double> values);
 
 /// One quantity over time.
 struct Series {
     std::string name;                         ///< the name in a legend; "" if the chart has one series
-    std::vector<std::vector<double>> trials;  ///< for each trial, one value per time until it ended
-    std::vector<Quartiles> all;               ///< over the trials that had not ended
+    std::vector<std::vector<double>> trials;  ///< for each trial, its values until it ended
+    std::vector<Quartiles> all;               ///< over the trials that had not ended at the time
 };
 
-/// The values of a quantity that a scenario accepts at a time, or the times at which it may reach a level.
+/// The values that a scenario accepts for a quantity at a time, or the times at which the quantity may reach a level.
 struct Target {
     bool mean = false;  ///< true: for the mean of the trials; false: for each trial
     double from = 0;    ///< s
@@ -39,7 +39,7 @@ struct Target {
     double high = 0;
 };
 
-/// Quantities with the same unit.
+/// A chart of quantities with the same unit.
 struct Chart {
     std::string title;
     std::string unit;                 ///< "" for a number
@@ -53,24 +53,24 @@ struct Chart {
 /// All charts of a run, over the same times.
 struct Charts {
     std::vector<double> times;  ///< s
-    std::size_t every = 1;      ///< one of this many recorded times is shown (and the last)
+    std::size_t every = 1;      ///< of this many recorded times, one is shown; the last is always shown
     bool distances = true;      ///< false: too many pairs of robots for mean distances
     std::vector<Chart> charts;
 };
 
-/// The charts of the recorded trials: the mean distance between robots, the largest cluster, the number of clusters,
-/// the scenario's other measures, and the number of robots in each state of the first machine. At most `most_times`
-/// times.
+/// Returns the charts of the recorded trials: the mean distance between robots, the largest cluster, the number of
+/// clusters, the scenario's other measures, and the number of robots in each state of the first machine. The charts
+/// have at most `most_times` times.
 [[nodiscard]] Charts charts_of(const Scenario&, const std::vector<TrialResult>&, const Machines&,
                                std::size_t most_times = 240);
 
-/// Returns the smallest `every` for which kept_indices returns at most `most` times (at least two).
+/// Returns the smallest `every` for which kept_indices returns at most `most` times (but at least two).
 [[nodiscard]] std::size_t thinning_factor(std::size_t count, std::size_t most);
-/// The indices of the recorded times that are used: one of every `every` times, and the last time.
+/// Returns the indices of the recorded times that are used: one of every `every` times, and the last one.
 [[nodiscard]] std::vector<std::size_t> kept_indices(std::size_t count, std::size_t every);
 
-/// The length of a link in the scenario's first measure of clusters. If the scenario has no such measure, the length is
-/// two diameters, so that no robot fits between two linked robots.
+/// Returns the length of a link in the scenario's first measure of clusters. If the scenario has no such measure, the
+/// length is two diameters, so that no robot fits between two linked robots.
 [[nodiscard]] double link_of(const Scenario&);
 
 }  // namespace robochart::simulation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world of a scenario as SVG: the arena with walls and lights, axes, a scale bar, robots. The unit is a centimetre,
-// and the y axis points down. Sizes of letters and lines are multiples of a dot.
+// Draws the world of a scenario as SVG: the arena with walls and lights, axes, a scale bar, robots. The unit is a
+// centimetre, and the y axis points down. Sizes of letters and lines are multiples of a dot.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct View {
     double left, top, width, height;
 };
 
-/// The arena, or the bounding box of all robots' paths if it has no walls.
+/// Returns the view of the arena or, if it has no walls, the bounding box of all robots' paths.
 [[nodiscard]] View view_of(const Scenario&, const std::vector<Frame>&);
 
 class WorldDrawing {
@@ -26,32 +26,32 @@ public:
 
     [[nodiscard]] const View& view() const { return view_; }
     [[nodiscard]] double dot() const { return dot_; }
-    /// The length of `count` dots, in centimetres.
+    /// Returns the length of `count` dots, in centimetres.
     [[nodiscard]] double length_of_dots(double count) const { return count * dot_; }
 
-    /// The head of a picture of this rectangle, with title, style and background.
+    /// Returns the head of a picture of this rectangle, with title, style and background.
     [[nodiscard]] std::string picture_head(const View& shown, const std::string& what) const;
-    /// The arena with its walls.
+    /// Draws the arena with its walls.
     [[nodiscard]] std::string draw_floor() const;
-    /// The named obstacles that are present in this frame.
+    /// Draws the named obstacles that are present in this frame.
     [[nodiscard]] std::string draw_obstacles(const Frame&) const;
-    /// The lights at their positions; faint if they are off.
+    /// Draws the lights at their positions; faint if they are off.
     [[nodiscard]] std::string draw_lights(const Frame&) const;
     [[nodiscard]] std::string lower_axis() const;
     [[nodiscard]] std::string left_axis() const;
-    /// A scale bar of a round length, with its right end at this point.
+    /// Draws a scale bar of a round length, with its right end at this point.
     [[nodiscard]] std::string scale_bar(double right, double y) const;
-    /// The legend: states, and lights and walls if there are any.
+    /// Returns the legend: entries for states, and for lights and walls if there are any.
     [[nodiscard]] Legend make_legend(const MachineStates&, double width) const;
     [[nodiscard]] std::string symbol_definitions(const MachineStates&) const;
     [[nodiscard]] std::string draw_robot(const Pose&, std::size_t state) const;
-    /// The drawn radius of a robot: at least two dots, so that it is visible.
+    /// Returns the radius of a robot in the drawing: at least two dots, so that the robot is visible.
     [[nodiscard]] double drawn_radius() const;
-    /// The outline of a robot, in radii.
+    /// Returns the width of a robot's outline, in radii.
     [[nodiscard]] double outline_width() const;
-    /// Legend entries for lights and walls, if there are any.
+    /// Returns legend entries for lights and walls, if there are any.
     [[nodiscard]] std::vector<LegendEntry> object_entries() const;
-    /// "translate(...) rotate(...)".
+    /// Returns "translate(...) rotate(...)" for a pose.
     [[nodiscard]] static std::string transform_text(const Pose&);
 
 private:

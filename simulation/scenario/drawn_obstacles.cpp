@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// See drawn_obstacles.hpp. Expat reports elements one after another; only the corners are stored.
+// Reads drawings; see drawn_obstacles.hpp. Expat reports elements one after another, so only the corners are stored.
 #include "simulation/scenario/drawn_obstacles.hpp"
 
 #include <expat.h>
@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_drawn_corners = 10'000;
 constexpr double largest_number = 1e6;
 
-/// Thrown if a drawing is not supported.
+/// Thrown if a drawing is rejected.
 class BadDrawing : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -69,7 +69,7 @@ private:
     std::string_view rest_;
 };
 
-/// A single number; `px` after it is the unit of the drawing.
+/// Returns a single number. `px` after the number is the unit of the drawing.
 double length_of(std::string_view text) {
     if (text.ends_with("px")) text.remove_suffix(2);
     Coordinates numbers(text);
@@ -81,7 +81,7 @@ double length_of(std::string_view text) {
 
 using Polygon = std::vector<Vector>;
 
-/// The polygons of a path with M, L, H, V and Z, absolute or relative.
+/// Reads the polygons of a path with M, L, H, V and Z, absolute or relative.
 class Path {
 public:
     std::vector<Polygon> read(std::string_view text) {
@@ -149,7 +149,7 @@ private:
     std::vector<Polygon> polygons_;
 };
 
-/// The data read from a drawing.
+/// The polygons and the scale that have been read from a drawing.
 class Drawing {
 public:
     void begin(std::string_view name, const XML_Char** attributes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Binds names of the scenario to ports of the controller and checks types; see plan.hpp.
+// Binds names of the scenario to inputs and outputs of the controller and checks types; see plan.hpp.
 #include "simulation/scenario/plan.hpp"
 
 #include <fmt/format.h>
@@ -40,8 +40,8 @@ std::string described(const Port& port) {
     return fmt::format("a literal of {} ({})", port.types.front(), fmt::join(literals, ", "));
 }
 
-/// True if a written name refers to this full name, which ends with it: `NEAR` and `Zone::NEAR` refer to
-/// `P::Zone::NEAR`.
+/// True if a written name refers to this full name, because the full name ends with it: `NEAR` and `Zone::NEAR` refer
+/// to `P::Zone::NEAR`.
 bool refers_to(const std::string& written, const std::string& full) {
     return full == written || full.ends_with("::" + written);
 }
@@ -85,7 +85,7 @@ public:
         bits_.assign(emission.outputs.size(), no_slot);
     }
 
-    /// Binds the ports of a kind of robots. Events that the environment raises count as fed.
+    /// Binds the inputs and outputs of a kind of robots. Events that the environment raises need no feed.
     Plan bind(const RobotKind& kind, const Emissions& all) {
         for (const Sensor& sensor : scenario_.sensors)
             plan_.messages.push_back(
@@ -112,7 +112,7 @@ public:
         return plan;
     }
 
-    /// Returns no value, and reports a finding, if the component has no such event.
+    /// Binds a raised event. Returns no value and reports a finding if the component has no such event.
     std::optional<BoundStimulus> bind_raised_event(const Stimulus& stimulus) {
         const auto found = find_input(stimulus.event);
         if (!found) return std::nullopt;
@@ -133,7 +133,7 @@ public:
 
 private:
     /// True if robots of this kind do not send the variable of this sensor. If no kind sends the variable, this is
-    /// reported for the first kind only.
+    /// reported only for the first kind.
     [[nodiscard]] bool is_silent(const Sensor& sensor, const Emissions& all) const {
         if (sensor.message.text.empty()) return true;
         const auto sends = [&](const cpp_emit::DriveEmission* emission) {
@@ -198,7 +198,7 @@ private:
     }
 
     /// Binds the event for every kind of robots that has it. If the event carries a value and the scenario gives none,
-    /// it takes the value of the command.
+    /// the event takes the value of the command.
     void bind_raised(const WorldAct& act, const Port& from, const Emissions& all, BoundAct& bound) {
         const Stimulus& stimulus = act.stimulus;
         const bool valued = stimulus.value || stimulus.truth || stimulus.named;
@@ -298,7 +298,7 @@ private:
         return bits_[*found];
     }
 
-    /// Returns false if the event carries another type.
+    /// Determines the value of an event. Returns false if the event carries another type.
     static bool take_value(const Stimulus& stimulus, const Port& port, double& value) {
         value = stimulus.truth.value_or(false) ? 1 : 0;
         if (stimulus.value) value = stimulus.value->value;
@@ -308,8 +308,8 @@ private:
         return accepts_value(carries, port.arguments);
     }
 
-    /// A literal of the event's enumeration, or a constant of the model. Returns false if the type differs; a missing
-    /// name is reported.
+    /// Determines the value of a name: a literal of the event's enumeration, or a constant of the model. Returns false
+    /// if the type differs. Reports a missing name.
     bool take_named(const Name& name, const Port& port, double& value) {
         if (port.arguments.size() != 1) return false;
         const std::string& type = port.types.front();
@@ -327,7 +327,8 @@ private:
         return found->carried == expected && (expected != Carried::enumeration || found->type == type);
     }
 
-    /// Returns null, and reports a finding, if there is no such constant, or if machines have different ones.
+    /// Returns the constant with this name. Returns null and reports a finding if there is no such constant, or if
+    /// several machines define it differently.
     const cpp_emit::DriveConstant* find_constant(const Name& name, const Port& port) {
         const cpp_emit::DriveConstant* found = nullptr;
         std::vector<std::string> known = port.literals.front();
@@ -374,8 +375,8 @@ private:
     diagnostics::Diagnostics& diagnostics_;
     Plan plan_;
     std::vector<bool> fed_;
-    std::vector<std::uint32_t> slots_;  ///< the slots of outputs that are variables
-    std::vector<std::uint32_t> bits_;   ///< the bits of outputs that are operations
+    std::vector<std::uint32_t> slots_;  ///< by output: the slot, if it is a variable
+    std::vector<std::uint32_t> bits_;   ///< by output: the bit, if it is an operation
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses a scenario and checks it against its component.
+// Implements read_scenario.hpp: parses a scenario.
 #include "simulation/scenario/read_scenario.hpp"
 
 #include "simulation/scenario/scenario_reader.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes in scenarios, and reasons for stopping a simulation.
+// Declares the rules about mistakes in scenarios, and the reasons for stopping a simulation.
 #pragma once
 
 #include "base/diagnostics/diagnostic.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derived values of a scenario.
+// Computes values that are derived from a scenario.
 #include "simulation/scenario/scenario.hpp"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ constexpr double most_steps = 10'000;
 
 }  // namespace
 
-/// `abstract by MEASURE in LEVEL, LEVEL, MEASURE every TIME`.
+/// Parses `abstract by MEASURE in LEVEL, LEVEL, MEASURE every TIME`.
 void ScenarioReader::parse_abstraction() {
     const diagnostics::Span begin = in_.last_span();
     Abstraction abstraction;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios: measures and bands.
+// Parses the measures and bands of scenarios.
 #include "simulation/scenario/scenario_reader.hpp"
 
 #include <fmt/format.h>

@@ -44,7 +44,7 @@ void ScenarioReader::check_scenario() {
                        {fmt::format("{} s is after the end, {} s", time, scenario_.duration)});
 }
 
-/// The time unit is that of the item, or the declared one.
+/// Sets the time unit to that of the item or, without an item, to the declared one.
 void ScenarioReader::set_unit() {
     if (said_.contains("unit")) {
         scenario_.unit_span = span_of_item("unit");
@@ -57,7 +57,8 @@ void ScenarioReader::set_unit() {
     }
 }
 
-/// A scenario must not let more robots fail than exist. If the number of robots varies, each point uses its own number.
+/// Checks that a scenario does not let more robots fail than exist. If the number of robots varies, each point is
+/// checked with its own number.
 void ScenarioReader::check_failures() {
     const auto varied = [&](Varied what) {
         return std::ranges::find_if(scenario_.variations,
@@ -131,7 +132,7 @@ Region region_around(Vector centre, double width, double height) {
     return {centre - half, centre + half};
 }
 
-/// The region in which this number of robots is placed at random.
+/// Returns the region in which this number of robots is placed at random.
 Region region_of(const Placement& placement, std::size_t robots, const Arena& arena) {
     switch (placement.kind) {
         case Placement::Kind::square: {
@@ -180,8 +181,8 @@ void refuse_beyond(const Scenario& scenario, const char* simulator, diagnostics:
 
 namespace {
 
-/// Places the robots of a kind. If there are several regions, each gets an equal part; if the number cannot be divided,
-/// the first regions get one robot more. Returns false, with a finding, if they do not fit.
+/// Places the robots of a kind. If there are several regions, each gets an equal part; if the number cannot be divided
+/// evenly, the first regions get one robot more. Returns false and reports a finding if the robots do not fit.
 bool place_robots(World& world, const Scenario& scenario, const RobotKind& kind,
                   diagnostics::Diagnostics& diagnostics) {
     const auto fixed = static_cast<std::size_t>(std::ranges::count_if(
@@ -207,7 +208,7 @@ bool place_robots(World& world, const Scenario& scenario, const RobotKind& kind,
         --regions;
         if (placement.kind == Placement::Kind::linked) {
             const double least = 2 * scenario.world.body.radius;
-            // 3.5 cm and 0.035 m are not the same double.
+            // The tolerance is needed because 3.5 cm and 0.035 m are not the same double.
             if (placement.link < least * (1 - 1e-9)) {
                 diagnostics.report(
                     rules::out_of_range, placement.span,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios: claims about probabilities, and the formulas in them and in `first`. The operators are those of
-// bounded linear temporal logic over one run (Younes and Simmons, CAV 2002); `stays for` refers to the past.
+// Parses claims about probabilities in scenarios, and the formulas in them and in `first`. The operators are those of
+// bounded linear temporal logic over one run (Younes and Simmons, CAV 2002). `stays for` refers to the past.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -117,7 +117,7 @@ double ScenarioReader::time_limit(std::string_view what) {
     return time;
 }
 
-/// The operators that bind more tightly than `and`.
+/// Parses the operators that bind more tightly than `and`.
 Formula ScenarioReader::parse_timed() {
     const bool negated = in_.at_word("not");
     Formula formula = parse_simple();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios (scenario.hpp, docs/scenarios.md): the table of items, times, the arena and its contents.
+// Parses the basic items of scenarios (scenario.hpp, docs/scenarios.md): times, the arena and its contents. Contains
+// the table of all items.
 #include "simulation/scenario/scenario_reader.hpp"
 
 #include <fmt/format.h>

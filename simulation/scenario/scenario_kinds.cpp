@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios: kinds of robots, and the machine of the environment.
+// Parses kinds of robots in scenarios, and the controller of the environment.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ void ScenarioReader::robot_option() {
     }
 }
 
-/// Reports another radius, because all robots of the world have the same radius.
+/// Reports an error, because all robots of the world have the same radius.
 void ScenarioReader::other_radius() {
     const diagnostics::Span begin = in_.last_span();
     (void)in_.read_positive(Dimension::length, "the radius");
@@ -119,7 +119,7 @@ void ScenarioReader::parse_constant(Controlled& controlled) {
     controlled.constants.push_back(std::move(text));
 }
 
-/// `ignore NAME, NAME ...`.
+/// Parses `ignore NAME, NAME ...`.
 void ScenarioReader::ignore_in(Controlled& controlled) {
     do controlled.ignored.push_back(in_.name("an event or an operation of the component"));
     while (in_.take_word(","));
@@ -161,7 +161,7 @@ void ScenarioReader::parse_environment() {
     in_.expect_word("}");
 }
 
-/// `feed EVENT with MEASURE in UNIT`, `feed EVENT when CONDITION`.
+/// Parses `feed EVENT with MEASURE in UNIT` or `feed EVENT when CONDITION`.
 void ScenarioReader::world_feed() {
     WorldFeed feed;
     feed.target = in_.qualified_name("the event that is fed");
@@ -189,8 +189,8 @@ void ScenarioReader::world_feed() {
         scenario_.environment->feeds.push_back(std::move(feed));
 }
 
-/// `drive LIGHT by switch_on`, `switch_off`, `move((X, Y), SPEED)`, `move(UNIT, SPEED)`; `drive OBSTACLE by appear`,
-/// `vanish`.
+/// Parses `drive LIGHT by switch_on`, `switch_off`, `move((X, Y), SPEED)` or `move(UNIT, SPEED)`, or `drive OBSTACLE by
+/// appear` or `vanish`.
 void ScenarioReader::world_drive() {
     using Kind = WorldAct::Kind;
     WorldAct act;
@@ -232,7 +232,7 @@ void ScenarioReader::world_drive() {
     add_act(std::move(act), begin);
 }
 
-/// Skips the rest, because its form depends on the unknown subject.
+/// Reports an unknown subject and skips the rest of the item, because its form depends on the subject.
 void ScenarioReader::unknown_subject(const Name& name) {
     std::vector<std::string> known;
     for (const Light& light : scenario_.lights) known.push_back(light.name.text);
@@ -251,7 +251,7 @@ void ScenarioReader::world_stimulus() {
     add_act(std::move(act), begin);
 }
 
-/// `failure of KIND in N robots`.
+/// Parses `failure of KIND in N robots`.
 void ScenarioReader::world_failure() {
     WorldAct act;
     const diagnostics::Span begin = in_.current_token().span;

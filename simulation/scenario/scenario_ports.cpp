@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios: sensors, actuators, and their connections to the controller.
+// Parses sensors and actuators in scenarios, and their connections to the controller.
 #include "simulation/scenario/scenario_reader.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 namespace robochart::simulation {
 
-/// Reports an unknown name with the existing ones, and suggests the nearest.
+/// Reports an unknown name with the names that exist, and suggests the nearest of them.
 void ScenarioReader::unknown_part(const std::string& what, const Name& name, const std::vector<std::string>& known) {
     diagnostics::Diagnostic* const finding = in_.report(rules::unknown_part, name.span, {what, name.text});
     if (finding == nullptr) return;

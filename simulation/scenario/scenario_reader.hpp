@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parser of scenarios (private to this component). It has one method for each item; the files with the definitions
-// are named below.
+// Declares the parser of scenarios (private to this component). It has one method for each item. Comments below name
+// the files that contain the definitions.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ private:
         bool once;
         Item read;
     };
-    /// A place that must be in the arena.
+    /// A point that must be in the arena.
     struct Inside {
         Vector at;
         const char* what;
@@ -53,7 +53,7 @@ private:
     void parse_seed();
     void parse_record();
     void parse_arena();
-    /// `with AREA per robot`.
+    /// Parses `with AREA per robot`.
     double area_per_robot();
     Region parse_region();
     void parse_wall();
@@ -68,7 +68,7 @@ private:
     /// Parses `axle`, `wheel` or `noise`; returns false for other options.
     bool drive_option(OwnDrive&);
     void other_radius();
-    /// `for COMPONENT { ... }`, after the name of a further kind.
+    /// Parses `for COMPONENT { ... }`, after the name of a further kind.
     void other_kind(RobotKind kind, diagnostics::Span begin);
     void parse_constant(Controlled& controlled);
     void ignore() { ignore_in(*kind_); }
@@ -79,7 +79,7 @@ private:
     void unknown_subject(const Name& name);
     void world_stimulus();
     void world_failure();
-    /// `on COMMAND`, at the end of an effect of the environment.
+    /// Parses `on COMMAND` at the end of an effect of the environment, and adds the effect.
     void add_act(WorldAct act, diagnostics::Span begin);
     [[nodiscard]] std::size_t kind_of_measure(const Name& name);
 
@@ -88,7 +88,7 @@ private:
     void parse_option(Sensor& sensor, bool known);
     void parse_actuator();
     void parse_feed();
-    /// After an unknown sensor or reading, the rest of the item is skipped, because its form is unknown.
+    /// Skips the rest of the item after an unknown sensor or reading, because the form of the item is unknown.
     void skip_feed();
     void skip_word();
     const ReadingRow* find_reading(const Feed& feed, const Name& reading);
@@ -100,18 +100,18 @@ private:
     void unknown_part(const std::string& what, const Name& name, const std::vector<std::string>& known);
     void parse_speeds(Drive& drive);
     void parse_forward(Drive& drive);
-    /// `turn(12.8 cm/s, deg)`: wheel speed, unit of the operation's argument.
+    /// Parses `turn(12.8 cm/s, deg)`: the wheel speed, and the unit of the operation's argument.
     void parse_turn(Drive& drive);
     void parse_stimulus();
     /// Parses the event and its value, if it has one.
     Stimulus parse_raised_event();
-    /// `seek(NAME, SPEED)`, `wander(SPEED)`.
+    /// Parses `seek(NAME, SPEED)` or `wander(SPEED)`.
     void parse_seek(Drive& drive);
 
     // scenario_world.cpp: failures and obstacles
     void parse_failure();
     void parse_obstacle();
-    /// `obstacles "FILE.svg" with LENGTH per unit`.
+    /// Parses `obstacles "FILE.svg" with LENGTH per unit`.
     void parse_drawn_obstacles();
     void add_obstacle(std::vector<Vector> corners, diagnostics::Span span);
     [[nodiscard]] std::optional<FailureKind> failure_kind();
@@ -120,21 +120,21 @@ private:
     void parse_measure();
     std::size_t light_named(const Name& name);
     [[nodiscard]] Dimension dimension_of(std::size_t measure) const;
-    /// True at `claim NAME`, which is a condition on the run of every robot.
+    /// True if the next tokens are `claim NAME`, which is a condition on the run of every robot.
     [[nodiscard]] bool at_claim() const;
-    /// Parses `claim NAME`; returns the measure of the share of robots that keep the claim.
+    /// Parses `claim NAME`. Returns the index of a measure: the fraction of robots whose run satisfies the claim.
     std::size_t claim_measure();
     std::size_t measure_named();
     void accept();
-    /// `first(CONDITION)`, `average(M)`, `M at TIME`, `M`; returns its dimension.
+    /// Parses `first(CONDITION)`, `average(M)`, `M at TIME` or `M`. Returns the statistic's dimension.
     Dimension parse_statistic(Statistic& statistic);
-    /// `<= Q`, `>= Q` or `in Q to Q`.
+    /// Parses `<= Q`, `>= Q` or `in Q to Q`.
     void parse_range(Dimension dimension, double& low, double& high);
 
     // scenario_claims.cpp: claims and formulas
     void parse_claim(diagnostics::Span begin, bool estimate);
     double parse_confidence();
-    /// `estimate probability PROPERTY with confidence SHARE`.
+    /// Parses `estimate probability PROPERTY with confidence SHARE`.
     void parse_estimate();
     Formula parse_disjunction();
     Formula parse_conjunction();
@@ -142,7 +142,7 @@ private:
     Formula parse_simple();
     Formula parse_comparison();
     Formula join_formulas(Formula::Kind kind, std::string_view word, Formula left, Formula right);
-    /// Makes a formula of a trial from one of an instant.
+    /// Makes a condition on a trial from a condition on an instant.
     Formula lift_to_trial(Formula::Kind kind, std::string_view word, Formula part, double time);
     [[nodiscard]] bool at_time_word() const;
     double time_limit(std::string_view what);
@@ -152,14 +152,14 @@ private:
     std::string constant_named();
     void parse_values(Variation& variation);
     double value_of(Varied what);
-    /// `SENSOR.OPTION`.
+    /// Parses `SENSOR.OPTION`.
     void sensor_option(Variation& variation);
 
     // scenario_abstraction.cpp: the states of a chain and the questions that only it answers
     void parse_abstraction();
-    /// Returns true if another one follows.
+    /// Parses a distinction. Returns true if another one follows.
     bool parse_distinction(Abstraction& abstraction);
-    /// `time until CONDITION` or `average MEASURE`, `with confidence SHARE`.
+    /// Parses `time until CONDITION` or `average MEASURE`, `with confidence SHARE`.
     void chain_question(diagnostics::Span begin);
     void check_abstraction();
     void check_failures();
@@ -168,7 +168,7 @@ private:
     void check_scenario();
     void set_unit();
     [[nodiscard]] diagnostics::Span span_of_item(std::string_view word) const;
-    /// The quotient of `whole` and `part`. Reports a finding if it is not a whole number.
+    /// Returns the quotient of `whole` and `part`. Reports a finding if the quotient is not a whole number.
     std::uint64_t divide_evenly(double whole, const char* whole_name, double part, const char* part_name,
                                 std::string_view word);
     void check_steps();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios: `vary`, the values of a sweep.
+// Parses `vary` in scenarios: the values of a sweep.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,7 +85,7 @@ void ScenarioReader::sensor_option(Variation& variation) {
                        {fmt::format("share of '{}' named", variation.constant), option.text});
 }
 
-/// `LOW to HIGH by STEP`, or values separated by commas.
+/// Parses `LOW to HIGH by STEP`, or values separated by commas.
 void ScenarioReader::parse_values(Variation& variation) {
     const diagnostics::Span begin = in_.current_token().span;
     std::vector<double>& values = variation.values;

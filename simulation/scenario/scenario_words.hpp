@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tokens of a scenario one after another (private to this component). Reading stops at the first syntax error.
+// Reads the tokens of a scenario one after another (private to this component). Reading stops at the first syntax
+// error.
 #pragma once
 
 #include <optional>
@@ -12,28 +13,28 @@
 
 namespace robochart::simulation {
 
-/// The advice for syntax errors about common wrong forms: all rows, for tests.
+/// Returns the table of advice for syntax errors that are common. Tests read it.
 [[nodiscard]] std::span<const diagnostics::Advice> scenario_advice();
 
 class Reader : public frontend::WordReader {
 public:
     Reader(const diagnostics::SourceManager&, diagnostics::SourceId, diagnostics::Diagnostics&);
 
-    /// A quantity of one dimension; `what` names the item in messages.
+    /// Reads a quantity of one dimension. Messages call the item `what`.
     Quantity read_quantity(Dimension, std::string_view what);
-    /// A quantity that must be positive, or at least zero.
+    /// Read a quantity that must be positive, or at least zero.
     double read_positive(Dimension, std::string_view what);
     double not_negative(Dimension, std::string_view what);
-    /// A whole number in a range.
+    /// Reads a whole number in a range.
     std::uint64_t read_count(std::uint64_t low, std::uint64_t high, std::string_view what);
-    /// A unit without a number, of this dimension; returns its factor.
+    /// Reads a unit of this dimension without a number, and returns its factor.
     double read_unit(Dimension, std::string_view what);
-    /// `(x, y)`, lengths.
+    /// Reads a point `(x, y)`; both are lengths.
     Vector read_point(std::string_view what);
 
 private:
     double read_number();
-    /// The unit after a number; "" if there is none.
+    /// Reads the unit after a number; returns "" if there is none.
     std::string unit_text();
 };
 

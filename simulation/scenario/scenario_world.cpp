@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses scenarios: failures of robots, and obstacles.
+// Parses failures of robots and obstacles in scenarios.
 #include <fmt/format.h>
 
 #include <filesystem>

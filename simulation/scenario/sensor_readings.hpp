@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of readings of sensors and actuators (private to this component).
+// Declares the table of readings that sensors and actuators provide (private to this component).
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace robochart::simulation {
 
 struct ReadingRow {
     std::string_view name;
-    std::optional<SensorKind> sensor;  ///< no value: of an actuator
+    std::optional<SensorKind> sensor;  ///< no value: the reading of an actuator
     Reading reading;
     Carries carries;
     std::optional<Dimension> argument;

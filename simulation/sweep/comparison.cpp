@@ -17,7 +17,7 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
-/// The fields of a line (RFC 4180, without line breaks in fields).
+/// Splits a line into fields (RFC 4180, without line breaks in fields).
 Fields fields_of(std::string_view line) {
     Fields fields{""};
     bool quoted = false;
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    /// Finds the columns; returns the message about a missing one.
+    /// Finds the columns. Returns an error message if one is missing, and otherwise "".
     std::string read_heading(const Fields& names) {
         const auto find = [&](const std::string& name) {
             return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
@@ -101,7 +101,7 @@ private:
         return row;
     }
 
-    /// The index of the claim; the number of claims if the text names none.
+    /// Returns the index of the claim. If the text names none, returns the number of claims.
     [[nodiscard]] std::size_t claim_of(const std::string& text) const {
         const auto count = parse_number<std::size_t>(text);
         if (count && *count > 0) return *count - 1;

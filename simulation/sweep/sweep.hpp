@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values that a scenario varies, and the results of its claims at each of them. All points use the same seeds
-// (common random numbers), and all points share the error of a claim (Bonferroni), so that the results hold jointly.
+// Computes the points of a sweep (the values that a scenario varies), and represents the results of claims at each
+// point. All points use the same seeds (common random numbers), and all points share the error of a claim (Bonferroni),
+// so that the results hold jointly.
 #pragma once
 
 #include <optional>
@@ -14,27 +15,27 @@
 
 namespace robochart::simulation {
 
-/// One value for each variation.
+/// A point of a sweep: one value for each variation.
 using Point = std::vector<double>;
 
-/// All points; the first variation changes fastest.
+/// Returns all points; the first variation changes fastest.
 [[nodiscard]] std::vector<Point> points_of(const Scenario&);
-/// The scenario at a point: with this number of robots or noise, and only with claims.
+/// Returns the scenario at a point: with this number of robots or noise, and only with claims.
 [[nodiscard]] Scenario scenario_at(const Scenario&, const Point&);
-/// `NAME=VALUE` for each constant that varies.
+/// Returns `NAME=VALUE` for each constant that varies.
 [[nodiscard]] std::vector<std::string> constants_at(const Scenario&, const Point&);
 
-/// "robots", "noise", "farRadius".
+/// Returns a name such as "robots", "noise" or "farRadius".
 [[nodiscard]] std::string name_of(const Variation&);
-/// "4", "5 %", "0.2".
+/// Returns a text such as "4", "5 %" or "0.2".
 [[nodiscard]] std::string value_text(const Variation&, double value);
-/// "robots 4, noise 5 %".
+/// Returns a text such as "robots 4, noise 5 %".
 [[nodiscard]] std::string point_text(const Scenario&, const Point&);
 
 /// The results of the claims at a point.
 struct PointResult {
     Point point;
-    std::vector<ClaimResult> claims;  ///< empty: not computed
+    std::vector<ClaimResult> claims;  ///< empty if not computed
 };
 
 /// The least value of the first variation at which a claim holds, for one value of the second variation.
@@ -46,13 +47,15 @@ struct Least {
 /// `second` is the value of the second variation, if there is one.
 [[nodiscard]] Least least_value(const std::vector<PointResult>&, std::size_t claim, std::optional<double> second);
 
-/// The interval of a single point, with the whole error of the claim; no value for tests, and between looks.
+/// Returns the interval of a single point, with the whole error of the claim. Returns no value for tests, and while
+/// trials are still missing for the next evaluation.
 [[nodiscard]] std::optional<statistics::Interval> pointwise_interval(const Claim&, const ClaimResult&);
 
-/// The time to success in each trial. If a trial stopped, or had no success, its time is a lower bound.
+/// Returns the time to success in each trial. If a trial stopped or had no success, its time is a lower bound.
 [[nodiscard]] std::vector<statistics::Duration> durations_of(const ClaimResult&);
 
-/// Converts the claims of a point to text, exactly, and back; no value if the text was not written by this function.
+/// Convert the claims of a point to text, exactly, and back. The second function returns no value if the first one did
+/// not write the text.
 [[nodiscard]] std::string claims_to_text(const std::vector<ClaimResult>&);
 [[nodiscard]] std::optional<std::vector<ClaimResult>> claims_from_text(std::string_view text, std::size_t claims);
 

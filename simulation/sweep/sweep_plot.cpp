@@ -19,14 +19,15 @@ using diagnostics::xml_text;
 
 constexpr std::size_t most_curves = 8;
 
-/// From 0 to 100 %.
+/// Returns an axis from 0 to 100 %.
 Axis share_axis() {
     Axis axis = number_axis("", 0, 1, 6);
     for (Axis::Tick& tick : axis.ticks) tick.text = percent_text(tick.value);
     return axis;
 }
 
-/// An axis with at most 16 values of a variation. `place_of(index)` is the place of a value on the axis.
+/// Returns an axis with at most 16 values of a variation. `place_of(index)` returns the position of a value on the
+/// axis.
 template <class Place>
 Axis axis_of(const Variation& variation, double low, double high, Place place_of) {
     Axis axis{name_of(variation), low, high, {}};
@@ -35,13 +36,13 @@ Axis axis_of(const Variation& variation, double low, double high, Place place_of
     return axis;
 }
 
-/// An axis with a cell for each value, of width 1.
+/// Returns an axis with a cell of width 1 for each value.
 Axis cell_axis(const Variation& variation) {
     return axis_of(variation, 0, static_cast<double>(variation.values.size()),
                    [](std::size_t i) { return static_cast<double>(i) + 0.5; });
 }
 
-/// The mark of a verdict; its shape also distinguishes it without colour.
+/// Draws the mark of a verdict. Its shape distinguishes verdicts even without colour.
 std::string verdict_mark(const std::string& word, double x, double y, const char* hue) {
     if (word == "proved" || word == "estimated")
         return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\"/>", x, y, hue);
@@ -96,7 +97,7 @@ public:
         return frame.svg();
     }
 
-    /// The fraction of trials without success so far, over time.
+    /// Draws the fraction of trials without success so far, over time.
     [[nodiscard]] std::string draw_survival(std::size_t claim) const {
         const std::vector<const PointResult*> points = drawn_points();
         std::vector<LegendEntry> entries;
@@ -108,7 +109,7 @@ public:
         return frame.svg();
     }
 
-    /// A cell for each point, with darkness by the fraction of trials; the tooltip shows the interval.
+    /// Draws a cell for each point. The darkness shows the fraction of trials, and the tooltip the interval.
     [[nodiscard]] std::string draw_map(std::size_t claim) const {
         const Claim& asked = scenario_.claims[claim];
         const std::size_t columns = scenario_.variations[0].values.size();

@@ -46,7 +46,7 @@ Seconds seconds_of(const Scenario& scenario) {
     return {values.begin(), values.end()};
 }
 
-/// "1 to 3, 5": runs of adjacent values of the first variation.
+/// Returns runs of adjacent values of the first variation, such as "1 to 3, 5".
 std::string runs_text(const Scenario& scenario, const SweepResult& result, std::size_t claim,
                       std::optional<double> second, const std::string& word) {
     const Variation& first = scenario.variations.front();

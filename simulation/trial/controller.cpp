@@ -12,7 +12,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Compares the description in the loaded object with what was emitted.
+/// Compares the description in the loaded object with the emitted one. Returns the first difference, or "".
 std::string find_fault(const rc_drive* drive, const cpp_emit::DriveEmission& emission) {
     if (drive == nullptr) return "its interface is null";
     if (drive->abi_version != ROBOCHART_DRIVE_ABI_VERSION)

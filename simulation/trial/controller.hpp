@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds and loads a generated controller. The controllers of a simulation are state values in one array.
+// Builds and loads a generated controller. The controllers of a trial are values of its state type in one array.
 #pragma once
 
 #include <memory>
@@ -15,17 +15,18 @@
 
 namespace robochart::simulation {
 
-/// A state machine of the controllers by its name in the component ("" if it is the only one), and its states.
+/// A state machine of a controller, with its states. `name` is its name in the component, or "" if it is the only
+/// machine.
 struct MachineStates {
     std::string name;
     std::vector<std::string> states;
 
-    /// The name of a state by its number; "" between states.
+    /// Returns the name of the state with this number, or "" between states.
     [[nodiscard]] std::string state_name(std::size_t number) const {
         return number < states.size() ? states[number] : "";
     }
 };
-/// The machines of the controllers. If only one is shown, it is the first.
+/// The machines of a controller. Reports that show only one machine show the first.
 using Machines = std::vector<MachineStates>;
 [[nodiscard]] Machines machines_of(const rc_drive&);
 
@@ -39,18 +40,18 @@ struct Drives {
     const rc_drive* environment = nullptr;  ///< null: no environment
 };
 
-/// The machines of robots of all kinds. There are as many as in the kind with the most machines; each has the states of
-/// that machine in all kinds, one after another. If there are several kinds, the states are named "KIND::STATE" (for
-/// kinds with a name).
+/// Returns machines that represent the robots of all kinds: as many as the kind with the most machines has. The i-th
+/// has the states of the i-th machine of each kind, one kind after another. If there are several kinds, the states of
+/// kinds with a name are named "KIND::STATE".
 [[nodiscard]] Machines machines_of(const Scenario&, const Drives&);
 
-/// The offsets of the states of each kind's machines in the list of machines_of(Scenario, Drives).
+/// Numbers the states of all kinds as in the result of machines_of(Scenario, Drives).
 class StateNumbers {
 public:
     explicit StateNumbers(const Drives&);
     [[nodiscard]] std::uint32_t machine_count() const { return static_cast<std::uint32_t>(total_.size()); }
-    /// The state of a machine of a controller of this kind. The result is the number of states if the machine is
-    /// between states, or if there is no such machine.
+    /// Returns the number of the state in which a controller's machine is. If the machine is between states or does not
+    /// exist, returns the number of states.
     [[nodiscard]] std::uint16_t state_number(std::size_t kind, std::uint32_t machine, const void* controller) const;
 
 private:
@@ -59,13 +60,14 @@ private:
     std::vector<std::uint32_t> total_;
 };
 
-/// The numbers of a state and of its inner states, by its name in the first machine; empty if there is no such state.
+/// Returns the numbers of the state with this name in the first machine, and of its inner states; empty if there is no
+/// such state.
 [[nodiscard]] std::vector<std::uint16_t> states_named(const Machines&, std::string_view name);
 
 class Controller {
 public:
-    /// Compiles and loads the result of emit_drive. On failure returns no value and sets `error`. Throws
-    /// cpp_emit::NoCompiler and diagnostics::LimitReached. `cache`: for compiled controllers; null: none.
+    /// Compiles and loads the result of emit_drive. On failure returns no value and sets `error`. `cache` stores
+    /// compiled controllers; it may be null. Throws cpp_emit::NoCompiler and diagnostics::LimitReached.
     static std::unique_ptr<Controller> build(const cpp_emit::DriveEmission&, const std::string& compiler,
                                              std::string& error, diagnostics::Budget* budget = nullptr,
                                              diagnostics::Cache* cache = nullptr);
@@ -80,7 +82,7 @@ private:
 /// The controllers of all robots of a trial: one aligned block, with one value per robot.
 class ControllerArray {
 public:
-    /// `seed`: for random choices of the controllers; each controller gets its own derived seed.
+    /// `seed` is for random choices of the controllers. Each controller gets its own seed, which is derived from it.
     ControllerArray(const rc_drive&, std::size_t robots, std::uint64_t seed = 1);
 
     [[nodiscard]] void* operator[](std::size_t robot) { return block_.data() + first_ + robot * stride_; }

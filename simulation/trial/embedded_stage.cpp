@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built-in world as a stage.
+// Implements a stage for the built-in world.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -17,7 +17,7 @@ std::size_t count_stays(const Formula& formula) {
     return count;
 }
 
-/// Returns the step for a time; the last step for an infinite time.
+/// Returns the step for a time, or the last step for an infinite time.
 std::uint64_t step_at(double time, double control_step, std::uint64_t end) {
     return std::isinf(time) ? end : static_cast<std::uint64_t>(std::llround(time / control_step));
 }
@@ -32,7 +32,7 @@ bool Condition::holds_after(std::uint64_t step, const MeasureNow& now) {
     return holds_after(formula_, step, now, stay);
 }
 
-/// All parts are evaluated, because a `stays` in them must be updated in every step.
+/// Evaluates a condition. All parts are evaluated, because a `stays` in them must be updated in every step.
 bool Condition::holds_after(const Formula& formula, std::uint64_t step, const MeasureNow& now, std::size_t& stay) {
     if (formula.kind == Kind::compare) {
         const double value = now(formula.measure);
@@ -87,7 +87,7 @@ bool Property::is_due(std::uint64_t step) const {
     if (answer_.holds) return false;
     return std::ranges::any_of(timed_, [&](const Timed& timed) {
         if (timed.holds) return false;
-        // A formula that refers to the past must also be evaluated before.
+        // A formula that refers to the past must also be evaluated at earlier steps.
         return timed.formula->kind != Kind::at || step == timed.last || count_stays(*timed.formula) > 0;
     });
 }
@@ -129,7 +129,7 @@ void Property::evaluate_at(Timed& timed, std::uint64_t step, const MeasureNow& n
     if (last) timed.holds = first;
 }
 
-/// Three-valued logic (Kleene).
+/// Returns the value in three-valued logic (Kleene).
 std::optional<bool> Property::known_value(const Formula& formula, std::size_t& timed) const {
     if (formula.kind != Kind::negation && formula.kind != Kind::both && formula.kind != Kind::either)
         return timed_[timed++].holds;

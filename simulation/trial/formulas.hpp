@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formulas on a trial, which are evaluated at each instant during the trial, so that the trial can end when its answer
-// is known. The semantics is that of bounded temporal logic on a run that continues (Bauer, Leucker, Schallhart,
-// "Runtime verification for LTL and TLTL", TOSEM 20, 2011), with three values: true, false, not yet known.
+// Evaluates formulas on a trial at each instant during the trial, so that the trial can end when its answer is known.
+// The semantics is that of bounded temporal logic on a run that continues (Bauer, Leucker, Schallhart, "Runtime
+// verification for LTL and TLTL", TOSEM 20, 2011), with three values: true, false, not yet known.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace robochart::simulation {
 /// Returns the current value of a measure; called only if it is needed.
 using MeasureNow = std::function<double(std::size_t measure)>;
 
-/// A formula on an instant.
+/// Evaluates a formula on an instant.
 class Condition {
 public:
     /// Stores a reference to the formula.
@@ -38,13 +38,13 @@ private:
 /// When and how a formula on a trial was decided.
 struct Answer {
     std::optional<bool> holds;
-    std::uint64_t step = 0;  ///< the number of steps after which it was known
-    bool taken = false;      ///< the trial was stopped before the value was known; this value is assumed
+    std::uint64_t step = 0;  ///< the number of steps after which the value was known
+    bool taken = false;      ///< the trial stopped before the value was known; this value is assumed
 
     friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-/// A formula on a trial.
+/// Evaluates a formula on a trial.
 class Property {
 public:
     /// Stores a reference to the formula. `end`: the number of steps of the trial.
@@ -54,14 +54,15 @@ public:
     [[nodiscard]] bool is_due(std::uint64_t step) const;
     void evaluate_at(std::uint64_t step, const MeasureNow&);
     [[nodiscard]] const Answer& answer() const { return answer_; }
-    /// Must be called when the trial ends after this number of steps; `holds` is assumed if the formula is not decided.
+    /// Must be called when the trial ends, with the number of its steps. If the formula is not decided, `holds` becomes
+    /// its value.
     void end(std::uint64_t step, bool holds);
 
 private:
     /// `at`, `within`, `until` or `always`.
     struct Timed {
         const Formula* formula = nullptr;
-        std::uint64_t last = 0;  ///< the step at which it is decided at the latest
+        std::uint64_t last = 0;  ///< the step at which the value is known at the latest
         std::vector<Condition> parts;
         std::optional<bool> holds;
     };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Observers of the cycles of robots of several kinds: each kind has an observer that numbers its robots from 0.
+// Passes the cycles of robots of several kinds to one observer for each kind. An observer numbers the robots of its
+// kind from 0.
 #pragma once
 
 #include <memory>
@@ -16,7 +17,7 @@ public:
     KindTraces(const Scenario&, std::vector<std::unique_ptr<Trace>> parts, std::unique_ptr<Trace> whole = nullptr);
     void observe_cycle(std::size_t robot, std::uint64_t step, const rc_signal* inputs, const rc_actions& outputs,
                        rc_drive_result result) override;
-    /// The objection about the robot of the last cycle.
+    /// Returns the objection of an observer to the last cycle.
     [[nodiscard]] const Objection* current_objection() const override;
     [[nodiscard]] bool is_conclusive() const override;
 
@@ -27,8 +28,8 @@ private:
     const Trace* last_ = nullptr;
 };
 
-/// Makes the observers of a trial: `makers` make one for each kind, and `whole`, if it is not empty, makes the one for
-/// all robots. The scenario must outlive the result.
+/// Makes the observers of a trial. Each of `makers` makes the observer for one kind; `whole`, if it is not empty, makes
+/// the observer of all robots. The scenario must outlive the result.
 [[nodiscard]] Guard::Maker for_each_kind(const Scenario&, std::vector<Guard::Maker> makers, Guard::Maker whole = {});
 
 }  // namespace robochart::simulation

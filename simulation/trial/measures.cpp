@@ -15,7 +15,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Groups of robots (union-find with path halving).
+/// Finds groups of robots (union-find with path halving).
 class Groups {
 public:
     explicit Groups(std::size_t count) : parent_(count), size_(count, 1), count_(count) {
@@ -137,7 +137,7 @@ double share_in(const Measure& measure, const Frame& frame) {
 
 namespace {
 
-/// NaN if no claims are followed.
+/// Returns the fraction of robots whose runs satisfy the claim; NaN if no claims are followed.
 double kept_share(const Scenario& scenario, const Measure& measure, const Frame& frame) {
     const auto found =
         std::ranges::find(scenario.measures, measure.name.text, [](const Measure& other) { return other.name.text; });
@@ -180,8 +180,8 @@ double measure_value(const Scenario& scenario, const Measure& measure, const Fra
 
 namespace {
 
-/// The states with this name in their machine or, after the name of a kind, in the list of machines_of. If the measure
-/// is about one kind, only states of that kind.
+/// Returns the states that a measure names: by their names in the machine, or by the name of a kind and their names, as
+/// in the list of machines_of. If the measure is about one kind, returns only states of this kind.
 std::vector<std::uint16_t> states_of(const Scenario& scenario, const Measure& measure, const Machines& machines) {
     if (measure.of && !scenario.others.empty())
         return states_named(machines,
@@ -203,7 +203,7 @@ bool is_ambiguous(const Scenario& scenario, const Measure& measure, const Machin
         if (scenario.kind_at(kind).kind.text == measure.state.text) return true;
     std::set<std::string> names;
     return std::ranges::any_of(measure.states, [&](std::uint16_t state) {
-        return !names.insert(machines.front().states[state]).second;  // in an unnamed kind and in another
+        return !names.insert(machines.front().states[state]).second;  // also in an unnamed kind
     });
 }
 

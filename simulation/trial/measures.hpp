@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures of a swarm and their statistics over a trial. The second moment is that of Graham and Sloane as used by
-// Gauci et al., IJRR 33(8), 2014.
+// Computes measures of a swarm and their statistics over a trial. The second moment is that of Graham and Sloane, as
+// used by Gauci et al., IJRR 33(8), 2014.
 #pragma once
 
 #include <cstdint>
@@ -19,47 +19,48 @@ struct Frame {
     std::vector<Pose> poses;
     std::vector<std::uint16_t>
         states;                 ///< by robot and machine: index of the state; the number of states between states
-    std::vector<bool> working;  ///< true: no part of the robot has failed; empty: no part of any robot
+    std::vector<bool> working;  ///< by robot: no part of it has failed; empty: no part of any robot has failed
     std::vector<LightNow> lights = {};  ///< empty: as the scenario defines them at that time
-    std::vector<double> kept = {};      ///< by measure, of those of the kind `kept`; empty: no claims are followed
-    std::vector<bool> obstacles = {};   ///< for Scenario::obstacles: present or not; empty: as at the start
+    std::vector<double> kept = {};      ///< by measure, for measures `kept`; empty: no claims are followed
+    std::vector<bool> obstacles = {};   ///< by index in Scenario::obstacles: present or not; empty: as at the start
 
-    /// The state of a robot's machine.
+    /// Returns the state of a robot's machine.
     [[nodiscard]] std::uint16_t robot_state(std::size_t robot, std::size_t machine = 0) const {
         return states[robot * (states.size() / poses.size()) + machine];
     }
 };
 
-/// Groups of robots that are linked, directly or through others, by at most `link` between centres. A robot without
-/// links is a group.
+/// The groups of robots in a swarm. Two robots are in one group if they are linked, directly or through others; two
+/// robots with at most `link` between their centres are linked. A robot without links is a group by itself.
 struct Clusters {
     std::size_t count = 0;
     std::size_t largest = 0;  ///< number of robots in the largest group
 };
 [[nodiscard]] Clusters count_clusters(const std::vector<Pose>&, double link);
-/// The fraction of robots in the largest group.
+/// Returns the fraction of robots in the largest group.
 [[nodiscard]] double largest_cluster(const std::vector<Pose>&, double link);
-/// The mean distance between the centres of all pairs of robots, in cm; 0 if there is no pair.
+/// Returns the mean distance between the centres of all pairs of robots, in cm; 0 if there is no pair.
 [[nodiscard]] double mean_distance(const std::vector<Pose>&);
-/// The mean distance to the centroid, in cm.
+/// Returns the mean distance to the centroid, in cm.
 [[nodiscard]] double mean_spread(const std::vector<Pose>&);
-/// The sum of squared distances to the centroid, in units of the squared diameter.
+/// Returns the sum of squared distances to the centroid, in units of the squared diameter.
 [[nodiscard]] double second_moment(const std::vector<Pose>&, double radius);
 [[nodiscard]] Vector centroid(const std::vector<Pose>&);
-/// The fraction of robots whose centre is at most `distance` from a point.
+/// Returns the fraction of robots whose centre is at most `distance` from a point.
 [[nodiscard]] double share_within(const std::vector<Pose>&, Vector, double distance);
-/// The fraction of robots whose centre is in a rectangle.
+/// Returns the fraction of robots whose centre is in a rectangle.
 [[nodiscard]] double share_inside(const std::vector<Pose>&, const Region&);
-/// The state of a light in a frame.
+/// Returns the state of a light in a frame.
 [[nodiscard]] LightNow light_at(const Scenario&, const Frame&, std::size_t light);
-/// The frame reduced to the robots of one kind.
+/// Returns the frame reduced to the robots of one kind.
 [[nodiscard]] Frame of_kind(const Scenario&, std::size_t kind, const Frame&);
-/// The fraction of robots that are in the states of the measure.
+/// Returns the fraction of robots that are in the states of the measure.
 [[nodiscard]] double share_in(const Measure&, const Frame&);
 [[nodiscard]] double measure_value(const Scenario&, const Measure&, const Frame&);
 /// Finds the states of measures by name; reports unknown names.
 void find_states(Scenario&, const Machines&, diagnostics::Diagnostics&);
-/// The measures at one instant. A measure is computed at most once. The result stores references to the arguments.
+/// Returns the measures at one instant. A measure is computed at most once. The result stores references to the
+/// arguments.
 [[nodiscard]] MeasureNow measures_now(const Scenario&, const Frame&);
 
 /// The statistics of a scenario's bands, collected step by step.

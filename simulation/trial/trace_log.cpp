@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes one log for each robot, buffered; the first failure is reported once.
+// Writes one buffered log for each robot. Only the first failure is reported.
 #include "simulation/trial/trace_log.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// The largest amount of text of one robot that is buffered.
+/// The maximal amount of text that is buffered for one robot.
 constexpr std::size_t most_kept = 1U << 16U;
 
 std::vector<std::string> exported_names(const std::vector<cpp_emit::Port>& ports) {

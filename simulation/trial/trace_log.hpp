@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logs of a trial in the format of docs/traces.md, one file per robot: the inputs and outputs of its controller in
-// every cycle, for `conform --traces`.
+// Writes logs of a trial in the format of docs/traces.md, one file per robot, for `conform --traces`. A log contains
+// the inputs and outputs of the robot's controller in every cycle.
 #pragma once
 
 #include <functional>
@@ -15,13 +15,13 @@
 namespace robochart::simulation {
 
 struct TraceLogOptions {
-    std::string folder;     ///< FOLDER/trial-01/robot-00.trace
+    std::string folder;     ///< the folder of FOLDER/trial-01/robot-00.trace
     std::string component;  ///< the name in the log's header
     std::string model;
-    std::vector<std::string> constants;  ///< NAME=VALUE of the model in this run
+    std::vector<std::string> constants;  ///< NAME=VALUE for the constants of the model in this run
     std::string scenario;
-    std::string run;        ///< the record of the run on one line, a comment for readers; "": none
-    std::size_t first = 0;  ///< index of the first robot; earlier ones are of another kind
+    std::string run;        ///< the record of the run on one line, as a comment for readers; "" if none
+    std::size_t first = 0;  ///< index of the first robot; robots before it are of another kind
     diagnostics::Budget* budget = nullptr;
     std::function<void(const std::string&)>
         failed;  ///< called once, by the trial's thread, with the reason if a log could not be written

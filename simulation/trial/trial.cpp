@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cycle of a trial: sense, controllers, act, one control step; see trial.hpp.
+// Runs the cycles of a trial: sense, run the controllers, act, simulate one control step; see trial.hpp.
 #include "simulation/trial/trial.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace robochart::simulation {
 
 namespace {
 
-/// The state of a turn by dead reckoning: remaining radians.
+/// A turn that a robot makes by dead reckoning, with the radians that remain.
 struct Turn {
     double left = 0;
     double rate = 0;
@@ -22,7 +22,7 @@ struct Turn {
 
 /// The course that a robot follows step by step: it wanders, or seeks a light.
 struct Course {
-    const Drive* drive = nullptr;  ///< null: neither
+    const Drive* drive = nullptr;  ///< null: no course
     double rate = 0;               ///< wander: turning rate of the current second, rad/s
 };
 
@@ -69,7 +69,7 @@ struct MovingLight {
     [[nodiscard]] Vector position_at(double time) const { return light.position_at(time - since); }
 };
 
-/// The seed of each controller array; the first kind uses the trial's own seed.
+/// Returns the seed of a controller array. The first kind uses the trial's own seed.
 std::uint64_t seed_of(std::uint64_t seed, std::size_t number) {
     return number == 0 ? seed : diagnostics::splitmix64_mixed(seed ^ (std::uint64_t{number} << 48U));
 }
@@ -182,7 +182,7 @@ private:
         observe_world();
     }
 
-    /// One cycle of a robot: its inputs, its controller, its effects.
+    /// Runs one cycle of a robot: reads its inputs, runs its controller, applies its effects.
     void run_cycle(std::size_t robot) {
         for (rc_signal& signal : signals_) signal.present = 0;
         for (auto& sight : sights_) sight.reset();
@@ -229,8 +229,8 @@ private:
                                : std::nullopt);
     }
 
-    /// Runs the environment's controller after those of all robots. The controller reads the world and the states at
-    /// the time when the robots sensed; its effects apply from the next cycle on.
+    /// Runs the environment's controller after those of all robots. It reads the world and the states at the time when
+    /// the robots sensed. Its effects apply from the next cycle on.
     void environment_cycle(const Frame& sensed) {
         for (rc_signal& signal : signals_) signal.present = 0;
         const MeasureNow now = measures_now(scenario_, sensed);
@@ -297,8 +297,8 @@ private:
         raised_[kind].push_back(stimulus);
     }
 
-    /// Selects robots without a failure at random with equal probability: the given number, or all of them if there are
-    /// fewer.
+    /// Lets working robots fail. They are chosen at random with equal probability: the given number, or all of them if
+    /// there are fewer.
     void fail_some(const Failure& failure) {
         std::vector<std::size_t> working;
         for (std::size_t robot = 0; robot < stage_.size(); ++robot)
@@ -318,7 +318,7 @@ private:
 
     // ------------------------------------------------------------ failures
 
-    /// A failure occurs at the first instant at or after its time.
+    /// Plans a failure, which occurs at the first instant at or after its time.
     void plan_failure(const Failure& failure, std::size_t first, std::size_t most) {
         const double step = scenario_.world.control_step;
         const std::size_t count = failure.mean_time > 0 ? most : std::min<std::size_t>(most, failure.robots);
@@ -356,7 +356,8 @@ private:
 
     // ------------------------------------------------------------ sensing
 
-    /// A failed sensor reports no event, false or 0. A failed radio is handled separately.
+    /// True if a failed sensor prevents a reading: it reports no event, false or 0. A failed radio is handled
+    /// separately.
     [[nodiscard]] bool is_blind(std::size_t robot, const BoundFeed& bound) const {
         return failed_[robot].sensors && bound.sensor != no_slot &&
                sensor_of_feed(bound).kind != SensorKind::range_and_bearing;
@@ -414,7 +415,7 @@ private:
 
     [[nodiscard]] const Sensor& sensor_of_feed(const BoundFeed& bound) const { return scenario_.sensors[bound.sensor]; }
 
-    /// The argument in the internal unit.
+    /// Returns the argument of a reading in the internal unit.
     [[nodiscard]] double argument_value(std::size_t robot, const BoundFeed& bound) const {
         const Argument& argument = *bound.feed->argument;
         if (bound.variable == no_slot) return argument.literal.value;
@@ -454,7 +455,7 @@ private:
                    : stage_.somebody_within(robot, sensor_of_feed(bound), distance);
     }
 
-    /// The reading of an unreliable sensor about an object. Errors of a line of sight are simulated in the world.
+    /// Draws whether an unreliable sensor reports an object. Errors of a line of sight are simulated in the world.
     bool draw_detection(const Sensor& sensor, bool there) {
         return there ? !draws_.draw_chance(sensor.false_negative) : draws_.draw_chance(sensor.false_positive);
     }
@@ -467,8 +468,8 @@ private:
         return false;
     }
 
-    /// Returns the number of robots whose messages are received, or the message of one of them; no value if no message
-    /// is received.
+    /// Returns the number of robots whose messages are received, or the message of one of them. Returns no value if no
+    /// message is received.
     std::optional<std::int64_t> whole_reading(std::size_t robot, const BoundFeed& bound) {
         std::vector<std::uint32_t> heard =
             stage_.robots_within(robot, sensor_of_feed(bound), argument_value(robot, bound));
@@ -490,8 +491,7 @@ private:
     double real_reading(std::size_t robot, const BoundFeed& bound) {
         if (bound.feed->reading == Reading::distance) return sight_of(robot, bound).distance;
         const auto others = stage_.direction_of_others(robot, sensor_of_feed(bound), argument_value(robot, bound));
-        // If no robot is heard, `away` is straight ahead, and the direction of others is backwards, so that a lone
-        // robot turns around.
+        // If no robot is heard, `away` is straight ahead and `towards` is backwards, so that a lone robot turns around.
         if (bound.feed->reading == Reading::away) return others ? normal_angle(*others + std::numbers::pi) : 0;
         return others.value_or(std::numbers::pi);
     }
@@ -550,8 +550,8 @@ private:
         turns_[robot] = {normal_angle(angle), 2 * drive.speed / axle_of(robot)};
     }
 
-    /// Continues a turn by dead reckoning: at the full rate while a whole step remains, and then by the rest of the
-    /// angle.
+    /// Continues a turn by dead reckoning: at the full rate while a whole step remains, and then through the rest of
+    /// the angle.
     void continue_motion(std::size_t robot) {
         if (courses_[robot].drive != nullptr) return follow_course(robot, courses_[robot]);
         Turn& turn = turns_[robot];
@@ -663,7 +663,7 @@ private:
     std::vector<rc_signal> signals_;
     std::vector<std::uint64_t> requests_;
     std::vector<double> variables_;  ///< by robot
-    std::vector<double> sent_;       ///< values at the beginning of the cycle, which messages carry
+    std::vector<double> sent_;       ///< values at the beginning of the cycle, which are sent as messages
     std::vector<Turn> turns_;
     std::vector<Course> courses_;
     std::vector<Failed> failed_;

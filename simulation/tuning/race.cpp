@@ -15,7 +15,7 @@ namespace {
 /// The error of each elimination test.
 constexpr double elimination_error = 0.05;
 
-/// The costs of candidates on seeds; each seed is a block.
+/// Returns the costs of candidates on seeds; each seed is a block.
 std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, const std::vector<std::size_t>& alive,
                                          const std::vector<std::uint64_t>& seeds) {
     std::vector<statistics::Block> blocks;
@@ -26,7 +26,7 @@ std::vector<statistics::Block> blocks_of(const std::vector<RaceEntry>& entries, 
     return blocks;
 }
 
-/// For each candidate, the sum of its ranks or of its costs.
+/// Returns, for each candidate, the sum of its ranks or of its costs.
 std::vector<double> sum_by_candidate(const std::vector<statistics::Block>& blocks, bool by_ranks) {
     std::vector<double> sums(blocks.front().size());
     for (const statistics::Block& block : blocks) {
@@ -95,7 +95,7 @@ void Race::run(const std::function<void(const Race&)>& watch) {
         if (watch) watch(*this);
 }
 
-/// Runs one iteration; returns false if there is none.
+/// Runs one iteration. Returns false if no iteration is possible.
 bool Race::run_iteration() {
     const std::uint64_t left = options_.budget - std::min(trials_, options_.budget);
     const std::uint64_t number = iterations_.size() + 1;
@@ -103,7 +103,7 @@ bool Race::run_iteration() {
     const std::uint64_t share = left / (number < planned ? planned - number + 1 : 1);
     const std::uint64_t candidate_count = share / (first_test + std::min<std::uint64_t>(first_test, number));
     const std::uint64_t elites = elites_.size();
-    // A race is useless if the number of its candidates is at most the number that may survive.
+    // A race is useless if it has no more candidates than may survive.
     if (candidate_count <= std::max(elites, number == 1 ? std::uint64_t{1} : survivor_count())) return false;
     const double progress = std::min(1.0, static_cast<double>(number - 1) / static_cast<double>(planned));
     RaceIteration now;
@@ -125,8 +125,8 @@ bool Race::run_iteration() {
 }
 
 /// Draws new candidates, without duplicates: arbitrary ones in the first iteration, later ones near the best. If no new
-/// candidate is found near the best, the neighbourhood grows. The result is smaller if the space contains no more
-/// candidates.
+/// candidate is found near the best, the neighbourhood grows. The result is smaller than requested if the space
+/// contains no more candidates.
 std::vector<std::size_t> Race::sample_candidates(std::uint64_t fresh, double progress) {
     for (const std::size_t elite : elites_)
         narrow_neighbourhood(entries_[elite].near, parameters_, entries_[elite].candidate, fresh, progress);
@@ -153,7 +153,7 @@ std::vector<std::size_t> Race::sample_candidates(std::uint64_t fresh, double pro
     return result;
 }
 
-/// Draws near the elite of rank r of n with probability (n - r + 1) / (n (n + 1) / 2).
+/// Draws a candidate near the elite of rank r of n with probability (n - r + 1) / (n (n + 1) / 2).
 RaceEntry Race::near_an_elite() {
     const std::uint64_t n = elites_.size();
     auto ticket = static_cast<std::uint64_t>(random_.uniform() * static_cast<double>(n * (n + 1) / 2));
@@ -187,7 +187,7 @@ void Race::run_missing_trials(const std::vector<std::size_t>& alive, const std::
 }
 
 /// Runs the race of one iteration, within its share of the budget. The first seed is new, so that elites and other
-/// candidates are tested on it in the same way. Then come the seeds on which elites have run, and then further new
+/// candidates are tested on it in the same way. The seeds on which elites have run come next, and then further new
 /// seeds.
 void Race::run_competition(std::vector<std::size_t> alive, std::uint64_t share) {
     const std::uint64_t known = elites_.empty() ? 0 : seeds_;
@@ -252,8 +252,8 @@ std::vector<std::size_t> Race::not_worse(const std::vector<std::size_t>& alive,
     return result;
 }
 
-/// Candidates are eliminated because they are worse than the best one, so the best one must be admitted. This function
-/// first removes candidates that rank higher but are not admitted. Returns false if no candidate is left.
+/// Removes candidates that rank higher than the best admitted one. This is needed because candidates are eliminated if
+/// they are worse than the best, so the best one must be admitted. Returns false if no candidate is left.
 bool Race::find_admitted_leader(std::vector<std::size_t>& alive, const std::vector<std::uint64_t>& seeds) {
     for (const std::size_t candidate : rank_candidates(alive, seeds)) {
         if (is_admitted(candidate)) return true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Iterated racing: finds the parameter values that do best in noisy trials (López-Ibáñez et al., "The irace package",
-// 2016). In each iteration, candidates are drawn near the best ones so far. All run on the same seeds, and those that
-// are significantly worse than the best are eliminated. The race is elitist: an elite is eliminated only when the
-// others have run on as many seeds.
+// Finds the parameter values that do best in noisy trials, by iterated racing (López-Ibáñez et al., "The irace
+// package", 2016). In each iteration, candidates are drawn near the best ones so far. All run on the same seeds, and
+// candidates that are significantly worse than the best are eliminated. The race is elitist: an elite can be eliminated
+// only after the other candidates have run on the same number of seeds.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace robochart::simulation {
 
-/// The test for whether a candidate is worse than another on the same seeds, at an error of 5 %.
+/// The test that decides whether a candidate is worse than another on the same seeds, at an error of 5 %.
 enum class Elimination {
     friedman,  ///< Friedman's test of all, then differences of rank sums from the best; for two candidates, Wilcoxon's
     t_test     ///< paired t-test against the candidate with the lowest mean
@@ -28,7 +28,7 @@ struct RaceOptions {
     Elimination elimination = Elimination::friedman;
 };
 
-/// A candidate on the seed with this index, from 0.
+/// A trial of a candidate: the candidate, and the index of the seed, from 0.
 struct RaceTrial {
     std::size_t candidate = 0;
     std::uint64_t seed = 0;
@@ -36,16 +36,16 @@ struct RaceTrial {
     friend auto operator<=>(const RaceTrial&, const RaceTrial&) = default;
 };
 
-/// The interface of the search to the world. An exception ends the search, and the results so far remain available.
+/// Runs the trials for the search. If a function throws, the search ends, and the results so far remain available.
 class RaceSubject {
 public:
     virtual ~RaceSubject() = default;
     /// True if trials of the candidate can be run. Called once for each candidate, in order of index.
     virtual bool is_usable(const Candidate&) = 0;
-    /// True if the candidate may be among the best. Called at most once for each candidate, when it is the best or
-    /// would become one of the best.
+    /// True if the candidate may be among the best. Called at most once for each candidate, when the candidate is the
+    /// best or would become one of the best.
     virtual bool admits_candidate(const Candidate&) = 0;
-    /// The costs of the trials, in order. Lower is better.
+    /// Runs the trials and returns their costs, in order. Lower is better.
     virtual std::vector<double> trial_costs(const std::vector<RaceTrial>&) = 0;
 };
 
@@ -54,10 +54,10 @@ struct RaceEntry {
     Candidate candidate;
     Neighbourhood near;
     bool usable = true;
-    std::vector<std::optional<double>> costs;  ///< the cost of each seed; no value: no trial ran
+    std::vector<std::optional<double>> costs;  ///< the cost for each seed; no value if no trial ran
 
     [[nodiscard]] std::uint64_t trial_count() const;
-    /// The mean cost of its trials.
+    /// Returns the mean cost of the candidate's trials.
     [[nodiscard]] double mean_cost() const;
 };
 
@@ -68,7 +68,7 @@ struct RaceIteration {
     std::uint64_t seeds = 0;     ///< number of seeds on which the remaining candidates have run
     std::uint64_t trials = 0;
     std::uint64_t left = 0;     ///< number of remaining candidates
-    std::uint64_t refused = 0;  ///< number of candidates not admitted
+    std::uint64_t refused = 0;  ///< number of candidates that were not admitted
 };
 
 class Race {
@@ -81,7 +81,7 @@ public:
     void run(const std::function<void(const Race&)>& watch = {});
 
     [[nodiscard]] const std::vector<RaceEntry>& entries() const { return entries_; }
-    /// Indices of the best candidates, best first; at most 2 + log2(parameters).
+    /// Returns the indices of the best candidates, best first; at most 2 + log2(parameters).
     [[nodiscard]] const std::vector<std::size_t>& elites() const { return elites_; }
     [[nodiscard]] const std::vector<RaceIteration>& iterations() const { return iterations_; }
     [[nodiscard]] std::uint64_t trial_count() const { return trials_; }

@@ -24,7 +24,7 @@ constexpr std::int64_t power_of_ten(int exponent) {
     return result;
 }
 
-/// A decimal number as written: 12.50 is 1250 with two decimals.
+/// A decimal number with its decimals as written: 12.50 is 1250 with two decimals.
 struct Decimal {
     std::int64_t digits = 0;
     int decimals = 0;
@@ -68,7 +68,7 @@ std::optional<Parameter> read_range(Parameter parameter, std::string_view low_te
         error = "the constant takes whole numbers";
     if (!error.empty()) return std::nullopt;
     int decimals = std::max(low->decimals, high->decimals);
-    // The range has at least a hundred steps, if the number of digits allows it.
+    // The range gets at least a hundred steps, if the number of digits allows it.
     while (kind == ParameterKind::real && decimals < most_decimals &&
            in_steps(*high, decimals) - in_steps(*low, decimals) < 100)
         ++decimals;

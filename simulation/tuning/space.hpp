@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search space of tuning: constants of a model, each with its possible values.
+// Declares the search space of tuning: constants of a model, each with its possible values.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace robochart::simulation {
 
-/// A constant and its values to try: a range in steps of a power of ten, or a list.
+/// A constant and the values to try: a range in steps of a power of ten, or a list.
 struct Parameter {
     std::string name;                 ///< "farRadius", "Keep::patience"
     std::string text;                 ///< as written: "0.05..0.5"
@@ -23,7 +23,7 @@ struct Parameter {
 
     [[nodiscard]] bool is_ordered() const { return listed.empty(); }
     [[nodiscard]] std::uint64_t size() const { return is_ordered() ? count : listed.size(); }
-    /// The text of a value by its index: "0.187".
+    /// Returns the text of the value with this index, such as "0.187".
     [[nodiscard]] std::string value_text(std::uint64_t number) const;
 };
 
@@ -33,16 +33,16 @@ enum class ParameterKind { whole, real, other };
 /// True if `VALUE` of `NAME=VALUE` contains several values: `LOW..HIGH`, or a list separated by commas.
 [[nodiscard]] bool is_varied(std::string_view value);
 
-/// Parses `LOW..HIGH` or `A,B,C`. A range of whole numbers contains all of them. A range of reals has the decimals of
-/// its bounds, and more decimals if these are necessary for at least a hundred steps. No value if the text is wrong;
-/// `error` contains the reason.
+/// Parses `LOW..HIGH` or `A,B,C`. A range of whole numbers contains all of them. A range of reals has as many decimals
+/// as its bounds, or more if a hundred steps need more. If the text is wrong, returns no value, and `error` contains
+/// the reason.
 [[nodiscard]] std::optional<Parameter> read_parameter(const std::string& name, const std::string& text, ParameterKind,
                                                       std::string& error);
 
-/// The index of a value for each parameter.
+/// A candidate: for each parameter, the index of a value.
 using Candidate = std::vector<std::uint64_t>;
 
-/// "farRadius=0.187", one text per parameter, as for `--const`.
+/// Returns one text per parameter, such as "farRadius=0.187", as for `--const`.
 [[nodiscard]] std::vector<std::string> constants_of(const std::vector<Parameter>&, const Candidate&);
 /// Returns all values of a candidate in one text.
 [[nodiscard]] std::string candidate_text(const std::vector<Parameter>&, const Candidate&);
@@ -55,7 +55,7 @@ struct Neighbourhood {
     std::vector<double> deviations;                  ///< standard deviations of the ordered parameters, in steps
     std::vector<std::vector<double>> probabilities;  ///< the probabilities of the values of each list
 };
-/// The initial neighbourhood: half a range, and equal probabilities.
+/// Returns the initial neighbourhood: deviations of half a range, and equal probabilities.
 [[nodiscard]] Neighbourhood whole_space(const std::vector<Parameter>&);
 /// Narrows the neighbourhood after an iteration with `fresh` new candidates. Deviations shrink by (1 / fresh)^(1 /
 /// parameters). Probabilities move towards the candidate's values in proportion to `progress` (0 at the beginning, 1 at

@@ -36,7 +36,7 @@ private:
         plan.scenario = &scenario;
         diagnostics::Diagnostics found;
         const auto stage = embedded_stage(scenario, 0, found);
-        // The start of one trial was checked before. If the robots of another trial do not fit, the trial counts as a
+        // Only the start of one trial was checked before. If the robots of another trial do not fit, the trial is a
         // failure of all claims.
         if (stage == nullptr) return trial_cost(scenario, std::vector<Answer>(scenario.claims.size()));
         const std::vector<bool> awaited(scenario.claims.size(), true);

@@ -11,25 +11,26 @@
 
 namespace robochart::simulation {
 
-/// One trial to run. Stores references to its arguments.
+/// A trial to run: its plan, its controllers and its seed.
 struct TuningTrial {
     const Plan* plan = nullptr;
     const Drives* drives = nullptr;
     std::uint64_t seed = 0;
 };
 
-/// The seed of tuning trial `number`. The seeds of a search (`search` is at most 10^9) differ from those of other
-/// searches, and from the first 2^32 of the scenario itself, on which claims are judged.
+/// Returns the seed of tuning trial `number`. The seeds of a search (`search` is at most 10^9) differ from those of
+/// other searches. They also differ from the scenario's own first 2^32 seeds, on which claims are decided.
 [[nodiscard]] std::uint64_t tuning_seed(const Scenario&, std::uint64_t search, std::uint64_t number);
 
-/// The cost of a trial. For each claim, the cost is the time in seconds until its property was known to have the
-/// claimed value. If it does not have this value, the cost is ten times the scenario's duration (the penalty of PAR10,
-/// as in Hutter, Hoos, Leyton-Brown, Stützle, "ParamILS", JAIR 36, 2009). A trial that a controller stops before has
-/// the penalty.
+/// Returns the cost of a trial. For each claim, the cost is the time in seconds until its property was known to have
+/// the claimed value. If the property does not have this value, the cost is ten times the scenario's duration (the
+/// penalty of PAR10, as in Hutter, Hoos, Leyton-Brown, Stützle, "ParamILS", JAIR 36, 2009). If a controller stops the
+/// trial before, the cost is this penalty too.
 [[nodiscard]] double trial_cost(const Scenario&, const std::vector<Answer>&);
 
-/// Runs each trial until its answers are known, and returns the costs in order. `threads`: 0 means one per core.
-/// `interrupted`: called a few times per second; it may throw, which takes effect when all threads have ended.
+/// Runs each trial until its answers are known, and returns the costs in order. With `threads` 0, uses one thread per
+/// core. `interrupted` is called a few times per second. It may throw; the exception takes effect when all threads have
+/// ended.
 [[nodiscard]] std::vector<double> trial_costs(const std::vector<TuningTrial>&, unsigned threads,
                                               const std::function<void()>& interrupted);
 

@@ -11,7 +11,7 @@ void Cells::sort_disks(std::span<const double> x, std::span<const double> y, dou
     const auto [low, high] = std::minmax_element(y.begin(), y.end());
     corner_ = x.empty() ? Vector{} : Vector{*left, *low};
     const Vector extent = x.empty() ? Vector{} : Vector{*right - *left, *high - *low};
-    // Two disks that are far from all others must not cause a million empty cells.
+    // The limit prevents a million empty cells if two disks are far from all others.
     const double fair = std::sqrt(extent.x * extent.y / (4.0 * static_cast<double>(x.size()) + 1));
     size_ = std::max({size, fair, std::max(extent.x, extent.y) / 4096});
     per_size_ = 1 / size_;

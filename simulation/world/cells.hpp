@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disks sorted into the squares of a uniform grid (a cell list: Hockney, Eastwood, "Computer Simulation Using
-// Particles", 1988, 8-4), for finding neighbours and for following rays.
+// Sorts disks into the squares of a uniform grid (a cell list: Hockney, Eastwood, "Computer Simulation Using
+// Particles", 1988, 8-4). The grid is used to find neighbours and to follow rays.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,17 @@ namespace robochart::simulation {
 
 class Cells {
 public:
-    /// Sorts the centres again. Cells are at least `size` wide, and there are not many more cells than disks.
+    /// Sorts the disks again, by their centres. Cells are at least `size` wide, and there are not many more cells than
+    /// disks.
     void sort_disks(std::span<const double> x, std::span<const double> y, double size);
 
     struct Cell {
         std::int32_t column = 0;
         std::int32_t row = 0;
     };
-    /// The cell of a point; points outside the disks' bounding box have cells outside the grid.
+    /// Returns the cell of a point. Points outside the disks' bounding box have cells outside the grid.
     [[nodiscard]] Cell cell_of(Vector) const;
-    /// The disks whose centres are in a cell, ascending; empty outside the grid.
+    /// Returns the disks whose centres are in a cell, ascending; empty outside the grid.
     [[nodiscard]] std::span<const std::uint32_t> disks_in(Cell) const;
     [[nodiscard]] double size() const { return size_; }
     [[nodiscard]] Vector corner() const { return corner_; }

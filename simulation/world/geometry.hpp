@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points, segments and rays in the plane. Lengths are centimetres, angles radians, counter-clockwise from the x axis.
+// Computes with points, segments and rays in the plane. Lengths are centimetres, angles radians, counter-clockwise from
+// the x axis.
 #pragma once
 
 #include <optional>
@@ -41,16 +42,17 @@ struct Pose {
     double heading = 0;
 };
 
-/// The distance at which a ray from `origin` along the unit vector `direction` enters a disk; 0 if it starts inside.
+/// Returns the distance at which a ray from `origin` along the unit vector `direction` enters a disk; 0 if it starts
+/// inside.
 [[nodiscard]] std::optional<double> hit_disk(Vector origin, Vector direction, Vector centre, double radius);
-/// The distance at which the ray meets a wall.
+/// Returns the distance at which the ray meets a wall.
 [[nodiscard]] std::optional<double> hit_segment(Vector origin, Vector direction, const Segment&);
-/// The nearest point of a wall.
+/// Returns the nearest point of a wall.
 [[nodiscard]] Vector nearest_point(const Segment&, Vector);
-/// True if a point is in a polygon, given by its corners in order. A ray from the point then crosses the border an odd
-/// number of times.
+/// True if a point is in a polygon, which is given by its corners in order. A ray from such a point crosses the border
+/// an odd number of times.
 [[nodiscard]] bool is_inside(const std::vector<Vector>& polygon, Vector);
-/// Returns the equal angle in (-pi, pi].
+/// Returns the equivalent angle in (-pi, pi].
 [[nodiscard]] double normal_angle(double);
 
 }  // namespace robochart::simulation

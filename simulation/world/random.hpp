@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pseudo-random numbers of a trial: xoshiro256++ 1.0 (Blackman, Vigna: "Scrambled linear pseudorandom number
-// generators", ACM TOMS 47, 2021). SplitMix64 (Steele, Lea, Flood, OOPSLA 2014) fills the state from the seed, as the
-// authors of xoshiro256++ recommend. The same seed gives the same numbers on every machine.
+// Generates the pseudo-random numbers of a trial: xoshiro256++ 1.0 (Blackman, Vigna: "Scrambled linear pseudorandom
+// number generators", ACM TOMS 47, 2021). SplitMix64 (Steele, Lea, Flood, OOPSLA 2014) fills the state from the seed,
+// as the authors of xoshiro256++ recommend. The same seed gives the same numbers on every machine.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@ class Random {
 public:
     explicit Random(std::uint64_t seed);
 
-    /// The next 64 bits.
+    /// Draws the next 64 bits.
     std::uint64_t next();
-    /// Uniform in [0, 1), a multiple of 2^-53.
+    /// Draws a multiple of 2^-53 that is uniform in [0, 1).
     double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
-    /// Approximately normal with mean 0 and standard deviation 1: the sum of twelve uniform numbers (no function of
-    /// libm).
+    /// Draws a number that is approximately normal, with mean 0 and standard deviation 1. It is the sum of twelve
+    /// uniform numbers, so no function of libm is needed.
     double normal();
     /// True with the given probability. Draws no number for 0 and 1.
     bool draw_chance(double probability);

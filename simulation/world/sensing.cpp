@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sensors; see sensing.hpp. Rays are cast exactly: against every disk if there are few, along the cells of a grid
-// if there are many, with the same results.
+// Implements the sensors; see sensing.hpp. Rays are cast exactly. If there are few disks, a ray is tested against every
+// disk, otherwise against those along its cells of a grid. The results are the same.
 #include "simulation/world/sensing.hpp"
 
 #include <algorithm>
@@ -26,12 +26,13 @@ void Sensing::update_positions() {
     if (!indexed_) return;
     const double robots = static_cast<double>(world_.size());
     const Arena& arena = world_.options().arena;
-    // About one robot per cell if they are spread out, so that a ray passes few cells and tests few robots.
+    // With this size, there is about one robot per cell if robots are spread out. So a ray passes few cells and tests
+    // few robots.
     const double size = std::sqrt(arena.width * arena.height / robots) / 2;
     cells_.sort_disks(world_.x(), world_.y(), std::max(2 * world_.options().body.radius, size));
 }
 
-/// The distance along the ray to the first disk, infinite if there is none; `self` and `other` are ignored.
+/// Returns the distance along the ray to the first disk, or infinity if there is none. `self` and `other` are ignored.
 double Sensing::first_disk(Vector origin, Vector direction, double range, std::uint32_t self,
                            std::uint32_t other) const {
     if (indexed_) return first_disk_in_cells(origin, direction, range, self, other);
@@ -146,7 +147,8 @@ void Sensing::find_neighbours(std::size_t robot, double reach) {
     std::ranges::sort(near_);
 }
 
-/// A message arrives from a robot in range that is not hidden, unless it is lost; its distance is noisy.
+/// Returns the bearing of a robot whose message arrives: a robot in range that is not hidden, unless the message is
+/// lost. The distance is noisy.
 std::optional<Bearing> Sensing::hear_robot(std::uint32_t robot, std::uint32_t other, const RangeAndBearing& sensor,
                                            double within) {
     const Vector way = world_.position(other) - world_.position(robot);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sensors of robots in the built-in world: a line of sight, the range and bearing of others, light with shadows,
-// and proximity. The models follow published ones of the e-puck: Li et al. 2017, section 3; ARGoS' range-and-bearing
-// and light sensors.
+// Simulates the sensors of robots in the built-in world: a line of sight, the range and bearing of other robots, light
+// with shadows, and proximity. The models follow published ones of the e-puck: Li et al. 2017, section 3; ARGoS'
+// range-and-bearing and light sensors.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ struct Sight {
     double distance = 0;
 };
 
-/// Another robot: the distance of its centre, and its direction relative to the own heading, in (-pi, pi].
+/// Another robot, as a sensor hears it: the distance of its centre, and its direction relative to the heading of the
+/// sensing robot, in (-pi, pi].
 struct Bearing {
     std::uint32_t robot = 0;
     double distance = 0;
@@ -36,7 +37,7 @@ struct RangeAndBearing {
 };
 
 struct LightRing {
-    /// Sensors are evenly distributed around the body; the first is half a gap to the left of the heading.
+    /// The number of sensors, evenly distributed around the body. The first is half a gap to the left of the heading.
     std::uint32_t sensors = 8;
     double leak = 0;  ///< probability that light reaches a sensor through the body, about one half in ARGoS
 };
@@ -58,17 +59,19 @@ public:
     /// Updates the positions of the robots.
     void update_positions();
 
-    /// The first object on a ray from the front of the robot along its heading; unlimited if `range` is 0.
+    /// Returns the first object on a ray from the front of the robot along its heading. If `range` is 0, the ray is
+    /// unlimited.
     [[nodiscard]] Sight line_of_sight(std::size_t robot, double range) const;
-    /// The robots in range, ascending by number. `within` further limits the distance (as measured, including noise).
+    /// Returns the robots in range, ascending by number. `within` further limits the distance (as measured, including
+    /// noise).
     [[nodiscard]] const std::vector<Bearing>& range_and_bearing(std::size_t robot, const RangeAndBearing&,
                                                                 double within);
     /// True if range_and_bearing would not be empty: it tests the same robots in the same order.
     [[nodiscard]] bool somebody_within(std::size_t robot, const RangeAndBearing&, double within);
-    /// The number of sensors of the ring that the light reaches; other robots cast shadows.
+    /// Returns the number of sensors of the ring that the light reaches. Other robots cast shadows.
     [[nodiscard]] std::uint32_t lit_sensors(std::size_t robot, const LightRing&, Vector light);
-    /// The distance from the body to the nearest robot or wall that a sensor of the ring meets; no value if none is in
-    /// range.
+    /// Returns the distance from the body to the nearest robot or wall that a sensor of the ring detects; no value if
+    /// none is in range.
     [[nodiscard]] std::optional<double> nearest_distance(std::size_t robot, const ProximityRing&) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world's physics; see world.hpp.
+// Implements the world's physics; see world.hpp.
 #include "simulation/world/world.hpp"
 
 #include <algorithm>
@@ -11,13 +11,13 @@ namespace robochart::simulation {
 
 namespace {
 
-/// Lists of pairs contain robots up to this distance from contact, in cm. Two robots at full speed cover it in about
-/// two control steps.
+/// Lists of pairs contain robots up to this distance from contact, in cm. Two robots that approach at full speed need
+/// about two control steps for it.
 constexpr double margin = 6;
 /// The largest displacement by pushes in one physics step that the pair list tolerates, in cm.
 constexpr double slack = 1;
 
-/// The places of robots already placed, in squares as wide as a robot. The squares are used only for lookup by number.
+/// The positions of the robots placed so far, in squares as wide as a robot. The squares are only looked up by number.
 class Places {
 public:
     explicit Places(double radius) : reach_(2 * radius) {}
@@ -97,7 +97,7 @@ void World::add_robot(const Pose& pose) {
     listed_x_.clear();
 }
 
-/// The places for a robot that overlap no other robot, wall or obstacle.
+/// Finds positions for a robot that overlap no other robot, wall or obstacle.
 class World::Free {
 public:
     explicit Free(const World& world)
@@ -126,7 +126,7 @@ private:
 
 namespace {
 
-/// The number of consecutive failed random placements before giving up.
+/// The number of consecutive random placements that may fail before the search ends.
 constexpr int most_tries = 2000;
 
 }  // namespace
@@ -192,9 +192,9 @@ void World::advance() {
     end_step();
 }
 
-/// Unicycle, midpoint rule: in a physics step of length h, the robot moves v*h along the heading that it has after half
-/// of the step. The speeds are constant during a control step, so the displacement of each physics step is the previous
-/// one, rotated.
+/// Computes the first displacement of a control step by the midpoint rule for unicycles: in a physics step of length h,
+/// the robot moves v*h along the heading that it has after half of the step. The speeds are constant during a control
+/// step, so each displacement is the previous one, rotated.
 void World::begin_step() {
     const double h = options_.control_step / options_.physics_steps;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -235,8 +235,8 @@ void World::move_robots() {
     }
 }
 
-/// The list of pairs that can touch is valid while no robot is farther than half the margin from its position in the
-/// list (Verlet list).
+/// True if the list of pairs must be renewed. It is valid (a Verlet list) while every robot is within half the margin
+/// of its position when the pairs were listed.
 bool World::pairs_are_stale() const {
     if (listed_x_.size() != size()) return true;
     double worst = 0;

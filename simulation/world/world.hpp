@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built-in world: disks with differential drive in a plane with walls. The world is kinematic: a robot moves as its
-// wheels turn. Overlapping disks are pushed apart by equal distances, and disks are pushed out of walls. The results
-// depend only on the seed; the method by which neighbours are found does not change a single bit of them. The data are
-// stored as a structure of arrays.
+// Simulates the built-in world: disks with differential drive in a plane with walls. The world is kinematic: a robot
+// moves as its wheels turn. Overlapping disks are pushed apart by equal distances, and disks are pushed out of walls.
+// The results depend only on the seed: the method that finds neighbours does not change a single bit of them. The data
+// are stored as a structure of arrays.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@
 
 namespace robochart::simulation {
 
-/// A rectangle around the origin, with walls or unbounded, and walls inside it.
+/// A rectangle around the origin, with or without outer walls, and the walls inside it.
 struct Arena {
     double width = 250;
     double height = 250;
     bool walled = true;
     std::vector<Segment> walls;                  ///< including those of obstacles
-    std::vector<std::vector<Vector>> obstacles;  ///< polygons by their corners, in order; no robot is placed in one
+    std::vector<std::vector<Vector>> obstacles;  ///< polygons as their corners, in order; no robot is placed in one
 };
 
-/// The robot's body: by default an e-puck as in Li et al. 2017, section 3 (radius as in Enki).
+/// The robot's body. By default it is an e-puck as in Li et al. 2017, section 3 (with the radius that Enki uses).
 struct Body {
     double radius = 3.7;      ///< cm
     double axle = 5.1;        ///< cm between the wheels
     double max_wheel = 12.8;  ///< cm/s, forward or backward
-    double noise = 0;         ///< fraction of a wheel's speed: uniform, drawn for each control step
+    double noise = 0;         ///< fraction of a wheel's speed; the noise is uniform and drawn for each control step
 };
 
 struct WorldOptions {
@@ -38,7 +38,7 @@ struct WorldOptions {
     Body body;
     double control_step = 0.1;         ///< s
     std::uint32_t physics_steps = 10;  ///< the number of physics steps in a control step
-    /// From this number of robots on, pairs are found by cells. The results are the same.
+    /// With at least this number of robots, a grid of cells is used to find pairs. The results are the same.
     std::size_t cells_from = 40;
 };
 
@@ -60,13 +60,14 @@ class World {
 public:
     World(WorldOptions options, std::uint64_t seed);
 
-    /// Adds a polygon to the arena. It is present if `there` is true. Polygons are numbered in the order in which they
-    /// are added.
+    /// Adds a polygon to the arena. `there` tells whether it is present. Polygons are numbered in the order in which
+    /// they are added.
     void add_obstacle(std::vector<Vector> corners, bool there);
     /// Makes a polygon appear or vanish. Robots that touch its sides are pushed away; a robot deeper inside is trapped.
     void set_obstacle(std::size_t obstacle, bool there);
 
-    /// Robots placed from now on have this axle, these wheels and their noise; the radius is the same for all.
+    /// Sets the axle, the wheels and their noise for robots that are placed from now on. The radius is the same for all
+    /// robots.
     void set_body(const Body& body) { body_ = body; }
     /// Places a robot; overlaps are resolved over time.
     void add_robot(const Pose&);
@@ -75,15 +76,15 @@ public:
     [[nodiscard]] bool place_at_random(std::size_t count, const Region&);
 
     /// Places the first robot at this point with a random heading. Each further robot is placed relative to a random
-    /// earlier one, in a random direction, at a uniformly random distance from a diameter up to `link` between centres.
-    /// Robots do not overlap and are in the arena if it has walls. Returns false if no free place was found, or if
+    /// earlier one: in a random direction, at a uniformly random distance from a diameter up to `link` between centres.
+    /// Robots do not overlap, and are in the arena if it has walls. Returns false if no free place was found, or if
     /// `link` is less than a diameter.
     [[nodiscard]] bool place_linked(std::size_t count, Vector first, double link);
 
     [[nodiscard]] std::size_t size() const { return x_.size(); }
     [[nodiscard]] Vector position(std::size_t robot) const { return {x_[robot], y_[robot]}; }
     [[nodiscard]] double heading(std::size_t robot) const { return heading_[robot]; }
-    /// The unit vector along the heading.
+    /// Returns the unit vector along the heading.
     [[nodiscard]] Vector direction(std::size_t robot) const { return {cosine_[robot], sine_[robot]}; }
     [[nodiscard]] std::span<const double> x() const { return x_; }
     [[nodiscard]] std::span<const double> y() const { return y_; }
@@ -95,7 +96,7 @@ public:
     void set_wheels(std::size_t robot, Wheels);
     /// Simulates one control step.
     void advance();
-    /// The largest overlap of two robots, or of a robot and a wall. For tests.
+    /// Returns the largest overlap of two robots, or of a robot and a wall. For tests.
     [[nodiscard]] double largest_overlap() const;
 
 private:
@@ -122,7 +123,7 @@ private:
     };
 
     WorldOptions options_;
-    std::size_t fixed_walls_ = 0, fixed_obstacles_ = 0;  ///< numbers of permanent ones; the others follow them
+    std::size_t fixed_walls_ = 0, fixed_obstacles_ = 0;  ///< numbers of permanent walls and obstacles, which come first
     std::vector<Changing> changing_;
     Random random_;
     std::uint64_t steps_ = 0;
@@ -133,7 +134,7 @@ private:
     std::vector<double> step_x_, step_y_;             ///< displacement of the next physics step
     std::vector<double> turn_cos_, turn_sin_, turn_;  ///< rotation in a physics step; angle in a control step
     std::vector<double> listed_x_, listed_y_;         ///< positions when the pairs were listed
-    std::vector<Pair> pairs_;                         ///< may touch before the next update, in ascending order
+    std::vector<Pair> pairs_;                         ///< pairs that may touch before the next update, ascending
     Cells cells_;
 };
 

@@ -14,7 +14,7 @@
 
 class @CLASS@Plugin final : public argos::CCI_Controller {
 public:
-    /// `<params logs="FOLDER"/>`: the robot writes a log there for `robochart-verify conform --traces`.
+    /// With `<params logs="FOLDER"/>`, the robot writes a log there for `robochart-verify conform --traces`.
     void Init(argos::TConfigurationNode& node) override {
         body_.init(*this);
         std::string logs;
@@ -34,7 +34,7 @@ public:
                           << std::endl;
     }
 
-    /// ARGoS restarts the experiment.
+    /// Called when ARGoS restarts the experiment.
     void Reset() override {
         robot_.reset();
         seed();
@@ -43,8 +43,8 @@ public:
     }
 
 private:
-    /// The seed of the robot's random choices is its name (FNV-1a, 64 bits): equal in every run, different for each
-    /// robot.
+    /// Sets the seed of the robot's random choices, which is a hash of its name (FNV-1a, 64 bits). It is equal in every
+    /// run, and different for each robot.
     void seed() {
         std::uint64_t seed = 0xcbf29ce484222325U;
         for (const char c : GetId()) seed = (seed ^ static_cast<unsigned char>(c)) * 0x100000001b3U;

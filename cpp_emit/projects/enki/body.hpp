@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-/// The line of sight: the first object on a ray from the robot's front edge along its heading.
+/// The line of sight: finds the first object on a ray from the robot's front edge along its heading.
 class Eye final : public Enki::LocalInteraction {
 public:
     explicit Eye(Enki::Robot* robot) : Enki::LocalInteraction(1e6, robot) {}
@@ -49,17 +49,17 @@ public:
 
     [[nodiscard]] int number() const { return number_; }
 
-    /// Whether a robot is in the line of sight, before any wall.
+    /// Returns whether a robot is in the line of sight, before any wall.
     [[nodiscard]] bool sees_robot() const { return eye_.robot() < eye_.wall(); }
-    /// The distance to the first object in the line of sight.
+    /// Returns the distance to the first object in the line of sight.
     [[nodiscard]] double distance() const { return std::max(0.0, std::min(eye_.robot(), eye_.wall())); }
 
-    /// Speeds of the wheels, cm/s.
+    /// Sets the speeds of the wheels, cm/s.
     void wheels(double left, double right) {
         puck_.leftSpeed = left;
         puck_.rightSpeed = right;
     }
-    /// Forward speed, cm/s, and turning speed, rad/s, counter-clockwise positive.
+    /// Sets the forward speed, cm/s, and the turning speed, rad/s, counter-clockwise positive.
     void drive(double linear, double angular) {
         wheels(linear - angular * axle / 2, linear + angular * axle / 2);
     }

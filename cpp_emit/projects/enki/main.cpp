@@ -22,7 +22,7 @@ constexpr double side = 250;         // side of the arena, cm
 
 int counter = 0;
 
-/// Enki moves the robots and updates their sensors; then each controller executes its cycle.
+/// A robot. Enki moves the robots and updates their sensors; then each controller executes its cycle.
 class Puck final : public Enki::EPuck {
 public:
     Puck() : Enki::EPuck(CAPABILITY_NONE), body_(*this, counter++), robot_(body_) {}
@@ -36,7 +36,7 @@ public:
         Enki::EPuck::controlStep(dt);
     }
 
-    /// Starts writing a log; returns whether this is possible.
+    /// Starts writing a log. Returns whether this is possible.
     [[nodiscard]] bool log([[maybe_unused]] const std::string& file) {
 #if ROBOCHART_TRACE
         log_ = std::make_unique<robochart::TraceFile>(::Robot::RunHeader());
@@ -49,7 +49,7 @@ public:
     }
     void seed(std::uint64_t seed) { robochart::set_seed(robot_, seed); }
     [[nodiscard]] const ::Robot& robot() const { return robot_; }
-    /// Whether no step bound, precondition or deadline was violated.
+    /// Returns whether no step bound, precondition or deadline was violated.
     [[nodiscard]] bool good() const {
         return result_ == robochart::StepResult::quiescent || result_ == robochart::StepResult::terminated;
     }
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
         return EXIT_FAILURE;
     }
     const auto count = static_cast<std::size_t>(robots);
-    // One array, because Enki visits the robots in the order of their addresses.
+    // The robots are in one array, because Enki visits them in the order of their addresses.
     const std::unique_ptr<Puck[]> pucks(new Puck[count]);
     Enki::World world(side, side);
     world.takeObjectOwnership = false;

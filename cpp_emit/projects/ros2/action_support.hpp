@@ -1,5 +1,5 @@
-// Shared by the ROS 2 nodes of generated controllers that call actions: the goal of an action, and the order of its
-// events. Written by robochart-verify.
+// Shared by the ROS 2 nodes of generated controllers that call actions. Sends the goal of an action, and orders the
+// action's events. Written by robochart-verify.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,10 @@
 
 namespace robochart::ros2 {
 
-/// The last goal that was sent to an action server. After send(), the functions of `events` are called in this order,
-/// whatever the server and the network do: rejected; or accepted, then feedback any number of times, then at most one of
-/// succeeded, aborted and canceled. A later goal replaces the goal: nothing is called for the earlier one any more.
+/// Sends goals to an action server and stores the last one. After send(), the functions of `events` are called in this
+/// order, whatever the server and the network do: rejected; or accepted, then feedback any number of times, then at
+/// most one of succeeded, aborted and canceled. A later goal replaces the goal: then no function is called for the
+/// earlier one any more.
 template <class Action>
 class Goal {
 public:
@@ -40,14 +41,14 @@ public:
     [[nodiscard]] bool is_connected() const { return client_ != nullptr; }
     [[nodiscard]] bool has_server() const { return client_->action_server_is_ready(); }
 
-    /// Gives up the last goal: its events are not called any more. The server goes on with it.
+    /// Gives up the last goal: its events are not called any more. The server continues with it.
     void forget() {
         ++number_;
         stage_ = Stage::none;
         handle_.reset();
         cancel_when_accepted_ = false;
     }
-    /// Throws what rclcpp_action throws.
+    /// Sends a goal. Throws what rclcpp_action throws.
     void send(const typename Action::Goal& goal) {
         forget();
         const std::uint64_t number = number_;
@@ -66,8 +67,8 @@ public:
         client_->async_send_goal(goal, options);
     }
 
-    /// Requests that the server cancels the goal. Before the server has accepted the goal, the request waits. Throws what
-    /// rclcpp_action throws.
+    /// Requests that the server cancels the goal. If the server has not accepted the goal yet, the request waits.
+    /// Throws what rclcpp_action throws.
     void cancel() {
         if (stage_ == Stage::sent) cancel_when_accepted_ = true;
         if (stage_ == Stage::accepted) client_->async_cancel_goal(handle_);
@@ -87,7 +88,7 @@ private:
         if (events.accepted) events.accepted();
         if (std::exchange(cancel_when_accepted_, false)) client_->async_cancel_goal(handle_);
     }
-    /// A result without a code counts as aborted.
+    /// Ends the goal. A result without a code is treated as aborted.
     void end(const typename Handle::WrappedResult& result) {
         stage_ = Stage::none;
         handle_.reset();
@@ -110,7 +111,7 @@ private:
 
     typename Client::SharedPtr client_;
     typename Handle::SharedPtr handle_;
-    std::uint64_t number_ = 0;  ///< of the goal
+    std::uint64_t number_ = 0;  ///< number of the goal
     Stage stage_ = Stage::none;
     bool cancel_when_accepted_ = false;
 };

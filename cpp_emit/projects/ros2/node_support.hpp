@@ -1,5 +1,5 @@
-// Shared by the ROS 2 nodes of generated controllers: conversion of values to and from fields of messages, parameters,
-// quality of service. Written by robochart-verify.
+// Shared by the ROS 2 nodes of generated controllers. Converts values to and from fields of messages, and handles
+// parameters and quality of service. Written by robochart-verify.
 #pragma once
 
 #include <cmath>
@@ -67,13 +67,13 @@ template <class Field>
     return true;
 }
 
-/// A natural number.
+/// Reads a natural number.
 template <class Field>
 [[nodiscard]] bool take_nat(std::int64_t& value, const Field& field) noexcept {
     return take(value, field) && value >= 0;
 }
 
-/// A literal of an enumeration by its number.
+/// Reads a literal of an enumeration by its number.
 template <class Literal, class Field>
 [[nodiscard]] bool take_literal(Literal& value, const Field& field, std::int64_t literals) noexcept {
     std::int64_t number = 0;
@@ -82,8 +82,8 @@ template <class Literal, class Field>
     return true;
 }
 
-/// A list from an array, whose items `take_item` reads. Returns false if the array has more items than the list can
-/// have, or an item is not a value of the model.
+/// Fills a list with the items of an array; `take_item` converts each item. Returns false if the array has more items
+/// than the list can have, or if an item is not a value of the model.
 template <class List, class Array, class TakeItem>
 [[nodiscard]] bool take_list(List& list, const Array& array, TakeItem take_item) noexcept {
     list = List{};
@@ -98,7 +98,7 @@ template <class List, class Array, class TakeItem>
 
 enum class Comparison { equal, not_equal, less, less_equal, greater, greater_equal };
 
-/// Every comparison with NaN is false, but for not_equal.
+/// Every comparison with NaN is false, except not_equal.
 template <class Value>
 [[nodiscard]] bool compare(const Value& a, Comparison comparison, const Value& b) noexcept {
     switch (comparison) {
@@ -118,7 +118,8 @@ template <class Value>
     return a >= b;
 }
 
-/// Whether a field compares so with a value of a mapping. A real number is compared with the precision of the field.
+/// Returns whether a field satisfies a comparison with a value of a mapping. A real number is compared with the
+/// precision of the field.
 template <class Field, class Value>
 [[nodiscard]] bool holds(const Field& field, Comparison comparison, const Value& value) noexcept {
     if constexpr (std::is_same_v<Field, bool> || std::is_same_v<Value, bool>) {
@@ -144,20 +145,20 @@ void send(const Function& function, const Value& value) {
     if (function) function(value);
 }
 
-/// The times of control cycles: pauses, and cycles that did not take place because an earlier one took too long.
+/// Tracks the times of control cycles: pauses, and cycles that did not take place because an earlier one took too long.
 class Pace {
 public:
     void pause(const ::rclcpp::Time& now) {
         paused_ = now;
         last_.reset();
     }
-    /// The seconds since the pause began; 0 without a pause.
+    /// Ends a pause. Returns the seconds since the pause began, or 0 without a pause.
     [[nodiscard]] double resume(const ::rclcpp::Time& now) {
         const double seconds = paused_ ? (now - *paused_).seconds() : 0;
         paused_.reset();
         return seconds;
     }
-    /// A cycle begins. Returns the number of cycles that should have begun since the last one.
+    /// Begins a cycle. Returns the number of cycles that should have begun since the last one.
     [[nodiscard]] std::int64_t count_lost(const ::rclcpp::Time& now, double period) {
         const double elapsed = last_ ? (now - *last_).seconds() : 0;
         last_ = now;
@@ -168,7 +169,7 @@ private:
     std::optional<::rclcpp::Time> last_, paused_;
 };
 
-/// What the node says of itself on /diagnostics: once in a second, and when its controller stops.
+/// Reports on /diagnostics how the node is doing: once a second, and when its controller stops.
 class Health {
 public:
     using Status = ::diagnostic_msgs::msg::DiagnosticStatus;
@@ -184,7 +185,7 @@ public:
         const double elapsed = (now - *last_).seconds();
         return elapsed < 0 || elapsed >= 1;  // the clock of a simulation may go back
     }
-    /// A report of the cycles since the last one.
+    /// Returns a report of the cycles since the last report.
     [[nodiscard]] ::diagnostic_msgs::msg::DiagnosticArray report_cycles(const ::rclcpp::Time& now, const char* node,
                                                                         const Facts& facts) {
         const bool late = std::exchange(late_, false);
@@ -220,16 +221,16 @@ private:
     bool late_ = false;  ///< cycles have been lost since the last report
 };
 
-/// A topic from which a message must arrive from time to time.
+/// Watches a topic on which a message must arrive from time to time.
 class Watch {
 public:
     void hear(const ::rclcpp::Time& now) {
         last_ = now;
         silent_ = false;
     }
-    /// No message is expected.
+    /// Stops the watch: no message is expected.
     void rest() { last_.reset(); }
-    /// Whether no message has arrived for this time; true once for each silence.
+    /// Returns whether no message has arrived for this time. The result is true only once for each silence.
     [[nodiscard]] bool is_due(const ::rclcpp::Time& now, double seconds) {
         if (silent_ || !last_ || (now - *last_).seconds() < seconds) return false;
         silent_ = true;
@@ -241,7 +242,7 @@ private:
     bool silent_ = false;
 };
 
-/// Describes a parameter that is set when the node starts, and not later.
+/// Describes a parameter that is set when the node starts, and cannot be set later.
 inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& description) {
     ::rcl_interfaces::msg::ParameterDescriptor descriptor;
     descriptor.description = description;
@@ -257,8 +258,8 @@ inline ::rcl_interfaces::msg::ParameterDescriptor at_start(const std::string& de
     return descriptor;
 }
 
-/// Declares a parameter with a real number. `cycle: 1` in a file of parameters is a whole number, which counts, too. Other
-/// values give NaN.
+/// Declares a parameter with a real number. A whole number, such as `cycle: 1` in a file of parameters, is accepted,
+/// too. Other values give NaN.
 template <class Node>
 double declare_number(Node& node, const std::string& name, double usual,
                       ::rcl_interfaces::msg::ParameterDescriptor descriptor) {
@@ -274,7 +275,7 @@ double declare_number(Node& node, const std::string& name, double usual,
     }
 }
 
-/// The quality of service of a topic. Parameters may override it (qos_overrides.TOPIC); they are declared when the node
+/// The quality of service of a topic. Parameters may override it (qos_overrides.TOPIC). They are declared when the node
 /// is configured for the first time. Afterwards the quality does not change.
 class Quality {
 public:

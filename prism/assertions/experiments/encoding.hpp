@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface of an encoding of RoboChart as Markov models: the meaning of names in properties, and the models for
-// values of constants.
+// Declares the interface of an encoding of RoboChart as Markov models. An encoding gives names in properties their
+// meaning, and makes the model for given values of constants.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Wording {
     std::map<std::string, std::string> modules;  ///< the machines
 };
 
-/// A model for random paths. Its states are not explored.
+/// The input for random paths: a model whose states are not explored.
 struct Unexplored {
     const prism::Instance& instance;
     const Wording& wording;
@@ -41,14 +41,14 @@ public:
     [[nodiscard]] virtual Elements& elements() = 0;
     /// Returns the PRISM constant for the RoboChart constant with this path. Throws NotExpressed.
     [[nodiscard]] virtual prism::Constant prism_constant(const std::string& path) = 0;
-    /// Returns the states of the model with the additions that the question needs. `Values` are given by the PRISM
-    /// names of constants. The result is valid until the next call. Throws NotExpressed, Wrong, prism::EvaluationError,
+    /// Returns the states of the model, extended as the question needs it. `Values` assigns values to the PRISM names
+    /// of constants. The result is valid until the next call. Throws NotExpressed, Wrong, prism::EvaluationError,
     /// diagnostics::LimitReached.
     [[nodiscard]] virtual const prism::StateSpace& explore_space(const Question&, const prism::Values&) = 0;
     /// Returns the same model without exploring its states, for random paths. Throws the same exceptions.
     [[nodiscard]] virtual Unexplored unexplored_model(const Question&, const prism::Values&) = 0;
-    /// True if a question has a single value. Otherwise a question has the least and the greatest value over all
-    /// schedulers.
+    /// True if every question has a single value. Otherwise a question has two values: the least and the greatest over
+    /// all schedulers.
     [[nodiscard]] virtual bool one_value() const = 0;
 };
 

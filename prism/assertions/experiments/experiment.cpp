@@ -24,7 +24,7 @@ namespace {
 using prism::ExprPtr;
 using prism::Op;
 
-/// The messages of all errors.
+/// Returns the messages of all errors.
 std::string error_messages(const diagnostics::Diagnostics& diagnostics) {
     std::string text;
     for (const diagnostics::Diagnostic& finding : diagnostics.sorted_findings())
@@ -60,7 +60,7 @@ ExprPtr with_optimum(const ExprPtr& expr, prism::Optimum optimum) {
     return prism::make_expr(std::move(copy));
 }
 
-/// The properties that answer a question: the question itself, or its minimum and its maximum.
+/// Returns the properties that answer a question: the question itself, or its minimum and its maximum.
 std::vector<prism::Property> properties_of(const Question& question, bool one_value) {
     if (!open_question(*question.property)) return {{{}, question.property}};
     if (one_value) return {{{}, with_optimum(question.property, prism::Optimum::minimum)}};
@@ -188,7 +188,7 @@ private:
         }
     }
 
-    /// Answers by random paths; no states are explored.
+    /// Answers the question by random paths. No states are explored.
     void decide_by_paths(const prism::Instance& instance, const prism::Values& of_model,
                          const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
         const prism::CheckedProperties checked = this->checked_properties(instance.model(), {{{}, question_.property}});
@@ -215,7 +215,7 @@ private:
         return result;
     }
 
-    /// The values of all constants.
+    /// Returns the values of all constants.
     [[nodiscard]] static prism::Values constant_values(const prism::Instance& instance,
                                                        const prism::CheckedProperties& properties,
                                                        const prism::Values& constants) {
@@ -235,7 +235,7 @@ private:
         }
     }
 
-    /// Generates a random path, or several until one reaches a deadlock.
+    /// Generates a random path. If further attempts are requested, generates paths until one reaches a deadlock.
     void generate_paths(const Unexplored& model, const prism::Values& of_model,
                         const std::vector<prism::Values>& of_property, const std::function<void(Row)>& found) {
         const prism::CheckedProperties checked = this->checked_properties(model.instance.model(), {});
@@ -273,7 +273,7 @@ private:
         }
     }
 
-    /// The number of steps or paths: the value of the constant with this name.
+    /// Returns a number of steps or paths, which is the value of the constant with this name.
     static std::uint64_t whole_constant(const std::string& constant, const prism::Values& numbers) {
         const double value = approximate_value(numbers.find(constant)->second.real);
         constexpr double most = 1e15;
@@ -281,7 +281,7 @@ private:
         throw Wrong(fmt::format("{}: expected a whole number from 0 to {}", constant, most));
     }
 
-    /// Fills in the answers, or the evaluation error, and the time used.
+    /// Stores the answers, or the evaluation error, and the time used.
     static void fill_row(Row& row, std::size_t count, const std::function<prism::Result(std::size_t)>& answer) {
         const auto begin = std::chrono::steady_clock::now();
         try {

@@ -16,7 +16,7 @@
 
 namespace robochart::probability {
 
-/// A random path in terms of the model.
+/// A random path, described with the names of the model.
 struct Path {
     struct Step {
         std::string by;       ///< the events of the step; without an event, the machine that moves
@@ -27,13 +27,13 @@ struct Path {
     bool deadlock = false;  ///< no step is possible at the end of the path
 };
 
-/// The answer for one combination.
+/// The answer for one combination of values of the constants.
 struct Row {
     std::vector<std::pair<std::string, std::string>> constants;  ///< names as written, and values
-    /// One result, or, for a question over all schedulers, the least and the greatest value. Empty if there is an
+    /// One result, or two for a question over all schedulers: the least and the greatest value. Empty if there is an
     /// error.
     std::vector<prism::Result> results;
-    std::optional<Path> path = {};  ///< if one was requested
+    std::optional<Path> path = {};  ///< the requested path, if any
     std::string error;              ///< the reason why the question cannot be evaluated; "" if there is no error
     std::uint64_t states = 0, transitions = 0;
     double seconds = 0;
@@ -47,9 +47,9 @@ struct Deciding {
     unsigned threads = 0;    ///< the number of threads for random paths; 0: one per core
 };
 
-/// Decides the question and calls `found` with each row as soon as it is known. Throws NotExpressed if an element has
-/// no counterpart, Wrong if values are wrong, and LimitReached if the budget is exhausted. If a model has too many
-/// states, its row contains the error.
+/// Decides the question and passes each row to `found` as soon as the row is known. If a model has too many states, its
+/// row contains the error. Throws NotExpressed if an element has no counterpart, Wrong if values are wrong, and
+/// LimitReached if the budget is exhausted.
 void decide_question(Encoding&, const Question&, const Deciding&, diagnostics::Budget&,
                      const std::function<void(Row)>& found);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random paths in terms of the model.
+// Describes random paths with the names of the model.
 #pragma once
 
 #include "prism/assertions/experiments/encoding.hpp"
@@ -8,7 +8,7 @@
 
 namespace robochart::probability {
 
-/// Describes each step by its events or its machine, and by its changes in terms of the model.
+/// Describes each step by its events, or by its machine if it has no events, and by the changes of variables.
 [[nodiscard]] Path in_words(const prism::RandomPath& path, const Unexplored& model);
 
 }  // namespace robochart::probability

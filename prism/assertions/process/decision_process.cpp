@@ -18,7 +18,7 @@ using csp_emit::MeaningKind;
 
 using Distribution = std::vector<std::pair<lts::StateIndex, Rational>>;
 
-/// A step without the states that it connects.
+/// The properties of a step that do not depend on its states.
 struct Kind {
     const EventMeaning* meaning = nullptr;  ///< the meaning of the event or of the hidden event
     bool tock = false;
@@ -34,8 +34,8 @@ struct Choice {
     friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// States in which only time can pass: the largest set of states that have only tock steps, all of which lead into the
-/// set.
+/// Returns the states in which only time can pass. They are the largest set of states that have only tock steps into
+/// the set.
 markov::StateSet deadlocked_states(const Exploration& explored, const std::function<bool(const Step&)>& tock,
                                    diagnostics::Pollable& budget) {
     markov::StateSet result(explored.size(), true);
@@ -114,7 +114,7 @@ private:
         bool read = false;
     };
 
-    /// The kind of a step, by its event or its hidden event.
+    /// Returns the kind of a step, by its event or its hidden event.
     const Kind& kind_of_step(const Step& step) {
         const bool hidden = step.event == lts::tau;
         const auto [known, added] = kinds_.try_emplace({step.event, step.revealed});
@@ -139,8 +139,8 @@ private:
         }
     }
 
-    /// Returns the observers whose parity changes in the step. Before its first event, an observer is its initial term,
-    /// which is not a known definition; its parity is then 0. A terminated observer has no parity.
+    /// Returns the observers whose parity changes in the step. Before its first event, an observer is still its initial
+    /// term and not a call of a known definition; its parity is then 0. A terminated observer has no parity.
     [[nodiscard]] EventSet changed_observers(lts::StateIndex from, lts::StateIndex to) {
         if (sources_.observed.empty()) return 0;
         const Parities before = parities_of(from);
@@ -175,7 +175,7 @@ private:
         return known->second;
     }
 
-    /// The choices that the scheduler allows.
+    /// Returns the choices that the scheduler allows.
     std::vector<Choice> choices_in(lts::StateIndex state) {
         std::vector<Choice> result;
         std::map<std::pair<std::string, std::string>, std::vector<const Step*>> draws;  // by machine and junction
@@ -198,7 +198,7 @@ private:
         return result;
     }
 
-    /// The probabilistic choice at a junction.
+    /// Returns the probabilistic choice at a junction.
     Choice probabilistic_choice(lts::StateIndex state, const std::string& component,
                                 const std::vector<const Step*>& ways) {
         const auto seat = std::ranges::find_if(sources_.seats,
@@ -265,7 +265,7 @@ private:
 
     void push_loop(markov::State state) { finish_choice(2, false, {{state, number_value(1)}}); }
 
-    /// Choices with equal probability: a step without time to an intermediate state for each choice.
+    /// Adds one step, which takes no time. It leads to an intermediate state for each choice, with equal probabilities.
     void add_uniform_choice(markov::State state, const std::vector<Choice>& choices) {
         std::vector<std::pair<markov::State, std::uint32_t>> branches;
         const std::uint32_t share = number_value(Rational(1) / choices.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Markov decision process of a component: the operational semantics of its timed process, in which the steps that
-// leave a probabilistic junction are the branches of one choice. Every other step (internal, event or tock) is a
+// Builds the Markov decision process of a component from the operational semantics of its timed process. The steps that
+// leave a probabilistic junction become the branches of one choice. Every other step (internal, event or tock) is a
 // separate choice.
 #pragma once
 
@@ -19,10 +19,10 @@
 
 namespace robochart::probability {
 
-/// The scheduler that resolves choices.
+/// How the choices are resolved.
 enum class Scheduler {
     any,     ///< all possible schedulers
-    urgent,  ///< steps that need neither an input nor time have priority, because the platform accepts outputs at once
+    urgent,  ///< if the platform accepts outputs at once: steps that need no input and no time have priority
     uniform  ///< all choices of a state are equally likely
 };
 
@@ -33,7 +33,7 @@ inline constexpr const char* tock_action = "tock";
 using EventSet = std::uint32_t;
 inline constexpr std::size_t most_observed = 16;
 
-/// The action of choices with exactly these events; "" for no event.
+/// Returns the action of choices with exactly these events, or "" if there are none.
 [[nodiscard]] std::string observed_action(EventSet events);
 
 /// The input of the construction.
@@ -43,13 +43,13 @@ struct Sources {
     const csp_emit::Provenance& provenance;
     const lts::EventTable& events;
     const std::vector<Seat>& seats;
-    /// Events to which rewards refer; at most `most_observed`.
+    /// The events that rewards refer to; at most `most_observed`.
     const std::vector<ObservedEvent>& observed;
 };
 
 struct DecisionProcess {
     markov::Model model;
-    markov::StateSet deadlocks;            ///< only time can pass
+    markov::StateSet deadlocks;            ///< states in which only time can pass
     std::vector<lts::StateIndex> origins;  ///< for each state, its state in the exploration
     std::vector<EventSet> happening;  ///< the sets of events of choices, without duplicates; contains the empty set
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of a process with the names of its hidden events, and the comparison with another process.
+// Stores the states of a process with the names of its hidden events, and compares processes.
 #pragma once
 
 #include <cstdint>

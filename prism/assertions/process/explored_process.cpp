@@ -22,7 +22,7 @@ const cspm::ExprPtr& component_process(const csp_emit::Emission& emission, const
     return found->process;
 }
 
-/// The timed semantics. Throws Wrong if there is none.
+/// Emits the timed semantics. Throws Wrong if there is none.
 csp_emit::Emission emit_timed(const ir::System& system, const ir::Instantiation& instantiation, bool whole_states,
                               bool share_modules, diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
     diagnostics::Diagnostics findings;
@@ -43,7 +43,7 @@ refine::Limits limits_of(const diagnostics::Budget* budget) {
     return limits;
 }
 
-/// Checks that the explored process is branching bisimilar to the process of assertions.
+/// Checks that the explored process is branching bisimilar to the process that assertions are checked with.
 void check_bisimilar(ExploredProcess& made, const ir::System& system, const std::string& subject,
                      diagnostics::SourceManager& sources, diagnostics::Budget* budget) {
     const csp_emit::Emission usual = emit_timed(system, made.instantiation, false, true, sources, budget);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The timed process of a component with all its states, and the objects that read them.
+// Explores the timed process of a component completely, and makes the objects that read its states.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct ExploredProcess {
     std::unique_ptr<runs::Context> context;
     std::unique_ptr<runs::StepReader> steps;
     std::unique_ptr<StateReader> reader;
-    std::uint64_t compared = 0;  ///< states of the comparison; 0: not compared
+    std::uint64_t compared = 0;  ///< number of states in the comparison; 0 if there was none
 };
 
 /// Receives the script of a process, its instantiation, and the session that is going to explore it.
@@ -37,15 +37,16 @@ using SessionObserver = std::function<void(const csp_emit::Emission&, const ir::
 
 struct ExploreLimits {
     std::uint64_t most_states = 500'000'000;
-    /// Up to this number of states, the process is compared by branching bisimulation with the one that is used for
+    /// If the process has at most this many states, it is compared (by branching bisimulation) with the process of the
     /// refinement checks.
     std::uint64_t compared_states = 1'000'000;
     diagnostics::Budget* budget = nullptr;
-    /// Called before anything is evaluated; emission and instantiation live as long as the result.
+    /// Called before anything is evaluated. The emission and the instantiation live as long as the result.
     SessionObserver on_session = {};
 };
 
-/// System and sources must outlive the result. Throws Wrong if there is no such process, and diagnostics::LimitReached.
+/// Explores the process of the component. The system and the sources must outlive the result. Throws Wrong if there is
+/// no such process, and diagnostics::LimitReached.
 [[nodiscard]] std::unique_ptr<ExploredProcess> explore_process(const ir::System&, const ir::ComponentRef& subject,
                                                                ir::Instantiation,
                                                                const std::vector<ObservedEvent>& observed,

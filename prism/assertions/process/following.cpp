@@ -17,7 +17,7 @@ namespace {
 
 using csp_emit::MeaningKind;
 
-/// True for the event by which time passes.
+/// Recognises the event by which time passes.
 class Ticks {
 public:
     Ticks(const lts::EventTable& events, const csp_emit::Provenance& provenance)
@@ -44,7 +44,7 @@ public:
     Follower(const ExploredProcess& process, diagnostics::Pollable& budget)
         : process_(process), budget_(budget), ticks_(process.session->event_table(), process.emission.provenance) {}
 
-    /// `leaves`: the states of the machine that contain no other state.
+    /// `leaves` contains the states of the machine that contain no other state.
     Following operator()(const std::string& machine, const std::vector<std::string>& elements,
                          const std::set<std::string>& leaves, std::uint64_t units) {
         check_time(machine, leaves);
@@ -61,9 +61,9 @@ public:
     }
 
 private:
-    /// Rejects models in which the code may differ from the process. Generated code continues if the model terminates
-    /// or time stops, and it reports the source state while time passes in a transition. The process does not describe
-    /// this behaviour.
+    /// Rejects models for which the code may differ from the process. Generated code continues after the model has
+    /// terminated or time has stopped. While time passes in a transition, the code reports the source state. The
+    /// process does not describe this behaviour.
     void check_time(const std::string& machine, const std::set<std::string>& leaves) {
         const Exploration& explored = *process_.exploration;
         for (lts::StateIndex state = 0; state < explored.size(); ++state) {
@@ -128,7 +128,7 @@ private:
         return result;
     }
 
-    /// Adds the states that are reachable without time.
+    /// Adds the states that are reachable without the passing of time.
     void add_untimed_successors(std::vector<bool>& states) {
         std::vector<lts::StateIndex> open;
         for (lts::StateIndex state = 0; state < states.size(); ++state)
@@ -145,7 +145,7 @@ private:
         }
     }
 
-    /// Advances by one time unit, to the states after the step. Marks the classes before and after it.
+    /// Advances by one time unit, to the states directly after the unit. Marks the classes before and after it.
     template <class Mark>
     std::vector<bool> mark_next_unit(std::vector<bool> states, const Mark& seen) {
         add_untimed_successors(states);
@@ -190,8 +190,8 @@ bool is_whole(const ir::System& system, ir::TypeId id) {
     return type.kind == ir::TypeKind::boolean || type.kind == ir::TypeKind::unit;
 }
 
-/// A finite instantiation contains all truth values and literals, but not all numbers, strings or sequences. For other
-/// values, code may behave differently from the process.
+/// Checks that the values are finite. A finite instantiation contains all truth values and literals, but not all
+/// numbers, strings or sequences. For other values, code may behave differently from the process.
 void check_values(const ir::System& system, const ir::Machine& machine) {
     constexpr const char* why = "the proof would cover only the values of {} in the finite instantiation";
     for (const ir::Variable& variable : machine.variables)

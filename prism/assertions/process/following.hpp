@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes which states of a machine can follow each other after some time units, for any environment. The result is a
-// proof about the timed semantics of its component, because the computation uses all states.
+// Computes which states of a machine can follow each other after some time units, for any environment. The result is
+// proved for the timed semantics of the component, because the computation uses all states.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace robochart::probability {
 
-/// Classes are bit sets: bit i is set if the i-th of the given states is active.
+/// A class is the set of active states, as a bit set: bit i is set if the i-th of the given states is active.
 struct Following {
     std::vector<std::uint32_t> classes;    ///< classes in which time passes, ascending
-    std::vector<bool> first;               ///< [class]: the component can start in it
-    std::vector<std::vector<bool>> after;  ///< [from][to], after exactly this number of time units
+    std::vector<bool> first;               ///< by class: true if the component can start in it
+    std::vector<std::vector<bool>> after;  ///< [from][to]: `to` can follow `from` after this number of time units
 };
 
-/// Throws Wrong if a variable or event of the component's machines, or of an operation, has values that are not in the
-/// finite instantiation.
+/// Throws Wrong if the finite instantiation lacks values of a variable or event of the component's machines or of an
+/// operation.
 void check_finite(const ir::System&, const ir::ComponentRef& subject);
 
-/// `states` are the paths of at most 32 states in the component's first machine. For each step in which a time unit
-/// passes, both the class of the state before the step and the class of the state after it are used. So the class at
+/// Computes the classes of at most 32 states of the component's first machine; `states` are their paths. For each step
+/// in which a time unit passes, both the class before the step and the class after the step are used. So the class at
 /// the end of a control cycle is included, whether generated code is observed before or after the step. Throws Wrong if
-/// the machine has no such state, or if generated code may do something that the process does not: values are missing,
-/// the component may terminate, time may stop, or time may pass while a transition is taken.
+/// the machine has no such state. Also throws Wrong if generated code may behave differently from the process: values
+/// are missing, the component may terminate, time may stop, or time may pass while a transition is taken.
 [[nodiscard]] Following find_following(const ExploredProcess&, const ir::System&, const ir::ComponentRef& subject,
                                        const std::vector<std::string>& states, std::uint64_t units,
                                        diagnostics::Pollable& budget);

@@ -86,13 +86,13 @@ public:
     }
 
 private:
-    /// "e.in" as an expression of the script.
+    /// Returns the channel, for example "e.in", as an expression of the script.
     [[nodiscard]] cspm::ExprPtr channel_expression() const {
         const std::size_t dot = channel_.find('.');
         return b::dot({b::name(channel_.substr(0, dot)), b::name(channel_.substr(dot + 1))});
     }
 
-    /// Adds the observer to the component's definition.
+    /// Puts the observer in parallel with the component in the component's definition.
     void observe_definition(DeclPtr& decl) {
         cspm::Decl made = *decl;
         const cspm::ExprPtr observer = b::call(first_, {b::number(0)});
@@ -134,7 +134,7 @@ private:
 
     const ObservedEvent& event_;
     const std::string channel_;
-    const std::string known_, first_;  ///< definitions: with a value, and before the first value
+    const std::string known_, first_;  ///< definitions: after the first event, and before it
     bool done_ = false, declared_ = false;
 };
 

@@ -26,7 +26,8 @@ struct ObservedEvent {
     bool valued = false;    ///< true: the event carries values
     bool module = false;    ///< true: the component is a module, which has no event for termination
 
-    /// The name of the observer's definition in the provenance, if it is a separate component.
+    /// Returns the name of the observer's definition in the provenance. It is used if the observer is a separate
+    /// component.
     [[nodiscard]] std::string name() const { return component + " " + event; }
 };
 
@@ -34,9 +35,9 @@ struct ObservedEvent {
 inline constexpr const char* observed_parity = "n";
 inline constexpr const char* observed_value = "x";
 
-/// Adds the observers to the definitions D__ of their components, and adds their meanings. The script must contain the
-/// definitions of every component in full (Options::share_modules). Throws Wrong if there is no such component or
-/// event.
+/// Adds the observers to the definitions D__ of their components, and adds their meanings to the provenance. The script
+/// must contain the definitions of every component in full (Options::share_modules). Throws Wrong if there is no such
+/// component or event.
 void add_observers(csp_emit::Emission& emission, const std::vector<ObservedEvent>& events);
 
 }  // namespace robochart::probability

@@ -23,7 +23,7 @@ std::string magnitude_digits(const boost::multiprecision::cpp_int& value) {
     return value < 0 ? digits.substr(1) : digits;
 }
 
-/// A number as a RoboChart literal.
+/// Returns a number as a RoboChart literal.
 std::string literal_of(const ir::System& system, const ir::Constant& constant, const prism::Value& value) {
     const ir::Type& type = system.type(constant.type);
     if (type.kind == ir::TypeKind::boolean) return value.integer != 0 ? "true" : "false";
@@ -33,7 +33,7 @@ std::string literal_of(const ir::System& system, const ir::Constant& constant, c
         return type.name + "::" + type.labels[static_cast<std::size_t>(value.integer)];
     }
     if (value.type != prism::Type::real) return value.text();
-    // Fails if the number has no finite decimal expansion: a third cannot be a literal.
+    // A number without a finite decimal expansion, such as a third, cannot be a literal.
     Rational rest = value.real.value();
     constexpr unsigned most_places = 18;
     for (unsigned places = 0; places <= most_places; ++places, rest *= 10)
@@ -57,13 +57,13 @@ prism::ExprPtr number_expression(const Rational& value) {
 
 }  // namespace
 
-/// The explored process for values of the constants.
+/// The explored process for some values of the constants.
 struct ProcessEncoding::Explored {
     std::string constants;  ///< the values, as text
     std::unique_ptr<ExploredProcess> process;
 };
 
-/// The states for a question.
+/// The answer to a question: the states of its model.
 struct ProcessEncoding::Answered {
     std::optional<prism::CheckedModel> model;
     diagnostics::Diagnostics findings;
@@ -113,7 +113,7 @@ const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Val
         text += event.name() + (event.type.is_valid() ? ".val;" : ";");
     if (explored_ && explored_->constants == text) return *explored_;
     answered_.reset();
-    explored_.reset();  // frees memory for the next
+    explored_.reset();  // frees memory for the next process
     auto made = std::make_unique<Explored>();
     made->constants = text;
     diagnostics::Diagnostics findings;
@@ -132,8 +132,8 @@ const ProcessEncoding::Explored& ProcessEncoding::find_explored(const prism::Val
 
 namespace {
 
-/// A reward of an event becomes one reward for each set of simultaneous events that contains it. `[]` applies to every
-/// step except tock.
+/// Makes one reward for each set of simultaneous events that contains the event of the item. `[]` applies to every step
+/// except tock.
 void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happening,
                std::vector<prism::RewardItem>& items) {
     if (!item.transition || item.action.text == tock_action) return items.push_back(item);
@@ -150,7 +150,7 @@ void add_items(const prism::RewardItem& item, const std::vector<EventSet>& happe
 
 }  // namespace
 
-/// The declarations that PRISM's language needs: names of observables, and rewards.
+/// Declares what PRISM's language needs: names of observables, and rewards.
 prism::ModelFile ProcessEncoding::model_declarations(const Explored& found, const Question& question,
                                                      const std::vector<EventSet>& happening) const {
     const Weights weights(system_, found.process->instantiation);
@@ -181,7 +181,7 @@ prism::ModelFile ProcessEncoding::model_declarations(const Explored& found, cons
     return file;
 }
 
-/// The value of an observable in a state. Throws Wrong if it has none.
+/// Returns the value of an observable in a state. Throws Wrong if it has none.
 std::int32_t ProcessEncoding::value_in(const Explored& found, lts::StateIndex state,
                                        const Observable& observable) const {
     const std::vector<std::size_t>& parts =

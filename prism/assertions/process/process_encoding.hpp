@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The timed CSP semantics of a component as a Markov decision process. The encoding does not resolve nondeterministic
-// choices of the model, and bounds count time units.
+// Encodes the timed CSP semantics of a component as a Markov decision process. The encoding does not resolve
+// nondeterministic choices of the model, and bounds count time units.
 #pragma once
 
 #include <map>
@@ -19,22 +19,22 @@ namespace robochart::probability {
 
 struct ProcessOptions {
     Scheduler scheduler = Scheduler::any;
-    /// The user's options. The values that assertions give to constants are added to them.
+    /// The user's options. Values that an assertion gives to constants are added.
     ir::InstantiationOptions instantiation;
     std::uint64_t max_states = 500'000'000;
-    /// Up to this number of states, the process is compared with the one that is used for refinement checks, and the
-    /// urgent scheduler with all schedulers.
+    /// If the process has at most this many states, two comparisons check it: the process is compared with the process
+    /// of the refinement checks, and the urgent scheduler with all schedulers.
     std::uint64_t compared_states = 1'000'000;
     bool exact = false;
     diagnostics::Budget* budget = nullptr;
-    /// Called for the process of each set of values of constants, before its states are explored. The arguments are
+    /// Called for each set of values of the constants, before the states of its process are explored. The arguments are
     /// valid until the next call.
     SessionObserver on_session = {};
 };
 
 class ProcessEncoding final : public Encoding {
 public:
-    /// All arguments must outlive the object. `subject`: a module, a controller or a machine.
+    /// All arguments must outlive the object. `subject` is a module, a controller or a machine.
     ProcessEncoding(const ir::System& system, const ir::ComponentRef& subject, diagnostics::SourceManager& sources,
                     ProcessOptions options);
     ~ProcessEncoding() override;
@@ -42,10 +42,11 @@ public:
     [[nodiscard]] Elements& elements() override;
     [[nodiscard]] prism::Constant prism_constant(const std::string& path) override;
     [[nodiscard]] const prism::StateSpace& explore_space(const Question&, const prism::Values&) override;
-    /// Throws NotExpressed.
+    /// Throws NotExpressed, because random paths would depend on a scheduler.
     [[nodiscard]] Unexplored unexplored_model(const Question&, const prism::Values&) override;
     [[nodiscard]] bool one_value() const override { return options_.scheduler == Scheduler::uniform; }
-    /// The number of states that were compared with the process for refinement checks; 0 if they were not compared.
+    /// Returns the number of states that were compared with the process for refinement checks; 0 if they were not
+    /// compared.
     [[nodiscard]] std::uint64_t compared_state_count() const;
 
 private:
@@ -65,7 +66,7 @@ private:
     diagnostics::SourceManager& sources_;
     ProcessOptions options_;
     std::unique_ptr<ProcessNames> names_;
-    std::unique_ptr<Explored> explored_;  ///< the latest process; questions about one model come one after another
+    std::unique_ptr<Explored> explored_;  ///< the latest process; questions about one model come together
     std::unique_ptr<Answered> answered_;
 };
 

@@ -79,8 +79,9 @@ ExprPtr ProcessNames::variable_expression(const std::string& path) {
     return prism::make_expr(Op::divide, {}, {read, name_expression(units)});
 }
 
-/// The machines that require a variable of the platform or of a controller have copies of its value. If one machine
-/// requires the variable, its copy is the current value; if several do, some copies may still be old.
+/// Returns the value of a shared variable. Each machine that requires a variable of the platform or of a controller has
+/// a copy of its value. If one machine requires the variable, its copy is the current value. If several do, some copies
+/// may still be old.
 ExprPtr ProcessNames::shared_variable(const std::string& path, const std::string& name) {
     const Seat* only = nullptr;
     for (const Seat& seat : seats_)
@@ -101,7 +102,7 @@ ConstantHere ProcessNames::find_constant(const std::string& path) const {
     const std::string name = last_of(path);
     const std::string owner = owner_of(path);
     for (const Seat& seat : seats_) {
-        // A constant that a module or controller provides is that of the machines that require it.
+        // A constant that a module or controller provides is found in the machines that require it.
         const bool inside =
             seat.path == owner || seat.path.starts_with(owner + "::") || owner.starts_with(subject_.path);
         const auto& constants = seat.machine->constants;
@@ -130,8 +131,8 @@ ExprPtr ProcessNames::in_state(const std::string& machine, const std::string& st
     throw_absent("state", machine + "::" + state);
 }
 
-/// The direction is that of the component that declares the event: `in` means into the software, so out of the
-/// platform.
+/// Returns the index of an event. Its direction is that of the component that declares it. For the platform, `in` means
+/// into the software, so out of the platform.
 std::size_t ProcessNames::observed_event(const std::string& path, const std::string& direction, bool valued) {
     const std::string name = last_of(path);
     const ir::Event* event = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The meaning of names of properties in the states of a process.
+// Gives names in properties a meaning in the states of a process.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@
 
 namespace robochart::probability {
 
-/// A value that is read from the states of a process: a variable of the PRISM model.
+/// A value that is read from the states of a process, and becomes a variable of the PRISM model.
 struct Observable {
-    std::string name;       ///< in PRISM
+    std::string name;       ///< name in PRISM
     std::string component;  ///< the component of the machine, in the CSP semantics
-    std::string variable;   ///< "": a state is read
-    std::string state;      ///< the element of the state
+    std::string variable;   ///< "" if a state is read
+    std::string state;      ///< the path of the state
     bool boolean = false;
-    bool carried = false;  ///< the last value that an event carried; 0 before the first
+    bool carried = false;  ///< true for the last value that an event carried; 0 before the first event
 };
 
-/// A constant of the model, and the machine that uses it.
+/// A constant of the model, with the machine that uses it.
 struct ConstantHere {
-    std::string name;  ///< in PRISM
+    std::string name;  ///< name in PRISM
     const Seat* seat = nullptr;
     ir::ConstantId id;
     bool real = false;
@@ -46,10 +46,10 @@ public:
     [[nodiscard]] const std::vector<Observable>& observables() const { return observables_; }
     [[nodiscard]] const std::vector<ConstantHere>& constants() const { return constants_; }
     [[nodiscard]] const std::vector<ObservedEvent>& observed() const { return observed_; }
-    /// The machine's constant with this path; throws NotExpressed.
+    /// Returns the machine's constant with this path. Throws NotExpressed.
     [[nodiscard]] ConstantHere find_constant(const std::string& path) const;
 
-    /// The name of the constant with the scale of reals.
+    /// The name of the PRISM constant that contains the scale of reals.
     static constexpr const char* units = "units__";
 
 private:

@@ -46,7 +46,7 @@ bool is_parallel(process::Op op) {
     return op == process::Op::parallel || op == process::Op::alphabetised;
 }
 
-/// True for operators whose operands contain the components, or at least whose first operand does.
+/// True for operators whose operands (or at least the first one) contain the components of the process.
 bool is_around(process::Op op) {
     return op == process::Op::hide || op == process::Op::rename || op == process::Op::prioritise ||
            op == process::Op::prioritise_order || op == process::Op::sequential || op == process::Op::exception ||
@@ -55,7 +55,8 @@ bool is_around(process::Op op) {
 
 }  // namespace
 
-/// Initially, a component is inside nested definitions without a meaning in the model, which are unfolded.
+/// Collects the definitions that the term calls. Initially, a component is inside nested definitions without a meaning
+/// in the model, which are unfolded.
 void StateReader::collect_calls(process::TermId term, int levels, std::vector<runs::Call>& calls) {
     process::TermStore& terms = reader_.context().session.terms();
     const process::Op op = terms[term].op;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the states of a process: the definitions of its components, with the values of their parameters.
+// Reads the states of a process: which definitions its components are in, with the values of the parameters.
 #pragma once
 
 #include <map>
@@ -19,23 +19,24 @@ struct Held {
     ir::TypeId type;
 };
 
-/// The state of a component, given by its definitions. `machine` is the name of a machine in the CSP semantics.
+/// The state of a component, as calls of its definitions. The parameter `machine` is the name of a machine in the CSP
+/// semantics.
 struct Part {
     std::vector<runs::Call> calls;
 
     [[nodiscard]] bool in_state(const std::string& machine, const std::string& element) const;
-    /// Returns a variable or constant by name; no value if there is none, or if it has two possible values.
+    /// Returns the value of a variable or constant; no value if there is none, or if two values are possible.
     [[nodiscard]] std::optional<Held> find_variable(const std::string& machine, const std::string& name) const;
 };
 
-/// Reads packed states. The components of a process have few states compared with the whole process, so a state of a
-/// component is read once and cached.
+/// Reads packed states. A component has few states compared with the whole process, so each of its states is read once
+/// and cached.
 class StateReader {
 public:
     /// Both arguments must outlive the object.
     StateReader(const lts::TransitionSystem& system, runs::StepReader& reader);
 
-    /// Returns the numbers of the parts of a state. A part has the same number in every state. The result is valid
+    /// Returns the indices of the parts in a state. Equal parts have the same index in every state. The result is valid
     /// until the next call.
     [[nodiscard]] const std::vector<std::size_t>& parts_of_state(lts::StateView state);
     [[nodiscard]] const Part& part(std::size_t number) const { return parts_[number]; }
@@ -51,7 +52,7 @@ private:
     std::vector<std::size_t> found_;
 };
 
-/// Converts a truth value to 0 or 1, a literal to its index, and a real to its units. No value for other types.
+/// Converts a truth value to 0 or 1, a literal to its index, and a real to its units. Returns no value for other types.
 [[nodiscard]] std::optional<std::int64_t> number_of(const ir::System&, const ir::Instantiation&, const Held&);
 
 }  // namespace robochart::probability

@@ -10,7 +10,7 @@
 namespace robochart::probability {
 namespace {
 
-/// A choice in a form that both processes share.
+/// A choice in a form that does not depend on the process.
 struct SharedChoice {
     std::string action;
     bool tock = false;

@@ -65,8 +65,8 @@ Rational Weights::constant_value(const ir::Machine& machine, ir::ConstantId id, 
     return constant_value({machine, seat, nullptr, nullptr}, id);
 }
 
-/// The instantiation overrides the value in the model. The values of the instantiation are in units of the scale, which
-/// represents every decimal exactly.
+/// Returns the value of a constant. A value of the instantiation overrides the value in the model. It is in units of
+/// the scale, which represents every decimal exactly.
 Rational Weights::constant_value(const Scope& scope, ir::ConstantId id) const {
     const ir::Constant& declared = scope.machine.constants[id.index];
     std::string part = scope.seat.part;
@@ -138,7 +138,7 @@ Rational Weights::expression_value(const Scope& scope, const ir::Expr& expr) con
         case ir::ExprKind::divide: {
             const Rational divisor = arg(1);
             if (divisor == 0) throw Wrong("a probability divides by 0");
-            // Numbers in probabilities are fractions: 1/3 is a third, even if 1 and 3 are whole numbers.
+            // Numbers in probabilities are fractions: 1/3 is a third, even though 1 and 3 are whole numbers.
             return arg(0) / divisor;
         }
         case ir::ExprKind::if_then_else:

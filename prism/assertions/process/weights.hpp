@@ -18,7 +18,7 @@ namespace robochart::probability {
 
 using markov::Rational;
 
-/// The value of a variable in the units of the CSP semantics; throws if it is unknown.
+/// Returns the value of a variable in the units of the CSP semantics. Throws if the value is unknown.
 using ValueOf = std::function<std::int64_t(const std::string& name)>;
 
 class Weights {
@@ -26,11 +26,11 @@ public:
     Weights(const ir::System& system, const ir::Instantiation& instantiation)
         : system_(system), instantiation_(instantiation) {}
 
-    /// The probability of a branch together with its equivalent branches, if its machine has this seat. Throws Wrong if
-    /// it is not a computable fraction from 0 to 1.
+    /// Returns the probability of a branch and its equivalent branches together, for the machine with this seat. Throws
+    /// Wrong if the probability is not a computable fraction from 0 to 1.
     [[nodiscard]] Rational branch_probability(const csp_emit::Draw& draw, const Seat& seat,
                                               const ValueOf& value_of) const;
-    /// The value of a constant of a machine with this seat.
+    /// Returns the value of a constant of a machine with this seat.
     [[nodiscard]] Rational constant_value(const ir::Machine& machine, ir::ConstantId id, const Seat& seat) const;
 
 private:
@@ -48,8 +48,8 @@ private:
     const ir::Instantiation& instantiation_;
 };
 
-/// Returns the branches that no step distinguishes from this one, including the branch itself. They lead from the same
-/// junction to the same target, without actions and resets.
+/// Returns the branches that no step distinguishes from this branch, including the branch itself. They connect the same
+/// junction with the same target, without actions and resets.
 [[nodiscard]] std::vector<std::uint32_t> equivalent_branches(const ir::System& system, const csp_emit::Draw& draw);
 
 }  // namespace robochart::probability

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Translates names in probabilistic assertions to elements of the model that decides the assertion. Each encoding of
-// RoboChart has its own translation. Paths refer to the RoboChart model and go through references:
+// RoboChart has its own translation. Paths follow the references of the RoboChart model:
 // "Module::controller_ref::machine_ref::x".
 #pragma once
 
@@ -33,13 +33,14 @@ public:
 
     [[nodiscard]] virtual prism::ExprPtr variable_expression(const std::string& path) = 0;
     [[nodiscard]] virtual prism::ExprPtr constant_expression(const std::string& path) = 0;
-    /// The condition that a machine is in a state, given by its path from the top of the machine: "Composite::Inner".
+    /// Returns the condition that a machine is in a state. The state is given by its path from the top of the machine:
+    /// "Composite::Inner".
     [[nodiscard]] virtual prism::ExprPtr in_state(const std::string& machine, const std::string& state) = 0;
-    /// The action of the steps with this event; `direction` is "in" or "out", as seen from the component.
+    /// Returns the action of the steps with this event; `direction` is "in" or "out", as seen from the component.
     [[nodiscard]] virtual std::string event_action(const std::string& path, const std::string& direction) = 0;
-    /// The last value that the event carried.
+    /// Returns the last value that the event carried.
     [[nodiscard]] virtual prism::ExprPtr event_value(const std::string& path, const std::string& direction) = 0;
-    /// A state reward, adapted to this encoding.
+    /// Returns a state reward, adapted to this encoding.
     [[nodiscard]] virtual prism::RewardItem of_state(prism::RewardItem item) { return item; }
     /// True if an element of the model already has this name in PRISM.
     [[nodiscard]] virtual bool is_name_taken(const std::string& name) const = 0;

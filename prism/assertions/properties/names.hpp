@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of elements ("Module::controller::machine") and of PRISM's variables.
+// Splits paths of elements ("Module::controller::machine"), and makes expressions from names of PRISM.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace robochart::probability {
 
-/// The path without its last name; "" if it has only one.
+/// Returns the path without its last name, or "" if it has only one name.
 [[nodiscard]] std::string owner_of(const std::string& path);
-/// The last name of a path.
+/// Returns the last name of a path.
 [[nodiscard]] std::string last_of(const std::string& path);
-/// A variable, constant or label of this name as an expression without place.
+/// Returns the variable, constant or label with this name as an expression; the expression has no place in a file.
 [[nodiscard]] prism::ExprPtr name_expression(const std::string& name);
 
 }  // namespace robochart::probability

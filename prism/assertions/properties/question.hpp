@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A probabilistic assertion in PRISM's language, as data.
+// Declares a probabilistic assertion in PRISM's language, as data.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace robochart::probability {
 /// The values that an assertion gives to a constant, to be tried one after another.
 struct Setting {
     std::string name;                 ///< as written
-    std::string path;                 ///< the path of a constant of the model; "" for one of an assertion file
+    std::string path;                 ///< the path of a constant of the model; "" for a constant of an assertion file
     std::string constant;             ///< the PRISM name of a constant of an assertion file
     std::vector<std::string> values;  ///< the values in PRISM: "0.5"; "1:2:9" is a range with its step
 };
@@ -29,12 +29,12 @@ struct Generation {
 /// `using sim with`
 struct Sampling {
     std::string method;  ///< a name for prism::read_method: "ci"
-    /// The parameters of the method, such as "width". Each has the name of the constant in Question::constants that
+    /// The parameters of the method, such as "width", each with the name of the constant (in Question::constants) that
     /// contains its value.
     std::vector<std::pair<std::string, std::string>> parameters;
 };
 
-/// A property, and everything that it needs in addition to the model.
+/// A property, with everything that must be added to the model to decide it.
 struct Question {
     prism::ExprPtr property;  ///< null: a path is requested
     std::optional<Generation> path = {};

@@ -26,7 +26,7 @@ using ast::ProbabilisticKind;
 using prism::ExprPtr;
 using prism::Op;
 
-/// Nesting of definitions; a greater depth means that a definition uses itself.
+/// Limits the nesting of definitions. A deeper nesting means that a definition uses itself.
 constexpr unsigned most_definition_depth = 50;
 
 [[noreturn]] void throw_not_expressed(const std::string& what) {
@@ -83,7 +83,8 @@ Op relation_of(const std::string& text) {
     return text == ">" ? Op::greater : Op::greater_equal;
 }
 
-/// The definitions in the order of lookup: those of the assertion, of its file, of other files.
+/// Finds definitions. It searches the definitions of the assertion first, then those of its file, then those of other
+/// files.
 class Definitions {
 public:
     Definitions(const Assertions& all, const ast::File& file, const ast::ProbabilisticAssertion& assertion) {
@@ -95,13 +96,13 @@ public:
     }
 
     [[nodiscard]] const std::vector<const ProbabilisticDefinition*>& all_definitions() const { return found_; }
-    /// Null if there is none.
+    /// Returns null if there is no such definition.
     [[nodiscard]] const ProbabilisticDefinition* find(ProbabilisticKind kind, const std::string& name) const {
         for (const ProbabilisticDefinition* definition : found_)
             if (definition->kind == kind && (name.empty() || definition->name == name)) return definition;
         return nullptr;
     }
-    /// The definition that a clause names or contains.
+    /// Returns the definition that a clause names or contains.
     [[nodiscard]] const ProbabilisticDefinition* definition_of(const ast::ProbabilisticClause& clause) const {
         return clause.name.empty() ? &clause.definition : find(clause.definition.kind, clause.name.parts.back());
     }
@@ -111,7 +112,7 @@ public:
                 if (function.name == name && function.result) return &function;
         return nullptr;
     }
-    /// True if the constant is one of an assertion file.
+    /// True if an assertion file declares the constant.
     [[nodiscard]] bool defines_constant(const ast::Declaration* constant) const {
         return std::ranges::any_of(found_,
                                    [&](const auto* definition) { return definition->constant.get() == constant; });
@@ -296,14 +297,14 @@ std::string Translator::full_path(const ast::QualifiedName& name) {
     Beginning begin = path_beginning(all_, file_, name);
     if (begin.used == 0) throw_not_expressed(fmt::format("`{}`, which begins with no component", name.text()));
     for (std::size_t i = begin.used; i < name.parts.size(); ++i) {
-        // A platform is identified by its own name and not by that of the reference.
+        // In a path, a platform has its own name and not that of the reference.
         const ast::Context* const platform = i == begin.used ? ast::platform_of(begin.end, name.parts[i]) : nullptr;
         begin.parts.push_back(platform != nullptr ? platform->name : name.parts[i]);
     }
     return join_parts(begin.parts);
 }
 
-/// A name that is neither used in the model nor a keyword of PRISM.
+/// Returns a name that is neither used in the model nor a keyword of PRISM.
 std::string Translator::free_name(const std::string& preferred) const {
     std::string name = preferred;
     while (prism::is_reserved(name) || elements_.is_name_taken(name)) name += "_";
@@ -331,7 +332,7 @@ ExprPtr Translator::name(const ast::Expr& expr) {
                                                    : elements_.variable_expression(path);
 }
 
-/// `const t : T` of an assertion file: an open constant.
+/// Translates `const t : T` of an assertion file to an open constant.
 ExprPtr Translator::translate_constant(const ast::Expr& expr) {
     const auto* declared = static_cast<const ast::Variable*>(expr.target);
     const auto [known, added] = known_.try_emplace(declared);
@@ -382,7 +383,7 @@ ExprPtr Translator::translate_call(const ast::Expr& expr) {
     return apply_function(*found, translate_operands(expr));
 }
 
-/// The path of a state from the top of its machine.
+/// Translates `M is in S`. The path of the state begins at the top of its machine.
 ExprPtr Translator::in_state(const ast::Expr& expr) {
     const auto* state = dynamic_cast<const ast::State*>(expr.args.front()->target);
     const Beginning machine = path_beginning(all_, file_, expr.name);
@@ -403,7 +404,7 @@ std::string Translator::translate_event(const ast::ExprPtr& event) {
 
 // ---------------------------------------------------------------- questions
 
-/// `<=n`, `[a, b]`
+/// Translates `<=n`, `[a, b]`.
 std::shared_ptr<const prism::StepBound> Translator::step_bound(const ast::Expr& path) {
     const ast::ExprPtr& bound = path.args.front();
     if (!bound) return nullptr;
@@ -485,15 +486,16 @@ ExprPtr Translator::translate_quantitative(const ast::Expr& expr) {
     return result;
 }
 
-/// Adds a number in `using` as a constant with that value. The name of the constant cannot clash with PRISM's names.
+/// Adds a constant with the value of a number in `using`. The name of the constant cannot clash with PRISM's names.
 std::string Translator::add_number(const std::string& what, const ast::Expr& expr) {
     std::string name = fmt::format("`{} {}`", what, ast::to_text(expr));
     question_.constants.push_back({prism::Type::real, {name, expr.span}, translate_expression(expr)});
     return name;
 }
 
-/// PRISM's methods, with RoboTool's parameter names: `-simwidth` is `w` or `epsilon`, `-simconf` is `alpha` or `delta`,
-/// `-simsamples` is `n`, `-simpathlen` is `pathlen`. For SPRT, `delta` is half of the indifference region.
+/// Reads one of PRISM's methods, with RoboTool's parameter names: `-simwidth` is `w` or `epsilon`, `-simconf` is
+/// `alpha` or `delta`, `-simsamples` is `n`, `-simpathlen` is `pathlen`. For SPRT, `delta` is half of the indifference
+/// region.
 void Translator::read_simulation(const ast::Expr& simulation) {
     using Names = std::map<std::string, std::string>;
     static const std::map<std::string, Names> parameters{
@@ -540,7 +542,7 @@ void Translator::add_settings(const ProbabilisticDefinition& definition) {
     }
 }
 
-/// `{1, 2, 5}`, `{1 to 9 by step 2}`
+/// Returns the values of `{1, 2, 5}` or `{1 to 9 by step 2}`.
 std::vector<std::string> Translator::constant_values(const ast::Expr& value) {
     std::vector<std::string> result;
     if (value.kind == ExprKind::set_range) {
@@ -598,7 +600,8 @@ prism::Module Translator::translate_module(const ast::ProbabilisticModule& sourc
     return made;
 }
 
-/// `(p : @x = e)` begins a branch. Updates without a probability belong to the branch before them.
+/// Translates a command. `(p : @x = e)` begins a branch. Updates without a probability belong to the branch before
+/// them.
 prism::Command Translator::translate_command(const ast::Command& source) {
     prism::Command made;
     made.span = source.guard->span;
@@ -621,7 +624,7 @@ prism::Assignment Translator::translate_assignment(const ast::Update& update) {
     return {{update.variable->name.parts.back(), update.variable->span}, translate_expression(*update.value)};
 }
 
-/// Records the components with which paths begin.
+/// Records the components with which the paths in an assertion begin.
 class Recorder final : public Elements {
 public:
     ExprPtr variable_expression(const std::string& path) override { return record_number(path); }
@@ -651,7 +654,7 @@ private:
     }
 };
 
-/// Contains no elements.
+/// Rejects all elements of the model.
 class NoElements final : public Elements {
 public:
     ExprPtr variable_expression(const std::string& path) override { throw_absent(path); }

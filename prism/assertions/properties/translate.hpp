@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Translates probabilistic assertions (RoboTool's language, docs/assertions.md) to PRISM's language. The translation
-// follows RoboTool's: `Finally` becomes F, `a::b::x` a variable, `M is in S` a comparison. Labels, formulas and
-// functions are expanded where they are used.
+// follows RoboTool's: `Finally` becomes F, `a::b::x` becomes a variable, `M is in S` becomes a comparison. Labels,
+// formulas and functions are expanded where they are used.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ struct Assertions {
     frontend::Names names;
 };
 
-/// The path to which the first parts of a name lead, through references, and the number of these parts.
+/// The first parts of a name, and the path to which they lead through references. `used` is the number of these parts.
 struct Beginning {
     std::vector<std::string> parts;
     std::size_t used = 0;
@@ -32,18 +32,18 @@ struct Beginning {
 };
 [[nodiscard]] Beginning path_beginning(const Assertions&, const frontend::File&, const frontend::QualifiedName&);
 
-/// The components that an assertion refers to: the outermost parts of its paths, without duplicates.
+/// Returns the components that an assertion refers to: the outermost parts of its paths, without duplicates.
 [[nodiscard]] std::vector<std::string> subjects_of(const Assertions&, const frontend::File&,
                                                    const frontend::ProbabilisticAssertion&);
 
-/// Returns true if random paths answer the assertion: `using sim with`, `prob generate path`.
+/// Returns true if the assertion is answered by random paths: `using sim with`, `prob generate path`.
 [[nodiscard]] bool is_simulated(const frontend::ProbabilisticAssertion&);
 
-/// The translated property. Throws NotExpressed, and Wrong if a simulation has wrong parameters.
+/// Returns the translated property. Throws NotExpressed, and Wrong if a simulation has wrong parameters.
 [[nodiscard]] Question translate_assertion(const Assertions&, const frontend::File&,
                                            const frontend::ProbabilisticAssertion&, Elements&);
 
-/// A function that assertions define, applied to arguments. The function must not use elements of the model. Throws
+/// Applies a function that assertions define to arguments. The function must not use elements of the model. Throws
 /// NotExpressed.
 using Function = std::function<prism::ExprPtr(const std::vector<prism::ExprPtr>&)>;
 /// Returns the functions in the `with` clauses of an assertion, by name. The result keeps references to the arguments.

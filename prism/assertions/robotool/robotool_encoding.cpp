@@ -41,7 +41,7 @@ public:
     }
 
     ExprPtr variable_expression(const std::string& path) override {
-        // A variable that a machine requires is that of the platform (R3).
+        // A variable that a machine requires has the name of the platform's variable (R3).
         const std::string shared = module_ + "::" + platform_ + "::" + last_part(path);
         for (const std::string& element : {path, shared})
             if (const std::string* name = find("variable", element)) return name_expression(*name);
@@ -56,8 +56,8 @@ public:
         throw_absent("constant", path);
     }
 
-    /// R3, R4: the condition that the counter of the state's region is at the state. The counter of an inactive region
-    /// is at no state.
+    /// Compares the counter of the state's region with the state (R3, R4). The counter of an inactive region is at no
+    /// state.
     ExprPtr in_state(const std::string& machine, const std::string& state) override {
         const std::size_t inner = state.rfind("::");
         const std::string region = inner == std::string::npos ? machine : machine + "::" + state.substr(0, inner);
@@ -72,7 +72,7 @@ public:
         throw_absent("event", path + "." + direction);
     }
 
-    /// R13: the variable of the value is named after the label.
+    /// Returns the variable with the event's value, which is named after the label (R13).
     ExprPtr event_value(const std::string& path, const std::string& direction) override {
         const std::string name = "EVT__" + event_action(path, direction);
         if (!taken_.contains(name)) throw_absent("value", path + "." + direction);
@@ -96,8 +96,8 @@ private:
     std::string module_, platform_;
 };
 
-/// The model, extended as a question requires, for values of its constants; explored, or ready for random paths, on
-/// request.
+/// The model, extended as a question needs it, for some values of its constants. `space` (the explored states) and
+/// `instance` (for random paths) are made on request.
 struct RoboToolEncoding::Prepared {
     std::string text;
     std::optional<prism::CheckedModel> model;
@@ -149,7 +149,7 @@ prism::Constant RoboToolEncoding::prism_constant(const std::string& path) {
 
 namespace {
 
-/// The values of a setting, rounded down. Invalid values are reported when they are used.
+/// Returns the values of a setting, rounded down. Invalid values are reported later, when they are used.
 std::vector<std::int64_t> whole_values(prism::Constant constant, const std::vector<std::string>& texts) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() - 1;
     constant.name.text = "c";
@@ -191,7 +191,8 @@ prism_emit::Preferences RoboToolEncoding::ranges_for(const Question& question) {
     return result;
 }
 
-/// If a constant gets values from the question, its value in the model is removed.
+/// Returns the model for a question. If the question gives values to a constant, the constant's value in the model is
+/// removed.
 prism::ModelFile RoboToolEncoding::model_for(const Question& question) {
     if (const prism_emit::Preferences preferences = ranges_for(question); preferences != emitted_for_) {
         emission_ = emit_model(system_, module_, preferences, options_.budget, functions_);
@@ -239,7 +240,7 @@ RoboToolEncoding::Prepared& RoboToolEncoding::prepare_model(const Question& ques
     std::string text = prism::print(whole);
     for (const auto& [name, value] : values) text += fmt::format("{}={}\n", name, value.text());
     if (prepared_ && prepared_->text == text) return *prepared_;
-    prepared_.reset();  // frees memory for the next
+    prepared_.reset();  // frees memory for the next model
     auto made = std::make_unique<Prepared>();
     made->text = std::move(text);
     made->values = std::move(values);

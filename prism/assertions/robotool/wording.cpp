@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view counter = "::scpc_8";
 constexpr std::string_view entering = "_entering";
 
-/// The value of a constant that is defined as a number.
+/// Returns the value of a constant that is defined as a whole number.
 std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::string& name) {
     const auto found = std::ranges::find_if(
         model.constants, [&](const prism::Constant& constant) { return constant.name.text == name; });
@@ -25,7 +25,8 @@ std::optional<std::int32_t> value_of(const prism::ModelFile& model, const std::s
     return error == std::errc() && end == digits.data() + digits.size() ? std::optional(value) : std::nullopt;
 }
 
-/// R4: the counter of a region is at one of its nodes, or at the beginning of an entry action.
+/// Returns the names of the positions in a region. By R4, the counter of a region is at one of its nodes, or at the
+/// beginning of an entry action.
 Wording::Variable place_of(const prism_emit::Emission& emission, const std::string& region) {
     Wording::Variable result{region + " at ", {{0, "no state"}}};
     for (const prism_emit::NameOf& renaming : emission.names) {
@@ -45,7 +46,7 @@ Wording wording_of(const prism_emit::Emission& emission) {
     for (const prism_emit::NameOf& renaming : emission.names) {
         if (renaming.kind == "STM") result.modules[renaming.name] = renaming.element;
         if (renaming.kind == "event") {
-            // "M::c::s::e::IN"; a label has an end on both sides.
+            // For example "M::c::s::e::IN". A label stands for both ends of a connection.
             const std::string end = owner_of(renaming.element) + (last_of(renaming.element) == "IN" ? ".in" : ".out");
             std::string& text = result.actions[renaming.name];
             text += (text.empty() ? "" : ", ") + end;

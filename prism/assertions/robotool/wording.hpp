@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Translates names of RoboTool's encoding to terms of the model.
+// Translates names of RoboTool's encoding to names of the RoboChart model.
 #pragma once
 
 #include "prism/assertions/experiments/encoding.hpp"
@@ -7,8 +7,8 @@
 
 namespace robochart::probability {
 
-/// Includes the current places of machines and composite states, variables, and values of events. Locks, exit stages
-/// and contents of buffers are internal to the encoding.
+/// Returns the names for the current places of machines and composite states, for variables, and for values of events.
+/// Locks, exit stages and contents of buffers are internal to the encoding and have no names.
 [[nodiscard]] Wording wording_of(const prism_emit::Emission& emission);
 
 }  // namespace robochart::probability

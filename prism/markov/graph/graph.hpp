@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The graph of a model: its reverse edges, and its strongly connected components.
+// Builds the graph of a model: its reverse edges, and its strongly connected components.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace robochart::markov {
 
-/// The branches of a choice, as targets.
+/// Returns the targets of a choice's branches.
 [[nodiscard]] std::span<const State> targets(const Model& model, std::uint32_t choice);
 
-/// A model with its edges reversed. Stores a reference to the model, and four bytes for each branch.
+/// The model with its edges reversed. Stores a reference to the model, and four bytes for each branch.
 class Graph {
 public:
     explicit Graph(const Model& model);
 
     [[nodiscard]] const Model& model() const { return model_; }
     [[nodiscard]] std::size_t states() const { return model_.states(); }
-    /// Choices with a branch to this state, ascending.
+    /// Returns the choices that have a branch to this state, ascending.
     [[nodiscard]] std::span<const std::uint32_t> choices_to(State state) const;
-    /// The state to which a choice belongs.
+    /// Returns the state to which a choice belongs.
     [[nodiscard]] State source(std::uint32_t choice) const { return source_[choice]; }
 
 private:
@@ -32,7 +32,7 @@ private:
     std::vector<std::uint32_t> incoming_;        // choices
 };
 
-/// Some states and some of their choices.
+/// A subset of the states, and a subset of their choices.
 struct SubModel {
     StateSet states;
     std::vector<bool> choices;  ///< one element for each choice
@@ -44,10 +44,10 @@ struct EndComponent {
     std::vector<std::uint32_t> choices;  ///< choices that stay inside, ascending
 };
 
-/// Returns the maximal end components whose states and choices are in `within`. They are disjoint, in ascending order
-/// of their first states (de Alfaro, Formal Verification of Probabilistic Systems, 1997).
+/// Returns the maximal end components whose states and choices are in `within` (de Alfaro, Formal Verification of
+/// Probabilistic Systems, 1997). They are disjoint, and sorted by their first state.
 [[nodiscard]] std::vector<EndComponent> end_components(const Graph& graph, const SubModel& within);
-/// The maximal end components of the whole model.
+/// Returns the maximal end components of the whole model.
 [[nodiscard]] std::vector<EndComponent> end_components(const Graph& graph);
 
 /// Returns the strongly connected components of a dtmc that no branch leaves. States are ascending, and components are

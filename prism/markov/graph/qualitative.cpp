@@ -23,8 +23,8 @@ public:
             if (from[state]) ahead_.push_back(state);
     }
 
-    /// `admits(choice)`: whether the source of the choice belongs to the set, given that the set contains a target of
-    /// the choice. It is called once for each branch to a state of the set.
+    /// `admits(choice)` decides whether the source of the choice is added, given that the set contains a target of the
+    /// choice. It is called once for each branch into the set.
     template <class Admits>
     StateSet run(Admits admits) {
         while (!ahead_.empty()) {
@@ -61,7 +61,7 @@ StateSet every_choice_may(const Graph& graph, const StateSet& left, const StateS
     });
 }
 
-/// The choices whose branches all lead into a shrinking set.
+/// Keeps the choices whose branches all lead into a set that shrinks.
 class Inside {
 public:
     Inside(const Graph& graph, const std::vector<bool>& choices)
@@ -101,7 +101,8 @@ StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right)
     return prob1e(graph, left, right, std::vector<bool>(graph.model().choices(), true));
 }
 
-/// Greatest Z, least Y: Y contains `right`, and the states of `left` with a choice that stays in Z and may lead into Y.
+/// Computes the greatest Z, with the least Y in it: Y contains `right`, and the states of `left` with a choice that
+/// stays in Z and may lead into Y.
 StateSet prob1e(const Graph& graph, const StateSet& left, const StateSet& right, const std::vector<bool>& choices) {
     Inside inside(graph, choices);
     while (true) {

@@ -8,8 +8,8 @@
 
 namespace robochart::markov {
 
-/// Runs the operator with upward rounding. Repeats it with a higher precision if values lose too much precision between
-/// components.
+/// Runs the operator with upward rounding. Repeats it with a higher precision if values lose too much precision from
+/// one component to the next.
 [[nodiscard]] Solution solve_precisely(const Precision& precision,
                                        const std::function<Result<Interval>(const Precision& precision)>& operation);
 

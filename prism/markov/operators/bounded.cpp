@@ -8,7 +8,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The precision of results computed by steps: there is no convergence criterion.
+/// Returns the precision for results that are computed step by step, which need no convergence criterion.
 Precision of_steps(diagnostics::Budget* budget) {
     return {.relative = infinity, .budget = budget};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operators for a number of steps: one sweep over the states for each step.
+// Implements the operators for a number of steps, with one sweep over the states for each step.
 #include <algorithm>
 
 #include "prism/markov/operators/operators.hpp"
@@ -95,7 +95,8 @@ Result<Value> BoundedOperators<Value>::next(const Model& model, const StateSet& 
     return result_of(std::move(values));
 }
 
-/// The last sweeps are for the steps within the interval. In the first `from` steps the left side must hold.
+/// Sweeps from the last step to the first: first for the steps within the interval, then for the `from` steps before
+/// it, in which the left side must hold.
 template <class Value>
 Result<Value> BoundedOperators<Value>::until(const Model& model, const StateSet& left, const StateSet& right,
                                              std::uint64_t from, std::optional<std::uint64_t> to, Direction direction,

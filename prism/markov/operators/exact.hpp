@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operators of unbounded.hpp, bounded.hpp and long_run.hpp with rational numbers. They are for small models with
-// Model::exact, Rewards::exact_state and exact_choice. Time and memory grow with the digits of the numbers; the budget,
-// which may be null, limits them.
+// Computes the operators of unbounded.hpp, bounded.hpp and long_run.hpp with rational numbers. The models must be
+// small, and need Model::exact, Rewards::exact_state and exact_choice. Time and memory grow with the digits of the
+// numbers. The budget, which may be null, limits them.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace robochart::markov {
 
-/// The value of every state; no value if it is infinite.
+/// The value of every state, or no value if it is infinite.
 struct ExactSolution {
     std::vector<std::optional<Rational>> values;
     std::vector<std::uint32_t> strategy;  ///< choices as in Solution::strategy; only for the unbounded operators

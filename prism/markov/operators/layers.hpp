@@ -19,9 +19,9 @@ struct Layers {
     [[nodiscard]] State first_state_beyond() const { return static_cast<State>((last + 1) * states); }
 };
 
-/// Unfolds counts from 0 to `last`. A counted choice at the last count leads to the last state. With `stays` it leads
-/// back into the last layer, which then represents all counts from `last` on. Throws LimitReached if there are too many
-/// states.
+/// Unfolds the counts from 0 to `last`. A counted choice at the last count leads to the last state. With `stays`, it
+/// leads back into the last layer instead, which then represents all counts from `last` on. Throws LimitReached if
+/// there are too many states.
 [[nodiscard]] Layers layers(const Model& model, std::uint64_t last, bool stays, diagnostics::Budget* budget);
 
 /// Returns the rewards of the model in every layer. The last state has none.

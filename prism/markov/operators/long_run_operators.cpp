@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Averages over infinite runs of a dtmc. In a bottom component the average is the expected reward between two visits of
-// a state divided by the expected number of steps between them. Equations give the probabilities to reach each
-// component.
+// Computes averages over infinite runs of a dtmc. In a bottom component, the average is a quotient: the expected reward
+// between two visits of a state, divided by the expected number of steps between them. The probabilities to reach each
+// component are computed by equations.
 #include "prism/markov/operators/operators.hpp"
 
 #include <algorithm>
@@ -86,7 +86,7 @@ private:
         return sum;
     }
 
-    /// For each component, the expected reward between two visits of its first state.
+    /// Returns, for each component, the expected reward between two visits of its first state.
     std::vector<Value> between_visits(const std::vector<std::vector<State>>& components,
                                       const Earnings<Value>& earnings) {
         StateSet open(model_.states(), false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operators for any arithmetic. unbounded.hpp, bounded.hpp and long_run.hpp instantiate them for intervals,
-// exact.hpp for rationals.
+// Declares the operators as templates over the arithmetic. unbounded.hpp, bounded.hpp and long_run.hpp instantiate them
+// for intervals, exact.hpp for rationals.
 #pragma once
 
 #include <optional>

@@ -27,14 +27,14 @@ Interval point(double value) {
 Interval lesser_bounds(const Interval& a, const Interval& b) {
     return {std::min(a.low(), b.low()), std::min(a.high, b.high)};
 }
-/// Subtracts a part from a mass. Rounding does not make the result negative.
+/// Subtracts a part from a probability mass. The result is not negative in spite of rounding.
 Interval remaining_mass(const Interval& whole, const Interval& part) {
     const Interval left = whole - part;
     return {std::max(0.0, left.low()), std::max(0.0, left.high)};
 }
 
-/// An upper bound on the greatest expectation of `worth`: every branch gets its least probability, and the rest is
-/// assigned to the best branches, each up to its greatest probability.
+/// Returns an upper bound on the greatest expectation of `worth`: every branch gets its least probability, and the rest
+/// is assigned to the best branches, each up to its greatest probability.
 double expectation(const UncertainRow& row, const std::vector<double>& worth) {
     if (row.empty()) throw std::invalid_argument("a state leads nowhere");
     Interval sum = point(0);
@@ -55,13 +55,14 @@ double expectation(const UncertainRow& row, const std::vector<double>& worth) {
     return sum.high;
 }
 
-/// A lower bound of a minimum is the negative of an upper bound of the maximum of the negated worths.
+/// Returns the sign of the worths. A lower bound of a minimum is the negative of an upper bound of the maximum of the
+/// negated worths.
 double sign_of(Direction direction) {
     return direction == Direction::maximum ? 1 : -1;
 }
 
-/// Returns the states outside `goal` in which nature can keep the chain forever. They are the greatest set that nature
-/// need not leave. If rounding prevents a decision, the result may be larger.
+/// Returns the states outside `goal` in which nature can keep the chain forever: the greatest set that nature need not
+/// leave. If rounding prevents a decision, the result may be larger.
 StateSet states_kept_forever(const UncertainChain& chain, const StateSet& goal, diagnostics::Budget* budget) {
     std::vector<double> inside(chain.size());
     for (std::size_t state = 0; state < chain.size(); ++state) inside[state] = goal[state] ? 0 : 1;
@@ -79,7 +80,7 @@ StateSet states_kept_forever(const UncertainChain& chain, const StateSet& goal, 
     return result;
 }
 
-/// The states outside `goal` from which nature can bring the chain into `target` with positive probability.
+/// Returns the states outside `goal` from which nature can bring the chain into `target` with positive probability.
 StateSet leading_to(const UncertainChain& chain, const StateSet& goal, StateSet target, diagnostics::Budget* budget) {
     std::vector<double> there(target.begin(), target.end());
     for (bool changed = true; changed;) {
@@ -95,7 +96,8 @@ StateSet leading_to(const UncertainChain& chain, const StateSet& goal, StateSet 
     return target;
 }
 
-/// Upper bounds on the costs from each state, computed from bounds for its successors; 0 for the states in `done`.
+/// Returns upper bounds on the costs from each state, computed from bounds for its successors; 0 for the states in
+/// `done`.
 std::vector<double> costs_behind(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
                                  const std::vector<double>& worth, double sign) {
     std::vector<double> next(chain.size());
@@ -111,8 +113,8 @@ double greatest_change(const std::vector<double>& before, const std::vector<doub
     return most;
 }
 
-/// Returns a vector w with w >= costs + expectation of w over successors, near the result of value iteration. Empty if
-/// none is found.
+/// Returns a vector w with w >= costs + expectation of w over successors, near the result of value iteration. Returns
+/// an empty vector if none is found.
 std::vector<double> inductive(const UncertainChain& chain, const StateSet& done, const std::vector<double>& cost,
                               std::vector<double> worth) {
     constexpr double more = 1 + 1e-6;

@@ -13,7 +13,7 @@
 namespace robochart::markov {
 namespace {
 
-/// The states that satisfy a predicate.
+/// Returns the states that satisfy a predicate.
 template <class Holds>
 StateSet states_where(std::size_t states, Holds holds) {
     StateSet set(states);
@@ -88,7 +88,8 @@ public:
         return expected_earnings(rewards, finite, std::move(admitted), zero, std::move(collapsed));
     }
 
-    /// If the maximum is finite, staying in an end component earns nothing. A scheduler leaves it only to earn more.
+    /// Computes the total reward. If the maximum is finite, staying in an end component earns nothing, so a scheduler
+    /// leaves it only to earn more.
     Result<Value> total_reward(const Rewards& rewards) {
         const Payments payments(model_, rewards);
         const std::vector<bool> free = payments.free_choices(every_choice(graph_));

@@ -16,7 +16,7 @@ namespace robochart::markov {
 namespace {
 
 constexpr State nowhere = ~State{0};
-/// Maximal number of stored prefixes.
+/// The maximal number of stored prefixes.
 constexpr std::size_t most_beginnings = 5'000'000;
 
 class Search {
@@ -50,13 +50,13 @@ private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
     struct Beginning {
         State state;
-        std::uint32_t before;  ///< the prefix without this state
+        std::uint32_t before;  ///< the prefix that ends one state earlier
         std::uint32_t steps;
         double cost;
     };
     using Entry = std::pair<double, std::uint32_t>;
 
-    /// Whether the bound cannot be reached, because the remaining paths are less probable than the last one.
+    /// Returns whether the bound cannot be reached, because the remaining paths are less probable than the last one.
     [[nodiscard]] bool out_of_reach(const PathSet& found) const {
         const auto left = static_cast<double>(request_.most - found.paths.size());
         return left * found.paths.back().probability.high < request_.bound - found.total.low;
@@ -148,7 +148,7 @@ private:
 
     const PathsWanted& request_;
     const Model& model_;
-    std::vector<double> cost_;  ///< costs of the cheapest paths to the goal
+    std::vector<double> cost_;  ///< for each state, the cost of the cheapest path to the goal
     std::vector<State> toward_;
     std::vector<Beginning> beginnings_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;

@@ -18,7 +18,8 @@ struct Path {
     Enclosure probability;
 };
 
-/// Paths of `left U right` from a state: none is a prefix of another, so their probabilities add up.
+/// The requested paths: paths of `left U right` from a state. None is a prefix of another, so their probabilities add
+/// up.
 struct PathsWanted {
     const Graph& graph;
     const std::vector<std::uint32_t>& strategy;  ///< a choice for each state
@@ -26,7 +27,7 @@ struct PathsWanted {
     const StateSet& right;
     State from = 0;
     std::optional<std::uint64_t> steps;  ///< maximal length of a path
-    double bound = 0;                    ///< bound for their total probability
+    double bound = 0;                    ///< bound on the total probability of the paths
     bool strict = true;                  ///< the total must exceed the bound, not only reach it
     std::size_t most = 10'000;           ///< maximal number of paths
     diagnostics::Budget* budget = nullptr;
@@ -34,12 +35,12 @@ struct PathsWanted {
 
 struct PathSet {
     std::vector<Path> paths;  ///< the most probable first, up to rounding
-    Enclosure total;          ///< sum of their probabilities
+    Enclosure total;          ///< sum of the paths' probabilities
     bool enough = false;      ///< the total reaches the bound in spite of rounding
 };
 
-/// The smallest number of most probable paths whose total reaches the bound. If `most` paths cannot reach it, the
-/// result contains only some paths. Throws LimitReached.
+/// Returns the most probable paths, as few as are needed for their total to reach the bound. If `most` paths cannot
+/// reach it, the result contains only some of the paths. Throws LimitReached.
 [[nodiscard]] PathSet probable_paths(const PathsWanted& request);
 
 }  // namespace robochart::markov

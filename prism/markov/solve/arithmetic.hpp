@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arithmetic that the operators need: intervals, rationals, and doubles for guesses.
+// Adapts the operators to their arithmetics: intervals, rationals, and doubles for guesses.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace robochart::markov {
 
-/// Returns the numbers of a model in another arithmetic. A double is an arbitrary value of the enclosure.
+/// Converts the numbers of a model to another arithmetic. A double may be any value of the enclosure.
 [[nodiscard]] std::vector<Interval> convert_numbers(const std::vector<Number>& numbers,
                                                     const std::vector<Rational>& exact, const Interval&);
 [[nodiscard]] std::vector<Rational> convert_numbers(const std::vector<Number>& numbers,
@@ -30,8 +30,8 @@ template <class Value>
     return (direction == Direction::maximum) == (left < right) ? right : left;
 }
 
-/// Whether `left` is strictly better. Intervals are compared by some value in them, because the comparison affects only
-/// the choice of a strategy.
+/// Returns whether `left` is strictly better. Intervals are compared by one of their values, because the comparison
+/// affects only the choice of a strategy.
 [[nodiscard]] inline bool is_better(const Interval& left, const Interval& right, Direction direction) {
     return direction == Direction::maximum ? left.middle() > right.middle() : left.middle() < right.middle();
 }
@@ -40,7 +40,7 @@ template <class Value>
     return direction == Direction::maximum ? left > right : left < right;
 }
 
-/// Whether a divisor is known to be positive.
+/// Returns whether a divisor is known to be positive.
 [[nodiscard]] inline bool positive(const Interval& value) {
     return value.negated_low < 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rewards in the form that the operators use.
+// Prepares rewards for the operators.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace robochart::markov {
 
-/// Rewards in another arithmetic; empty vectors: all rewards are 0.
+/// The rewards in another arithmetic. An empty vector means that all rewards are 0.
 template <class Value>
 struct Earnings {
     std::vector<Value> state;
@@ -18,12 +18,12 @@ struct Earnings {
 template <class Value>
 [[nodiscard]] Earnings<Value> make_earnings(const Rewards& rewards);
 
-/// The places of positive rewards. Throws Unsupported if a reward is negative.
+/// Finds out where rewards are positive. Throws Unsupported if a reward is negative.
 class Payments {
 public:
     Payments(const Model& model, const Rewards& rewards);
 
-    /// The states that earn something, or can earn something by one of their choices.
+    /// Returns the states that earn a reward, themselves or by one of their choices.
     [[nodiscard]] StateSet states() const;
     /// Returns the given choices that earn nothing and belong to states that earn nothing.
     [[nodiscard]] std::vector<bool> free_choices(std::vector<bool> choices) const;

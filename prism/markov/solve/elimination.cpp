@@ -15,8 +15,8 @@ namespace {
 template <class Value>
 class Elimination {
 public:
-    /// The right sides are transformed together with the rows. With `keep_shares`, the data for later right sides are
-    /// stored.
+    /// Eliminates unknowns. The right sides are transformed together with the rows. With `keep_shares`, the data for
+    /// later right sides are stored.
     Elimination(const System<Value>& system, const Policy& policy, std::vector<std::vector<Value>>& right_sides,
                 bool keep_shares, const EliminationLimit& limit)
         : limit_(limit),
@@ -61,7 +61,7 @@ private:
         forget_places(row);
     }
 
-    /// Adds an entry to the row whose positions are stored.
+    /// Adds an entry to the row whose positions are stored in `place_`.
     void add(std::uint32_t unknown, std::uint32_t to, const Value& factor) {
         Row& row = rows_[unknown];
         if (place_[to] == nowhere) {

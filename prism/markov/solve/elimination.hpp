@@ -14,14 +14,14 @@
 
 namespace robochart::markov {
 
-/// The maximal cost of an elimination.
+/// The maximal amount of work of an elimination.
 struct EliminationLimit {
     std::uint64_t operations = std::numeric_limits<std::uint64_t>::max();
     std::uint64_t entries = std::numeric_limits<std::uint64_t>::max();  ///< number of entries stored at the same time
     diagnostics::Budget* budget = nullptr;
 };
 
-/// The equations of a policy after the elimination, for later right sides.
+/// The eliminated equations of a policy, with which further right sides can be solved.
 template <class Value>
 class Factors {
 public:
@@ -30,7 +30,7 @@ public:
         Value factor;
     };
     struct Row {
-        std::vector<Entry> entries;  ///< entries of unknowns that are eliminated later
+        std::vector<Entry> entries;  ///< entries of the unknowns that are eliminated later
         Value outside{};
         Value pivot{};  ///< 1 minus the unknown's own factor
     };
@@ -52,13 +52,15 @@ private:
     std::vector<std::vector<Entry>> shares_;
 };
 
-/// Returns no value if the limit is reached, or if the policy may stay in the component forever.
+/// Eliminates the equations of a policy. Returns no value if the limit is reached, or if the policy may stay in the
+/// component forever.
 template <class Value>
 [[nodiscard]] std::optional<Factors<Value>> factorize(const System<Value>& system, const Policy& policy,
                                                       const EliminationLimit& limit);
 
-/// Solves x = right side + A x for each right side, which has a value for each unknown. A has the rows of the policy.
-/// No value if the limit is reached, or if the policy may stay in the component forever.
+/// Solves x = right side + A x for each right side, which has a value for each unknown. Row i of A is the row of the
+/// choice that the policy makes for unknown i. Returns no value if the limit is reached, or if the policy may stay in
+/// the component forever.
 template <class Value>
 [[nodiscard]] std::optional<std::vector<std::vector<Value>>> eliminate(const System<Value>& system,
                                                                        const Policy& policy,

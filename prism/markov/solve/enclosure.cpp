@@ -16,7 +16,8 @@ double next_above(double value) {
     return std::nextafter(value, infinity);
 }
 
-/// An enclosure of the exact sum (Knuth's two-sum: the error of the sum is a double, and these operations compute it).
+/// Returns an enclosure of the exact sum. In Knuth's two-sum, which this function uses, the error of the sum is a
+/// double.
 Enclosure sum(double left, double right) {
     const double rounded = left + right;
     if (std::isinf(left) || std::isinf(right)) return {rounded, rounded};
@@ -25,7 +26,7 @@ Enclosure sum(double left, double right) {
     return {error >= 0 ? rounded : next_below(rounded), error <= 0 ? rounded : next_above(rounded)};
 }
 
-/// 0 * infinity is 0, because an infinite bound is the limit of finite ones.
+/// Returns an enclosure of the product. 0 * infinity is 0, because an infinite bound is the limit of finite ones.
 Enclosure product(double left, double right) {
     if (left == 0 || right == 0) return {0, 0};
     const double rounded = left * right;
@@ -46,7 +47,7 @@ Enclosure quotient(double left, double right) {
     return {next_below(rounded), next_above(rounded)};
 }
 
-/// The hull of an operation's results over the corners of two enclosures.
+/// Returns the hull of an operation's results for all pairs of bounds of two enclosures.
 template <class Operation>
 Enclosure hull_of_corners(Enclosure left, Enclosure right, Operation operation) {
     const Enclosure corners[] = {operation(left.low, right.low), operation(left.low, right.high),

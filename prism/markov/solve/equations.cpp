@@ -186,7 +186,7 @@ private:
         choices_.push_back(choice);
     }
 
-    /// Sets the value for all members of the class. In an end component, the strategy moves to the state whose choice
+    /// Sets the value of all members of a class. In an end component, the strategy moves to the state whose choice
     /// leaves the component.
     void set(State first, const Value& value, std::uint32_t choice) {
         classes_.for_each_member(first, [&](State member) { equations_.values[member] = value; });

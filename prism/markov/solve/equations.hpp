@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of states by equations over the whole model, solved component by component, in reverse topological order.
+// Computes the values of states by equations over the whole model, which are solved component by component, in reverse
+// topological order.
 #pragma once
 
 #include <string>
@@ -12,12 +13,13 @@
 
 namespace robochart::markov {
 
-/// The equations to solve. The conditions of Optimum hold after each end component has been replaced by one state.
+/// The equations to solve. After each end component has been replaced by one state, the conditions of Optimum must
+/// hold.
 template <class Value>
 struct Equations {
     const Graph& graph;
     StateSet open;                        ///< states with unknown values
-    std::vector<bool> admitted;           ///< by choice; each open state has an admitted one
+    std::vector<bool> admitted;           ///< by choice; each open state has an admitted choice
     std::vector<EndComponent> collapsed;  ///< end components of open states in which staying earns nothing and has no
                                           ///< value
     Earnings<Value> earnings;

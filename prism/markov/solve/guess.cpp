@@ -10,13 +10,13 @@
 namespace robochart::markov {
 namespace {
 
-/// The numbers e >= 0 with excess + e * growth <= 0: an interval from `least` to `most`, empty if least > most.
+/// The numbers e >= 0 with excess + e * growth <= 0, as an interval from `least` to `most`; empty if least > most.
 struct Scales {
     double least = 0;
     double most = infinity;
 };
 
-/// The arguments have been rounded up. The results are also rounded to the safe side.
+/// Returns the scales for arguments that have been rounded up. The results are also rounded to the safe side.
 Scales scales_for(double excess, double growth) {
     if (growth < 0) return {excess > 0 ? excess / -growth : 0, infinity};
     if (excess > 0) return {infinity, 0};

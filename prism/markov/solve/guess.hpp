@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guesses for a component's values in plain floating point, and their proof.
+// Guesses the values of a component in plain floating point, and proves bounds near the guesses.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace robochart::markov {
 
-/// The guess for one unknown: its values with all constants at their low and at their high bounds.
+/// The guess for one unknown: its value if all constants are at their low bounds, and its value if they are at their
+/// high bounds.
 struct Guess {
     double low = 0;
     double high = 0;
@@ -18,29 +19,31 @@ struct Guess {
 };
 using Guesses = std::vector<Guess>;
 
-/// Proves bounds near guesses. With the weights w and a small e, it checks that high + e w is at least its image under
-/// any (minimum: one) policy, and that low - e w is at most its image under one (minimum: any) policy. By induction
-/// over the steps the values lie between them (Park's lemma; the last step uses that the equations have one solution).
-/// Rows of clearly worse choices, in which the weights do not shrink, limit e by their distance from the best choice.
-/// All rounding is to the safe side, so the origin of the guesses does not matter. `most`: an upper bound on all
-/// values. No value if no e satisfies the conditions.
+/// Proves bounds near guesses. With the weights w and a small e, it checks two conditions. First, high + e w is at
+/// least its image under any policy (for a minimum: under one policy). Second, low - e w is at most its image under one
+/// policy (for a minimum: under any policy). By induction over the steps, the values are between high + e w and low - e
+/// w (Park's lemma; the last step uses that the equations have one solution). If the weights of a row do not shrink,
+/// its choice must be clearly worse than the best one, and the distance limits e. All rounding is to the safe side, so
+/// the origin of the guesses does not matter. `most` is an upper bound on all values. Returns no value if no e
+/// satisfies the conditions.
 [[nodiscard]] std::optional<std::vector<Interval>> prove(const System<Interval>& system, Direction direction,
                                                          const Guesses& guesses, double most);
 
-/// The greatest relative width of the intervals.
+/// Returns the greatest relative width of the intervals.
 [[nodiscard]] double relative_width(const std::vector<Interval>& values);
 
-/// Gauss-Seidel iteration that improves the guesses.
+/// Improves the guesses by Gauss-Seidel iteration.
 class GuessIteration {
 public:
     GuessIteration(const System<Interval>& system, Direction direction);
 
-    /// Updates each unknown once, last first. Returns the greatest relative change.
+    /// Updates each unknown once, from the last to the first. Returns the greatest relative change.
     double sweep();
     [[nodiscard]] Guesses& guesses() { return guesses_; }
-    /// Choices whose worth is within this relative distance of the best are used together for the weights.
+    /// Sets the relative distance from the best choice. All choices whose worth is within it determine the weights
+    /// together.
     void set_tie(double share) { tie_ = share; }
-    /// The best choices according to the guesses.
+    /// Returns the best choices according to the guesses.
     [[nodiscard]] Policy policy() const;
 
 private:

@@ -7,7 +7,7 @@
 namespace robochart::markov {
 namespace {
 
-/// 1 + 2^-60 is above 1 only if sums are rounded upward; likewise 1/3 + 1/3 + 1/3 - 1.
+/// Returns whether the processor rounds upward: only then is 1 + 2^-60 above 1. Likewise for 1/3 + 1/3 + 1/3 - 1.
 bool rounds_upward() {
     volatile double one = 1;
     volatile double tiny = 0x1p-60;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Intervals whose operations round outward because the processor rounds upward.
+// Implements intervals whose operations round outward. The processor must round upward.
 //
 // Why every bound is valid, with and without optimisation:
 // - RoundUpward sets the mode with fesetround, which every operation of SSE2 and NEON obeys, and checks that it has
@@ -41,7 +41,7 @@ struct Interval {
     Interval(double low_bound, double high_bound) : negated_low(-low_bound), high(high_bound) {}
 
     [[nodiscard]] double low() const { return -negated_low; }
-    /// A double between the bounds.
+    /// Returns a double between the bounds.
     [[nodiscard]] double middle() const { return std::clamp(high / 2 - negated_low / 2, low(), high); }
     [[nodiscard]] Enclosure enclosure() const { return {0.0 - negated_low, high}; }
 

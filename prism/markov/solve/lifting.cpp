@@ -19,7 +19,7 @@ Integer scale_rational(const Integer& multiplier, const Rational& value) {
     return multiplier / denominator(value) * numerator(value);
 }
 
-/// The equations with integers: multiplier(i) x(i) = constant(i) + sum of factor x(j), where x is `scale` times the
+/// The equations with integers: multiplier(i) x(i) = constant(i) + sum of factor x(j). Here x is `scale` times the
 /// solution.
 class WholeRows {
 public:

@@ -54,7 +54,7 @@ private:
     static constexpr double sharp = 1e-13;
 
     /// Alternates elimination and sweeps, each time with eight times as much work. It is not known in advance which of
-    /// them is faster, and both together take little longer than the faster one.
+    /// them is faster, but the alternation takes little longer than the faster one alone.
     bool try_to_enclose() {
         if (!deterministic_ && sweep_up_to(first_sweeps))
             return true;  // eliminating a policy costs more than eliminating a chain
@@ -89,8 +89,8 @@ private:
         const auto improves = [this](double value, double offered) {
             return is_better(offered, value, goal_.direction) && std::abs(offered - value) > 1e-14 * std::abs(value);
         };
-        // After some sweeps, the best choices according to the guesses are nearly optimal. For a minimum, the best
-        // choices might never leave the component.
+        // After some sweeps, the best choices according to the guesses are nearly optimal. For a minimum, these choices
+        // might never leave the component.
         const bool guessed = sweeps_ > 0 && goal_.direction == Direction::maximum;
         auto found = iterate_policies<double>(
             system, guessed ? iteration_.policy() : leaving_policy(system_), limit, improves,
@@ -112,7 +112,7 @@ private:
         return reached;
     }
 
-    /// Computes the values of the policy for both bounds of the constants, and weights over all choices that are
+    /// Computes the values of the policy for both bounds of the constants. Computes weights over all choices that are
     /// equally good.
     bool guess(System<double>& system, const SystemSolution<double>& found, const EliminationLimit& limit) {
         std::vector<double> low(system.size());
@@ -142,7 +142,7 @@ private:
         return true;
     }
 
-    /// Tries a proof when the sweeps make no progress, and before that at growing intervals.
+    /// Runs sweeps. Tries a proof at growing intervals, and when the sweeps make no progress.
     bool sweep_up_to(std::uint64_t most) {
         std::uint64_t next_proof = sweeps_ + 8;
         std::uint64_t failures = 0;
@@ -164,7 +164,7 @@ private:
         return false;
     }
 
-    /// Adds half as many sweeps, which improve the bounds.
+    /// Continues with half as many sweeps again, which improves the bounds.
     void improve_bounds() {
         for (std::uint64_t more = sweeps_ / 2 + 4; more > 0 && width_ > sharp; --more) {
             if (goal_.precision.budget != nullptr) goal_.precision.budget->check();
@@ -179,7 +179,7 @@ private:
         return values && keep_if_narrower(std::move(*values));
     }
 
-    /// Stores the values if they are narrower; returns whether they are narrow enough.
+    /// Stores the values if they are narrower than before. Returns whether they are narrow enough.
     bool keep_if_narrower(std::vector<Interval> values) {
         const double width = relative_width(values);
         if (width < width_ || values_.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimal values of one strongly connected component.
+// Computes the optimal values of one strongly connected component.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace robochart::markov {
 
-/// The equations of a component. Either every policy leaves the component with probability 1, or, for a minimum, every
-/// policy that does not leave it has an infinite value. Then the equations have one solution, which is the optimum
-/// (Bertsekas and Tsitsiklis, 1991).
+/// The goal for the equations of a component. Either every policy must leave the component with probability 1, or, for
+/// a minimum, every policy that does not leave it must have an infinite value. Then the equations have one solution,
+/// which is the optimum (Bertsekas and Tsitsiklis, 1991).
 struct Optimum {
     Direction direction;
     Precision precision;
@@ -20,7 +20,7 @@ struct Optimum {
 /// Computes the optimum by policy iteration. The first policy leaves the component with probability 1.
 [[nodiscard]] SystemSolution<Rational> optimum(const System<Rational>& system, const Optimum& goal);
 
-/// Computes enclosures. If they cannot be made as narrow as requested, `shortfall` contains the reason. `most`: an
+/// Computes enclosures. If they cannot be made as narrow as requested, `shortfall` contains the reason. `most` is an
 /// upper bound on all values.
 [[nodiscard]] SystemSolution<Interval> optimum(const System<Interval>& system, const Optimum& goal, double most,
                                                std::string& shortfall);

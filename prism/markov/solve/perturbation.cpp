@@ -29,7 +29,7 @@ double spread_factor(std::span<const Interval> numbers) {
     return factor;
 }
 
-/// Rounded up.
+/// Returns the power, rounded up.
 double power(double base, std::size_t exponent) {
     double result = 1;
     for (; exponent > 0; exponent /= 2, base *= base)

@@ -25,7 +25,8 @@ std::optional<std::vector<Value>> policy_values(const System<Value>& system, con
     return std::move(solved->front());
 }
 
-/// With few unknowns, fractions stay short and an elimination is faster.
+/// Returns the exact values of the policy. With few unknowns, fractions stay short and an elimination is faster than
+/// lifting.
 std::optional<std::vector<Rational>> policy_values(const System<Rational>& system, const Policy& policy,
                                                    const EliminationLimit& limit) {
     constexpr std::uint64_t few_operations = 1'000;

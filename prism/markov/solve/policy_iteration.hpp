@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Howard's policy iteration on one component.
+// Implements Howard's policy iteration on one component.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,9 @@
 
 namespace robochart::markov {
 
-/// Returns the worth of a choice if it is repeated until another unknown is reached. The result is as accurate as the
-/// sum of the probabilities to leave. It is better than the value if and only if taking the choice once is better.
+/// Returns the value of an unknown if this choice is repeated until another unknown is reached (the worth of the
+/// choice). The worth is as accurate as the sum of the probabilities to leave. The worth is better than the current
+/// value if and only if taking the choice once is better.
 template <class Value>
 [[nodiscard]] Value value_of_choice(const System<Value>& system, std::uint32_t unknown, std::uint32_t choice,
                                     const std::vector<Value>& values) {
@@ -25,8 +26,9 @@ template <class Value>
     return sum / leaving;
 }
 
-/// `improves(value, worth)` tells whether a choice with this worth replaces the policy's choice, whose value is
-/// `value`. `admitted(choice)` tells whether the choice may be used. Returns no value if the elimination has no result.
+/// Runs policy iteration. `improves(value, worth)` decides whether a choice with this worth replaces the policy's
+/// choice, whose value is `value`. `admitted(choice)` decides whether the choice may be used. Returns no value if the
+/// elimination has no result.
 template <class Value>
 [[nodiscard]] std::optional<SystemSolution<Value>> iterate_policies(
     const System<Value>& system, Policy policy, const EliminationLimit& limit,

@@ -6,7 +6,7 @@
 namespace robochart::markov {
 namespace {
 
-/// A number without a fraction appears to have one with probability 2^-spare.
+/// The spare bits: a number without a suitable fraction seems to have one with probability 2^-spare.
 constexpr unsigned spare = 32;
 
 class DigitSum {

@@ -13,20 +13,21 @@ namespace robochart::markov {
 
 using Integer = boost::multiprecision::cpp_int;
 
-/// digits[0] + digits[1] base + digits[2] base^2 + ...
+/// Returns digits[0] + digits[1] base + digits[2] base^2 + ...
 [[nodiscard]] Integer from_digits(std::span<const std::uint32_t> digits, std::uint32_t base);
 
-/// A fraction in lowest terms with numerator = value * denominator modulo `modulus`. No value if no such fraction
-/// exists. |numerator| and denominator must be much smaller than the root of `modulus`, so that a fraction for an
-/// unsuitable number is seldom found by chance. `value` is from 0 to modulus - 1. Computed by the Euclidean algorithm
-/// (Wang, 1981).
+/// A fraction in lowest terms with numerator = value * denominator modulo `modulus`; `value` is from 0 to modulus - 1.
+/// It is computed by the Euclidean algorithm (Wang, 1981). There is no value if no such fraction exists. |numerator|
+/// and denominator must be much smaller than the root of `modulus`, so that a number without such a fraction seldom
+/// gets one by chance.
 struct Fraction {
     Integer numerator;
     Integer denominator;
 };
 [[nodiscard]] std::optional<Fraction> reconstruct_fraction(const Integer& value, const Integer& modulus);
 
-/// The fractions of several values with a common denominator. If a value has no fraction, its index.
+/// The fractions of several values with a common denominator. If a value has no fraction, contains the value's index
+/// instead.
 struct CommonFractions {
     std::vector<Integer> numerators;
     Integer denominator = 1;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integers modulo a prime: a field in which division is exact and numbers do not grow.
+// Implements integers modulo a prime: a field in which division is exact and numbers do not grow.
 #pragma once
 
 #include <cstdint>
 
 namespace robochart::markov {
 
-/// A class of the integers modulo `prime`, which is a prime below 2^31.
+/// A residue class modulo `prime`, which must be a prime below 2^31.
 template <std::uint32_t prime>
 class Residue {
 public:
@@ -16,7 +16,7 @@ public:
     /// `value` must be below the prime.
     explicit Residue(std::uint32_t value) : value_(value) {}
 
-    /// The member of the class from 0 to prime - 1.
+    /// Returns the member of the class from 0 to prime - 1.
     [[nodiscard]] std::uint32_t value() const { return value_; }
 
     Residue& operator+=(Residue other) {
@@ -27,12 +27,12 @@ public:
     friend Residue operator*(Residue left, Residue right) {
         return Residue(static_cast<std::uint32_t>(std::uint64_t{left.value_} * right.value_ % prime));
     }
-    /// The divisor must not be 0.
+    /// Divides by `right`, which must not be 0.
     friend Residue operator/(Residue left, Residue right) { return left * right.inverse(); }
     friend bool operator==(Residue, Residue) = default;
 
 private:
-    /// Returns the power prime - 2, which is the inverse (Fermat).
+    /// Returns the inverse, which is the power prime - 2 (Fermat).
     [[nodiscard]] Residue inverse() const {
         Residue result(1);
         Residue square = *this;
@@ -51,7 +51,7 @@ inline constexpr std::uint32_t first_prime = 2'147'483'647;
 inline constexpr std::uint32_t second_prime = 2'147'483'629;
 inline constexpr std::uint32_t third_prime = 2'147'483'587;
 
-/// Whether the residue is a valid divisor.
+/// Returns whether the residue is a valid divisor.
 template <std::uint32_t prime>
 [[nodiscard]] bool positive(Residue<prime> value) {
     return value.value() != 0;

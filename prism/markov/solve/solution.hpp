@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options and results of the numeric and the exact operators.
+// Declares the options and results of the numeric and the exact operators.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,13 @@
 
 namespace robochart::markov {
 
-/// The scheduler of an mdp that a query selects; a dtmc has only one.
+/// Which scheduler of an mdp a query selects: the one with the least or the greatest value. A dtmc has only one
+/// scheduler.
 enum class Direction { minimum, maximum };
 
 struct Precision {
     double relative = 1e-6;                 ///< maximal relative width of the enclosures
-    std::uint64_t most_sweeps = 1'000'000;  ///< for a strongly connected component
+    std::uint64_t most_sweeps = 1'000'000;  ///< limit for each strongly connected component
     diagnostics::Budget* budget = nullptr;  ///< polled; may be null
     bool strategy = false;                  ///< compute Solution::strategy
 };

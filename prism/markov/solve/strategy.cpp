@@ -24,7 +24,7 @@ std::vector<bool> choices_within(const Model& model, const StateSet& set) {
     return choices;
 }
 
-/// Breadth-first search backwards from the state to which the choice belongs.
+/// Searches breadth-first, backwards from the state to which the choice belongs.
 void lead_to(const Graph& graph, const EndComponent& component, std::uint32_t choice,
              std::vector<std::uint32_t>& strategy) {
     std::vector<bool> reached(component.states.size(), false);
@@ -67,7 +67,7 @@ void GraphStrategy::reach_goal(const StateSet& goal, const StateSet& set, const 
     go_back(goal, set, staying);
 }
 
-/// Breadth-first search backwards from the goal.
+/// Searches breadth-first, backwards from the goal.
 void GraphStrategy::go_back(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted) {
     StateSet reached = goal;
     std::vector<State> queue;

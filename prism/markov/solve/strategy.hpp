@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strategies that follow from the graph.
+// Computes strategies from the graph alone.
 #pragma once
 
 #include "prism/markov/graph/graph.hpp"
@@ -7,24 +7,25 @@
 
 namespace robochart::markov {
 
-/// The choices of these states that stay in the set.
+/// Returns the choices of these states that stay in the set.
 [[nodiscard]] std::vector<bool> choices_within(const Model& model, const StateSet& set);
 
-/// Sets choices in the states of the end component that lead with probability 1 to this choice of one of its states.
+/// Sets choices in the states of the end component. With these choices, every state reaches the given choice (of one
+/// state of the component) with probability 1.
 void lead_to(const Graph& graph, const EndComponent& component, std::uint32_t choice,
              std::vector<std::uint32_t>& strategy);
 
-/// Writes a strategy if one is requested. The default is the first choice of every state. If several functions set the
+/// Builds a strategy if one is requested. The default is the first choice of every state. If several calls set the
 /// choice of a state, the last call applies.
 class GraphStrategy {
 public:
     GraphStrategy(const Graph& graph, const Precision& precision, std::vector<std::uint32_t>& strategy);
 
-    /// Sets, in the states of the set, choices that stay in it.
+    /// In every state of the set, selects a choice that stays in the set.
     void stay_in_set(const StateSet& set);
-    /// Sets, in the states of the set outside the goal, choices with which the goal may be reached.
+    /// In every state of the set outside the goal, selects a choice with which the goal may be reached.
     void may_reach(const StateSet& goal, const StateSet& set);
-    /// Sets, in the states of the set outside the goal, admitted choices that stay in the set until the goal is
+    /// In every state of the set outside the goal, selects an admitted choice that stays in the set until the goal is
     /// reached.
     void reach_goal(const StateSet& goal, const StateSet& set, const std::vector<bool>& admitted);
     /// Makes the strategy take this choice infinitely often in the end component.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t no_choice = 0xFFFFFFFF;
 
-/// Breadth-first search from outside, against the direction of the entries. It follows all choices, or only those of
+/// Searches breadth-first from outside, against the direction of the entries. It follows all choices, or only those of
 /// one policy.
 template <class Value>
 class LeavingPolicy {

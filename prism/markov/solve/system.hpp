@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equations of one strongly connected component: x(i) is the optimum, over the choices of i, of constant + sum of p
-// * x(j).
+// Declares the equations of one strongly connected component: x(i) is the optimum, over the choices of i, of constant +
+// sum of p * x(j).
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace robochart::markov {
 
-/// Unknowns 0 .. size-1. The probability to leave and the entries of each choice sum to exactly 1. No choice has
-/// entries only for its own unknown. Constants are not negative.
+/// The equations for the unknowns 0 .. size-1. For each choice, the probability to leave and the entries sum to exactly
+/// 1. No choice has entries only for its own unknown. Constants are not negative.
 template <class Value>
 struct System {
     std::vector<std::uint32_t> first_choice{0};  ///< unknowns + 1 elements
@@ -31,15 +31,15 @@ struct System {
 /// One choice for each unknown.
 using Policy = std::vector<std::uint32_t>;
 
-/// A policy that leaves the component with probability 1 from every state. Some choice must lead outside.
+/// Returns a policy that leaves the component with probability 1 from every state. Some choice must lead outside.
 template <class Value>
 [[nodiscard]] Policy leaving_policy(const System<Value>& system);
 
-/// Whether this policy leaves the component with probability 1 from every state.
+/// Returns whether this policy leaves the component with probability 1 from every state.
 template <class Value>
 [[nodiscard]] bool always_leaves(const System<Value>& system, const Policy& policy);
 
-/// Values of unknowns, and the choices that attain them.
+/// The values of unknowns, and the choices that attain them.
 template <class Value>
 struct SystemSolution {
     std::vector<Value> values;

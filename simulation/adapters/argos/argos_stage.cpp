@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The adapter for ARGoS; see argos_stage.hpp. ARGoS executes a step in our order (act, physics, media, sense, control).
-// Its controllers are empty: the trial reads their sensors and sets their wheels between two steps.
+// Implements the adapter for ARGoS; see argos_stage.hpp. ARGoS executes a step in the order of stage.hpp (act, physics,
+// media, sense, control). Its controllers are empty: the trial reads their sensors and sets their wheels between two
+// steps.
 #include "simulation/adapters/argos/argos_stage.hpp"
 
 #include <argos3/core/control_interface/ci_controller.h>
@@ -28,7 +29,7 @@ namespace robochart::simulation {
 
 namespace {
 
-// ARGoS' e-puck (plugins/robots/e-puck), in cm.
+// The size of ARGoS' e-puck (plugins/robots/e-puck), in cm.
 constexpr double body_radius = 3.5;
 constexpr double axle = 5.3;
 constexpr double eye_height = 5;
@@ -52,7 +53,7 @@ public:
     argos::CCI_RangeAndBearingSensor* radio = nullptr;
 
 private:
-    /// A robot that has not sent a message is not heard.
+    /// Sends a message, because a robot that has not sent a message is not heard.
     void speak() {
         if (sender_ != nullptr) sender_->SetData(0, 1);
     }
@@ -104,12 +105,12 @@ public:
     Session& operator=(const Session&) = delete;
 
 private:
-    /// Creates the objects that ARGoS needs at its end before ARGoS itself, so that they are destroyed after it.
+    /// Creates, before ARGoS itself, the objects that ARGoS needs at its end. So they are destroyed after ARGoS.
     Session() {
         argos::CSimulator::GetInstance();
         argos::CFactory<argos::CCI_Controller>::Register(argos_controller, "", "", "", "", "", make_hands);
     }
-    /// ARGoS' logs keep a buffer for each thread that writes.
+    /// Registers the calling thread with ARGoS' logs, which keep a buffer for each thread.
     static void join_logs() {
         thread_local const bool joined = [] {
             argos::LOG.AddThreadSafeBuffer();
@@ -206,8 +207,8 @@ private:
         robot.body->MoveTo(point(position, 0), turn, false, true);
     }
 
-    /// The ray starts at the centre, because a robot that touches another has it at its front edge. Distances are
-    /// measured from the edge.
+    /// Casts a ray. The ray starts at the centre, because the front edge of a robot may touch another robot. Distances
+    /// are measured from the edge.
     [[nodiscard]] Sight look(std::size_t robot, double direction, double range) const {
         const Vector from = pose(robot).at;
         const double reach = range + body_radius;
@@ -219,8 +220,8 @@ private:
         return {other ? Seen::robot : Seen::wall, std::max(0.0, met.TOnRay * reach - body_radius)};
     }
 
-    /// Drives ARGoS' robot so that its body has the speeds of the scenario's robot, although the distance of the wheels
-    /// differs.
+    /// Sets the wheels so that ARGoS' robot moves with the speeds of the scenario's robot, although the distance of its
+    /// wheels differs.
     void drive(const Robot& robot, Wheels wheels) {
         const Body& body = scenario_.world.body;
         const auto real = [&](double wheel) {

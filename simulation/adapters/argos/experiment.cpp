@@ -12,7 +12,7 @@ namespace robochart::simulation {
 namespace {
 
 constexpr double wall_height = 0.3;
-/// Lower than the robots (8.6 cm), so that they cast shadows.
+/// Lights are lower than the robots (8.6 cm), so that robots cast shadows.
 constexpr double light_height = 0.06;
 constexpr double thickness = 0.1;
 
@@ -30,7 +30,7 @@ std::string box(const std::string& id, double x, double y, double length, double
         id, at(length, width, wall_height), at(x, y, 0), angle * 180 / std::numbers::pi);
 }
 
-/// The walls of the arena are outside its rectangle; inner walls are a millimetre thick.
+/// Writes the walls. The walls of the arena are outside its rectangle; inner walls are a millimetre thick.
 std::string walls(const Arena& arena) {
     std::string text;
     const double half_width = metres(arena.width) / 2;
@@ -97,7 +97,7 @@ std::string lights(const Scenario& scenario) {
     return text;
 }
 
-/// The grids of the media, with cells of about a metre.
+/// Writes the grids of the media, with cells of about a metre.
 std::string grid(double width, double height) {
     return fmt::format("index=\"grid\" grid_size=\"{},{},1\"", static_cast<int>(std::ceil(width)),
                        static_cast<int>(std::ceil(height)));

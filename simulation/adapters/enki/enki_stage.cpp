@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The adapter for Enki; see enki_stage.hpp. The robots are stored in one array. Enki iterates over them in the order of
-// their addresses, so it draws its random numbers in the same order in every run.
+// Implements the adapter for Enki; see enki_stage.hpp. The robots are stored in one array, because Enki iterates over
+// them in the order of their addresses. So Enki draws its random numbers in the same order in every run.
 #include "simulation/adapters/enki/enki_stage.hpp"
 
 #include <enki/PhysicalEngine.h>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double far_away = 1e6;
 
-/// The first object on a ray from the robot's front edge, among the objects and walls that Enki passes to it.
+/// Finds the first object on a ray from the robot's front edge, among the objects and walls that Enki passes to it.
 class EnkiRay final : public Enki::LocalInteraction {
 public:
     EnkiRay(double range, Enki::Robot* robot) : Enki::LocalInteraction(range, robot) {}
@@ -43,7 +43,7 @@ private:
     [[nodiscard]] Vector origin() const {
         return Vector{owner->pos.x, owner->pos.y} + owner->getRadius() * direction();
     }
-    /// The distance to a wall; infinite without walls (width 0).
+    /// Returns the distance to a wall; infinite without walls (width 0).
     [[nodiscard]] double wall_distance(double width, double height) const {
         const Vector at = origin();
         const Vector way = direction();
@@ -83,8 +83,8 @@ private:
     }
 };
 
-/// The robots in one array. The sensors contain pointers to their robots, so robots are constructed in place and never
-/// moved.
+/// Stores the robots in one array. The sensors contain pointers to their robots, so robots are constructed in place and
+/// never moved.
 class Pucks {
 public:
     Pucks(std::size_t count, const Scenario& scenario) : pucks_(std::allocator<Puck>().allocate(count)), count_(count) {
@@ -138,7 +138,7 @@ public:
         const double range = sensor.sight_range > 0 ? sensor.sight_range : std::numeric_limits<double>::infinity();
         return pucks_[robot].ray.nearest_sight(range, world_.w, world_.h);
     }
-    // enki_stage rejects scenarios that need it.
+    // Always false, because enki_stage rejects scenarios that need it.
     [[nodiscard]] bool somebody_within(std::size_t, const Sensor&, double) override { return false; }
     [[nodiscard]] std::optional<double> direction_of_others(std::size_t, const Sensor&, double) override {
         return std::nullopt;
