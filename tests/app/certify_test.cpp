@@ -54,7 +54,7 @@ TEST(Certify, PagesSayCertified) {
                 HasSubstr("<br>holds (certified: product level, unreduced, 12 pairs, 1 component); certificate"));
 }
 
-/// The answer of the search is wrong then, so the run must not succeed.
+/// If a certificate is refused, the answer of the search is wrong, so the run must not succeed.
 TEST(Certify, ARefusedCertificateIsAnError) {
     const Ran ran =
         run_with_answer("refused after <a>, it can do nothing", "\"$verify\" cspm s.csp --no-cache --certify certs");
