@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files are written completely or not at all, at the requested place and nowhere else.
+// Tests that files are written completely or not at all, at the requested place and nowhere else.
 #include "base/diagnostics/files.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ class Files : public ::testing::Test {
 protected:
     [[nodiscard]] std::string in(const std::string& name) const { return folder_.in(name); }
     void put(const std::string& name, const std::string& text) const { folder_.write(name, text); }
-    /// The number of files in a folder, including hidden ones.
+    /// Returns the number of files in a folder, including hidden ones.
     static std::size_t count(const std::string& path) {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
     }
