@@ -11,7 +11,7 @@
 
 namespace robochart::refine {
 
-/// A script in its own term store.
+/// A script, translated into its own term store.
 class Translation {
 public:
     /// If `compressing` is set, compressions are carried out; otherwise they are replaced by their operands.

@@ -16,7 +16,7 @@ std::string at(const std::string& channel, int i, int j) {
     return at(channel, i) + "." + std::to_string(j);
 }
 
-/// A process that repeatedly performs these events in turn.
+/// Returns a process that repeatedly performs these events in turn.
 TermId cycle(Scripted& s, const std::string& name, const std::vector<std::string>& events) {
     const TermId self = s.name(name);
     TermId body = self;
