@@ -33,8 +33,8 @@ struct Answers {
     std::map<std::string, std::string> verdicts;
     std::map<std::string, std::uint64_t> states;
     std::map<std::string, std::size_t> classes;
-    std::map<std::string, std::string> kept;  /// < why data keep their carriers, by their first place
-    std::set<std::string> bounded;            /// < claims whose answer depends on bounds
+    std::map<std::string, std::string> kept;  ///< why data keep their carriers, by their first place
+    std::set<std::string> bounded;            ///< claims whose answer depends on bounds
     std::set<std::string> free;               ///< claims that are decided with free values of computed data
     std::string text;
 };

@@ -37,7 +37,7 @@ const std::string log = "robochart-trace 1\ncomponent Sorter\nrun one\nweight?0 
 
 struct Question {
     const char* name;
-    std::vector<std::string> arguments;  /// < follow those of the verb; "MODEL", "RULES" and "LOG" are files
+    std::vector<std::string> arguments;  ///< follow those of the verb; "MODEL", "RULES" and "LOG" are files
     std::string input;
 };
 

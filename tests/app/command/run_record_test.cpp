@@ -51,7 +51,7 @@ printf 'robochart-trace 1\ncomponent p::Walker\ncycle 1\nrun one\ntock\n' > one.
 
 struct Row {
     const char* name;
-    const char* command;  /// < writes the objects, one after the other, to standard output or to the file report.json
+    const char* command;  ///< writes the objects, one after the other, to standard output or to the file report.json
     bool to_file = false;
 };
 

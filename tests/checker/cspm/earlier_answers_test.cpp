@@ -28,8 +28,8 @@ assert Two :[deterministic [FD]]
 class EarlierAnswersTest : public ::testing::Test {
 protected:
     struct Answers {
-        std::string outcomes;  /// < h holds, f fails
-        std::string known;     /// < y if the answer was in the cache, otherwise n
+        std::string outcomes;  ///< h holds, f fails
+        std::string known;     ///< y if the answer was in the cache, otherwise n
         std::vector<std::string> runs;
         std::vector<std::uint64_t> states;
     };

@@ -28,7 +28,7 @@ using process::first_visible;
 /// The answers of decision diagrams about a process.
 struct DiagramAnswers {
     bool deadlock = false;
-    std::vector<Event> events;  /// < that some reachable state can perform
+    std::vector<Event> events;  ///< that some reachable state can perform
     long double states = 0;
     friend bool operator==(const DiagramAnswers&, const DiagramAnswers&) = default;
 };
@@ -76,7 +76,7 @@ DiagramAnswers answers_by_search(const std::shared_ptr<const Supercombinator>& c
 enum class Guard {
     outermost,  ///< the outermost region prevents a rule of the process
     inner,      ///< an inner region prevents a rule of the process that passes through it
-    nested,     /// < a region does not prevent a rule, because an inner region prevents the rule with priority
+    nested,     ///< a region does not prevent a rule, because an inner region prevents the rule with priority
 };
 
 /// Removes the guards of this kind from a rule of a region. Returns false if there are none.

@@ -267,7 +267,7 @@ Graph growing_graph(std::mt19937& random, std::size_t states, bool divergence) {
 /// The time at which a limit is reached.
 struct Moment {
     bool closing = false;  ///< when a level is closed; otherwise during long work
-    int number = 0;        /// < how often the first rank has met this situation so far
+    int number = 0;        ///< how often the first rank has met this situation so far
 };
 
 // Only the first rank reaches the limit. This happens when it closes a level, or while it merges runs, reads the files,

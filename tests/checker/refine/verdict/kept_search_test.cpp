@@ -141,7 +141,7 @@ protected:
     diagnostics::TemporaryFolder folder_{"", error_};
     std::vector<Asked> asked_;
     ThreadRanks threads_{1};
-    std::uint64_t rolled_back_ = 0;  /// < of all searches
+    std::uint64_t rolled_back_ = 0;  ///< of all searches
 };
 
 TEST_F(KeptSearches, HaveTheAnswersOfThoseInMemory) {
