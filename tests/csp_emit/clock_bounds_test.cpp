@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the bounds at which clocks saturate. RoboTool's bounds use 1 in place of a divisor of 0, so a guard that no run
-// evaluates makes no claim fail. The guards themselves keep the model's divisor.
+// Tests the bounds at which clocks saturate. In these bounds, RoboTool uses 1 in place of a divisor of 0, so a guard
+// that no run evaluates makes no claim fail. The guards themselves keep the model's divisor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
