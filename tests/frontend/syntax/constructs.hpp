@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row for each construct of the grammar (language reference 1.1, assertion reference 4): its text and the expected
-// tree, or the rule that rejects it. A construct without a row is a construct without a test.
+// Lists one row for each construct of the grammar (language reference 1.1, assertion reference 4): its text, and the
+// expected tree or the rule that rejects it. A construct without a row is a construct without a test.
 #pragma once
 
 #include <ostream>
@@ -15,9 +15,9 @@ struct Row {
 };
 std::ostream& operator<<(std::ostream& out, const Row& row);
 
-/// Expressions that bind tightest.
+/// Expressions with the highest precedence.
 [[nodiscard]] const std::vector<Row>& atoms();
-/// Operators from the lowest to the highest precedence; each level is combined with its neighbours.
+/// Operators from the lowest to the highest precedence. Each level is combined with its neighbours.
 [[nodiscard]] const std::vector<Row>& operators();
 /// Types.
 [[nodiscard]] const std::vector<Row>& types();
@@ -29,7 +29,7 @@ std::ostream& operator<<(std::ostream& out, const Row& row);
 [[nodiscard]] const std::vector<Row>& declarations();
 /// Whole files of assertions.
 [[nodiscard]] const std::vector<Row>& assertions();
-/// Texts that the grammar forbids: whole files, with the finding.
+/// Whole files that the grammar forbids, each with its finding.
 [[nodiscard]] const std::vector<Row>& refused();
 
 /// The file in which the text of a row is embedded.
