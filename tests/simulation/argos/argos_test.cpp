@@ -144,8 +144,7 @@ TEST(Argos, RobotsSeeAndHearWhoIsThere) {
         EXPECT_TRUE(staged.stage->somebody_within(0, radio, 31));
         EXPECT_NEAR(staged.stage->direction_of_others(0, radio, 80).value_or(9), 0, 1e-3);
         EXPECT_NEAR(staged.stage->direction_of_others(2, radio, 80).value_or(9), std::numbers::pi, 1e-3);
-        // The first robot is in the shadow of the others. At least the half of the last robot that faces the light is
-        // lit.
+        // The first robot is in the shadow of the others. At least the light side of the last robot is lit.
         EXPECT_LE(staged.stage->lit_sensors(0, radio), 1U);
         EXPECT_GE(staged.stage->lit_sensors(2, radio), 4U);
         return true;
