@@ -27,7 +27,7 @@ const std::string unknown_name = "untimed assertion Broken : N is deadlock-free.
 
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// Maps titles to answers of the JSON report; the answer is empty if the report has none.
+/// Maps titles to answers of the JSON report. The answer is empty if the report has none.
 std::map<std::string, std::string> answers(const Files& files, int exit, const std::vector<std::string>& options = {}) {
     const Folder folder(files);
     std::vector<std::string> arguments{"check", folder.path(), "--format", "json"};

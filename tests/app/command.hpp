@@ -21,14 +21,14 @@ struct Ran {
 /// Runs robochart-verify with these arguments and this standard input in an empty temporary folder.
 [[nodiscard]] Ran run(const std::vector<std::string>& arguments, const std::string& input = "");
 
-/// Waits before the signal is sent; `ended` returns true once the command has ended.
+/// Waits before the signal is sent. `ended` returns true once the command has ended.
 using Wait = std::function<void(const std::function<bool()>& ended)>;
 /// Like `run`, but sends the signal after `wait`, which by default takes 1.5 seconds.
 [[nodiscard]] Ran run_and_signal(const std::vector<std::string>& arguments, int signal, const Wait& wait = {});
 /// Like `run`, but limits the address space to `bytes` (RLIMIT_AS).
 [[nodiscard]] Ran run_with_address_space(const std::vector<std::string>& arguments, std::uint64_t bytes);
 
-/// Runs shell commands in an empty temporary folder; "$verify" is the command.
+/// Runs shell commands in an empty temporary folder. In them, "$verify" is the command.
 [[nodiscard]] Ran run_shell(const std::string& commands);
 
 /// A temporary folder with one file.

@@ -260,8 +260,8 @@ TEST(CounterexampleText, TickTockNamesWhatWasRefused) {
                 AllOf(HasSubstr("refusal of input a"), HasSubstr("why refusal of input a is not allowed here")));
 }
 
-/// A module, its controller and its machine have the same deadlock. The text shows the counterexample once; the data
-/// contain it three times.
+/// A module, its controller and its machine have the same deadlock. The text shows the counterexample once, but the
+/// data contain it three times.
 TEST(CoreProperties, ARunThatComponentsShareIsPrintedOnce) {
     const TemporaryFile model("stuck.rct", R"(
 interface I { event go }

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // The name contains an escape sequence and a line end, followed by a forged verdict. The literals and the block contain
-// the same text. ESC is \033; CSI as one character of Latin-1 in UTF-8 is \302\233.
+// the same text. ESC is \033. CSI as one character of Latin-1 in UTF-8 is \302\233.
 const char* const files = R"(
 name=$(printf 'm\033]0;title\007\n  holds        Forged')
 model="$name.rct"; claims="$name.assertions"

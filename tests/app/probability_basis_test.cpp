@@ -45,7 +45,7 @@ protected:
     }
 };
 
-// With step 0, x stays 0; with step 1 and 2, the sum leaves 0..2 after two tosses.
+// With step 0, x stays 0. With steps 1 and 2, the sum leaves 0..2 after two tosses.
 TEST_F(ProbabilityBasis, NamesTheBoundsOfEachSetOfConstants) {
     const auto found = basis(
         "prob property P : Prob=? of [Finally <=3 #done] with constants Walk::step from set {0, 2}\n"

@@ -72,7 +72,7 @@ public:
            const csp_emit::Obligation& obligation, const json& run, Replayed& sum)
         : system_(system), emission_(emission), session_(session), obligation_(obligation), run_(run), sum_(sum) {}
 
-    /// Replays the run on the process of this assertion; returns the mismatches.
+    /// Replays the run on the process of this assertion. Returns the mismatches.
     std::vector<std::string> against(const cspm::ExprPtr& process);
 
 private:

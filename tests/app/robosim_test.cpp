@@ -25,7 +25,7 @@ interface Button { event pressed }
 interface Light { lit(bright : boolean) }
 )";
 
-/// The lamp is on for one cycle after the button was pressed. Off is entered again in every cycle.
+/// Returns a lamp that is on for one cycle after the button was pressed. It enters Off again in every cycle.
 std::string lamp(const std::string& cycle) {
     return std::string(interfaces) + R"(
 stm Lamp {

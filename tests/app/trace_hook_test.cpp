@@ -40,7 +40,7 @@ public:
             "main.cpp controller/*.cpp -o console");
     }
 
-    /// Runs the program with these input lines and a log; returns its output.
+    /// Runs the program with these input lines and a log. Returns its output.
     std::string drive(const std::string& lines, const std::string& options = "") {
         std::ofstream(project_ + "/lines") << lines;
         shell("./console --log run.trace " + options + " < lines > printed");
@@ -218,7 +218,7 @@ TEST(TraceHook, ValuesWithParts) {
     EXPECT_THAT(wrong.err, HasSubstr("turn carries a number, found `one`"));
 }
 
-/// The console reads values in the format in which it prints them; it also accepts the numbers of literals, as before.
+/// The console reads values in the format in which it prints them. It also accepts the numbers of literals.
 TEST(TraceHook, TheConsoleReadsAndShowsValuesWithParts) {
     const TemporaryFile model("m.rct", with_parts);
     Console console(model.path(), "M");

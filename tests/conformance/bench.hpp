@@ -47,7 +47,7 @@ class Bench {
 public:
     Bench(Model& model, ir::ComponentRef component);
 
-    /// Generates, compiles and checks one controller; does not repeat the check of schedulability.
+    /// Generates, compiles and checks one controller. Does not repeat the check of schedulability.
     [[nodiscard]] Result check_code(cpp_emit::Fault fault = cpp_emit::Fault::none, std::uint32_t site = 0);
     [[nodiscard]] std::unique_ptr<SharedObject> compile_fault(cpp_emit::Fault fault, std::uint32_t site);
     /// Checks a controller that was compiled elsewhere.

@@ -27,8 +27,8 @@ struct Sizes {
 
 class Embedded : public ::testing::Test {
 protected:
-    /// Returns whether the packages are installed. Without them the test is skipped; in continuous integration it
-    /// fails.
+    /// Returns whether the packages are installed. Without them the test is skipped, except in continuous integration,
+    /// where it fails.
     bool available() {
         std::string ignored;
         return folder_.status("echo '#include <cstdint>' | arm-none-eabi-g++ -x c++ -fsyntax-only -", ignored) == 0;

@@ -239,8 +239,8 @@ TEST_F(Project, RobotsInEnki) {
     double mean_x = 0, mean_y = 0, spread = 0;
     for (const auto& [x, y] : at) mean_x += x / 20, mean_y += y / 20;
     for (const auto& [x, y] : at) spread += std::hypot(x - mean_x, y - mean_y) / 20;
-    // Robots scattered over the arena are about 95 cm from their centroid; in a cluster of twenty they are 12 to 17 cm
-    // from it.
+    // Robots that are scattered over the arena are about 95 cm from their centroid. In a cluster of twenty they are 12
+    // to 17 cm from it.
     EXPECT_LT(spread, 25);
 }
 

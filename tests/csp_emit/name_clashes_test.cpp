@@ -98,7 +98,7 @@ TEST(NameClashes, DeclarationsOfBlocksDoNotChangeTheLibrary) {
                 if (section && (name == "OneStep" || std::string(form).find("module") != std::string::npos)) continue;
                 std::string text = block;
                 text.replace(text.find("TEXT"), 4, insert_name(form, name));
-                // All blocks are type checked; every 97th is also decided.
+                // All blocks are type checked, and every 97th block is also decided.
                 const bool decide = ++number % 97 == 0;
                 const auto m = testing::load_model(variety, text + claims);
                 ASSERT_TRUE(m->diagnostics.ok()) << m->messages();

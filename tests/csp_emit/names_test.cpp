@@ -229,9 +229,9 @@ TEST(Constants, CountWhereAnAssertionSetsThem) {
             connection c on a to r on a ( _async )
         }
     )";
-    // In the module, c is the platform's constant; in the controller, it is the controller's; in the machine alone, it
-    // is the machine's own. A value that is set for a machine applies to all uses of the machine, unless an enclosing
-    // component provides the required constant.
+    // In the module, c is the platform's constant. In the controller, it is the controller's constant. In the machine
+    // alone, it is the machine's own. A value that is set for a machine applies to all uses of the machine, unless an
+    // enclosing component provides the required constant.
     const std::map<std::string, std::set<std::string>> counts{{"S", {"S"}},
                                                               {"C", {"C", "C::s"}},
                                                               {"C::s", {"C", "C::s", "S"}},

@@ -82,7 +82,7 @@ TEST(RoboSimSuite, EveryQuickClaimHoldsAsWorded) {
         auto& model = models[row.file];
         if (!model) {
             model = testing::project((folder / row.file).string());
-            // the expected verdicts assume constants of 1; with the default 0, PI / av has no value
+            // the expected verdicts assume constants of 1, because with the default 0, PI / av has no value
             if (row.file.ends_with("rc2rs.rsa"))
                 model->instantiation = ir::instantiate_system(
                     model->system, {{{"PI", "1"}, {"av", "1"}, {"lv", "1"}}, {}}, model->diagnostics);

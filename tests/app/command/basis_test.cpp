@@ -199,7 +199,7 @@ TEST(TimeBasis, ASpecificationWithoutTimeIsNamed) {
                  {"r.assertions", "package claims\nimport echo::*\ntimed csp Spec csp-begin\nSpec = " + open +
                                       "\ncsp-end\ntimed assertion A : echo::Echo refines Spec in the traces model\n"}});
     EXPECT_EQ(with, (std::map<std::string, Kinds>{{"A [timed]: holds", {}}}));
-    // Only the specification after the first event forbids time; the initial state lets time pass.
+    // The specification forbids time only after the first event. In the initial state, time passes.
     const auto once = checked({{"r.rct", echo},
                                {"r.assertions",
                                 "package claims\nimport echo::*\ntimed csp Spec csp-begin\n"

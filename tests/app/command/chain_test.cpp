@@ -25,7 +25,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return at == std::string::npos ? text : text.replace(at, what.size(), with);
 }
 
-/// A folder with the scenario and a copy of the model.
+/// Returns a folder with the scenario and a copy of the model.
 Folder folder_with(const std::string& text) {
     return Folder({{"m/foraging.rct", tests::read_contents(repository("corpus/foraging/foraging.rct"))},
                    {"m/chain.scenario", text}});

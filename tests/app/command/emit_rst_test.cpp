@@ -242,8 +242,8 @@ TEST(EmitRstFaults, AreNoticed) {
 
 // ---------------------------------------------------------------- case studies
 
-/// The files of every module of the corpus are valid and in the standard layout. The claims of the small modules hold;
-/// the commands in the documents prove those of aggregation.
+/// The files of every module of the corpus are valid and in the standard layout. The claims of the small modules hold.
+/// The commands in the documents prove those of aggregation.
 TEST(EmitRstCorpus, IsReadBackAndProved) {
     const std::string corpus = (tests::source_folder() / "corpus").string();
     for (const auto& [model, module] : std::vector<std::pair<std::string, std::string>>{{"aggregation", "Aggregation"},

@@ -118,7 +118,7 @@ connection C on e to one on e connection u on o to two on e })");
     EXPECT_THAT(inside, Not(HasSubstr("one: t1")));
 }
 
-/// A machine that cycles through 30 states.
+/// Returns a machine that cycles through 30 states.
 std::string ring(const std::string& name) {
     std::string text = "stm " + name + " { event e initial i var x : nat\ntransition t0 { from i to A0 }\n";
     for (int at = 0; at < 30; ++at)

@@ -282,7 +282,7 @@ TEST(KindsOfRobots, NoSearchWhereWarningsAreDenied) {
     EXPECT_THAT(ran.err, HasSubstr("warnings are denied"));
 }
 
-/// The robot reaches the goal after ten time units; after three time units it has moved 3 cm.
+/// The robot reaches the goal after ten time units. After three time units it has moved 3 cm.
 TEST(KindsOfRobots, TheirConstantsHaveTheKindsNameInFront) {
     const Herd herd(bands);
     const auto with = [&](const std::string& constant) { return herd.simulated({"--const", constant}); };

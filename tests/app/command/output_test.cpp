@@ -19,7 +19,7 @@ constexpr const char* machine =
     "e }\n}\n";
 constexpr const char* claim = "assertion A1 : S is deadlock-free\n";
 
-/// A folder with a model and a script.
+/// Returns shell commands that write models, an assertion and a script, and then do `commands`.
 std::string with_files(const std::string& commands) {
     return std::string("cat > m.rct <<'EOF'\n") + machine + "EOF\ncat > m.assertions <<'EOF'\n" + claim +
            "EOF\nprintf 'channel a\\nP = a -> P\\nassert P :[deadlock free [F]]\\n' > s.csp\n" +

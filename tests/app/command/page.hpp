@@ -20,7 +20,7 @@ namespace robochart::app::testing {
 /// fetches nothing and that the ids of its elements are unique.
 void expect_closed(const std::string& page);
 
-/// Runs shell commands that write page.html, then tests/app/command/browser.mjs; returns its output line by line,
+/// Runs shell commands that write page.html, then tests/app/command/browser.mjs. Returns its output line by line,
 /// including problems. `how` is the second argument of browser.mjs.
 [[nodiscard]] std::vector<std::string> play_page(const std::string& written, const std::string& commands,
                                                  const std::string& how = "");

@@ -28,8 +28,8 @@ struct Element {
     std::string inside;  ///< names of the elements from the root on
 };
 
-/// Parses an XML 1.0 document without comments, processing instructions and similar constructs; reports a test failure
-/// if the document is not well-formed.
+/// Parses an XML 1.0 document without comments, processing instructions and similar constructs. Fails the test if the
+/// document is not well-formed.
 std::vector<Element> elements(const std::string& document) {
     static const std::regex tag("<(/?)([a-z-]+)((?: [a-z]+=\"[^\"<]*\")*)(/?)>"), attribute("([a-z]+)=\"([^\"<]*)\"");
     static const std::regex entity("&(?:amp|lt|gt|quot|#39|#45);");

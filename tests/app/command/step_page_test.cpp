@@ -318,7 +318,7 @@ TEST_F(StepPageInABrowser, TakesNumbersOfSeveralDigits) {
                                    "\"there is no offer 15\"", "\"#1.3.12\"", "12"));
 }
 
-// P has become Q; folded parts stay folded.
+// P has become Q, and folded parts stay folded.
 TEST_F(StepPageInABrowser, ShowsTheStructure) {
     const std::string tree =
         "print [Array.from(document.querySelectorAll('#tree li > mark, #tree li > span'), (each) => each.tagName + ' ' "

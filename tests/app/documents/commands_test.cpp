@@ -84,7 +84,7 @@ std::string first_word(const std::string& text) {
 }
 
 /// Returns the commands in a block: the lines after `$ ` if there are any, otherwise all lines. A command may continue
-/// on the next line; comments and indented lines belong to the command above.
+/// on the next line. Comments and indented lines belong to the command above.
 std::vector<std::string> commands_of(const Block& block) {
     const bool marked =
         std::ranges::any_of(block.lines, [](const std::string& line) { return line.starts_with("$ "); });

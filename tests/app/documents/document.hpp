@@ -38,7 +38,7 @@ struct ShownCommand {
     std::vector<std::string> output;
 };
 
-/// A `console` block; its commands run in one shell.
+/// A `console` block. Its commands run in one shell.
 struct ShownSession {
     std::size_t line;  ///< line of its fence in the document, from 1
     std::vector<ShownCommand> commands;

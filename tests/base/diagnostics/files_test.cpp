@@ -60,7 +60,7 @@ TEST_F(Files, DoNotFollowLinksBelowTheirFolder) {
     fs::create_symlink(in("elsewhere"), in("out/sub"));
     EXPECT_THAT(write_below(in("out"), "sub/x", "text"), AllOf(HasSubstr("refusing"), HasSubstr("symbolic link")));
     EXPECT_EQ(count(in("elsewhere")), 0U);
-    // A symbolic link in place of the file is replaced; its target stays unchanged.
+    // A symbolic link in place of the file is replaced, but its target stays unchanged.
     fs::create_symlink(in("precious"), in("out/file"));
     EXPECT_EQ(write_below(in("out"), "file", "text"), "");
     EXPECT_EQ(read_contents(in("precious")), "mine");

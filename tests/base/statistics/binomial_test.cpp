@@ -52,7 +52,7 @@ TEST(Binomial, Ends) {
     EXPECT_EQ(clopper_pearson(0, 0, 0.05), (Interval{0, 1}));
 }
 
-/// Without a failure L^n = error; without a success (1 - U)^n = error.
+/// Without a failure, L^n = error. Without a success, (1 - U)^n = error.
 TEST(ClopperPearson, AllOrNone) {
     for (const std::uint64_t n : {1U, 59U, 299U, 2995U}) {
         const double root = std::pow(0.025, 1 / static_cast<double>(n));

@@ -65,7 +65,7 @@ TEST(Sprt, ErrsAtMostAsOftenAsItSays) {
 }
 
 /// Wald's approximation of the mean number of trials, which ignores the overshoot. At p0 and p1 it is (P(at_least)
-/// ln(beta) + P(below) ln(1/alpha)) divided by the mean step of the log-likelihood ratio; at 1 it is rounded to whole
+/// ln(beta) + P(below) ln(1/alpha)) divided by the mean step of the log-likelihood ratio. At 1 it is rounded to whole
 /// steps.
 TEST(Sprt, IsAsLongAsWaldSays) {
     const Sprt test{0.95, 0.90, 0.01, 0.01};
@@ -83,8 +83,8 @@ TEST(Looks, AreAtTheirTimes) {
         times.push_back(*next);
     EXPECT_EQ(times, (std::vector<std::uint64_t>{16, 24, 36, 54, 81, 100}));
     EXPECT_EQ(looks.interval_after(5, 17), std::nullopt);
-    // The first look uses half of the error, the second a sixth; the last look uses the remainder, which is 1/6 for six
-    // looks.
+    // The first look uses half of the error, and the second a sixth. The last look uses the remainder, which is 1/6 for
+    // six looks.
     EXPECT_EQ(looks.interval_after(9, 16), clopper_pearson(9, 16, 0.05 / 2));
     EXPECT_EQ(looks.interval_after(9, 24), clopper_pearson(9, 24, 0.05 / 6));
     EXPECT_EQ(looks.interval_after(90, 100), clopper_pearson(90, 100, 0.05 / 6));

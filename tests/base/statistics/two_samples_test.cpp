@@ -48,7 +48,7 @@ TEST(FisherExact, ErrsAtMostAsOftenAsItSays) {
 }
 
 TEST(Holm, AdjustsByHand) {
-    // In ascending order, the values are .01 * 4, .02 * 3, .03 * 2 and .04; no adjusted value may be below the previous
+    // In ascending order, the values are .01 * 4, .02 * 3, .03 * 2 and .04. No adjusted value may be below the previous
     // one.
     const std::vector<double> adjusted = holm_correction({0.03, 0.01, 0.04, 0.02});
     const std::vector<double> expected{0.06, 0.04, 0.06, 0.06};

@@ -42,7 +42,8 @@ protected:
         return graph.size();
     }
     TermId twice(const char* event) { return s.prefix(event, s.prefix(event, s.skip())); }
-    /// Two components take two steps each and then terminate together. They have 3 * 3 states and the terminated state.
+    /// Returns two components that take two steps each and then terminate together. They have 3 * 3 states and the
+    /// terminated state.
     TermId pair() { return s.over(Op::parallel, {twice("a"), twice("b")}, {}); }
     static constexpr std::size_t states_of_pair = 10;
 

@@ -177,7 +177,7 @@ TEST(ThreadRanks, ARankThatFailsEndsAll) {
     }
 }
 
-/// Each of `count` ranks sends to each rank r a message of r words that identify the sender.
+/// As one of `count` ranks, sends to each rank r a message of r words, which identify the sender.
 void exchange_everything(refine::Exchange& exchange, unsigned count) {
     const unsigned rank = exchange.rank();
     ASSERT_EQ(exchange.ranks(), count);
@@ -213,7 +213,7 @@ TEST(ThreadRanks, ExchangeRowsSumsAndTexts) {
     refine::as_ranks(3, [](refine::Exchange& exchange) { exchange_everything(exchange, 3); });
 }
 
-/// Each program sends one message per round, which begins with a number for each pair of threads.
+/// Checks that each program sends one message per round, which begins with a number for each pair of threads.
 void exchange_by_programs(unsigned programs, unsigned threads) {
     refine::as_ranks(programs, [=](refine::Exchange& exchange) {
         refine::as_ranks(exchange, threads, [=](refine::Exchange& rank_exchange) {

@@ -144,7 +144,7 @@ TEST_F(SymmetryTest, WhatIsAlikeIsFoundUnderPrioritiesAndInterrupts) {
     EXPECT_EQ(sets(s.over(Op::parallel, urgent, {"tock"})), Sets{3}) << "regions of their own";
 }
 
-/// A specification that requires robot 1 before robot 2 distinguishes them; a specification that accepts any robot does
+/// A specification that requires robot 1 before robot 2 distinguishes them. A specification that accepts any robot does
 /// not.
 TEST_F(SymmetryTest, TheSpecificationMayDistinguishThem) {
     const auto system = compiled(s.over(Op::hide, {swarm(3, 1)}, {"tock"}));

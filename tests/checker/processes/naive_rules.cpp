@@ -229,8 +229,8 @@ private:
         }
         return result;
     }
-    /// A linked event of one operand occurs only together with its partner of the other operand, and is hidden. Other
-    /// events are independent.
+    /// Returns the moves of two linked operands. A linked event of one operand occurs only together with its partner of
+    /// the other operand, and is hidden. Other events are independent.
     Moves linked(const Process& p) const {
         const Moves left = moves(p->operands[0]);
         const Moves right = moves(p->operands[1]);

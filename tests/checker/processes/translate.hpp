@@ -14,7 +14,7 @@ namespace robochart::refine {
 /// A script, translated into its own term store.
 class Translation {
 public:
-    /// If `compressing` is set, compressions are carried out; otherwise they are replaced by their operands.
+    /// If `compressing` is set, compressions are carried out. Otherwise they are replaced by their operands.
     explicit Translation(const naive::Script& script, bool compressing = false);
     process::TermSystem system(const naive::Process& process) { return {semantics_, term(process)}; }
     process::TermId term(const naive::Process& process);

@@ -31,13 +31,14 @@ Bad every(Set events, int limit);
 /// True if an answer is missing at the end of the trace.
 bool answer_missing(const Trace& trace, const Set& events, const Set& others, const Set& exceptions);
 
-/// The body holds only in the scope: these predicates are true if the trace breaks the body there.
+/// Return predicates that are true if the trace breaks the body in the scope.
 Bad before(Set first, Bad body);
 Bad after(Set first, Bad body);
 Bad after_until(Set first, Set last, Bad body);
-/// At each event of `first`, the count begins again and includes this event.
+/// Returns a predicate that begins to count again at each event of `first`. The count includes this event.
 Bad at_most_after_each(Set first, Set events, int count);
-/// True if the trace breaks the body while an event of `first` is at most `limit` time units ago.
+/// Returns a predicate that is true if the trace breaks the body while an event of `first` is at most `limit` time
+/// units ago.
 Bad for_after(Set first, int limit, Bad body);
 
 }  // namespace robochart::claims::testing

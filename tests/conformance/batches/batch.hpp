@@ -35,7 +35,7 @@ struct Candidate {
 /// Candidates that were compiled together.
 class Batch {
 public:
-    /// On failure returns null and sets `error` to the compiler's output.
+    /// Compiles the candidates. On failure returns null and sets `error` to the compiler's output.
     static std::unique_ptr<Batch> build(std::vector<std::unique_ptr<Candidate>>, const Options&, std::string& error);
 
     [[nodiscard]] std::size_t size() const { return candidates_.size(); }

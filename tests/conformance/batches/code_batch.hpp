@@ -26,7 +26,7 @@ inline constexpr const char* batch_source = "batch.cpp";
 /// Controllers that were compiled together and are loaded.
 class CodeBatch {
 public:
-    /// On failure returns null and sets `error` to the compiler's output.
+    /// Compiles and loads the controllers. On failure returns null and sets `error` to the compiler's output.
     static std::unique_ptr<CodeBatch> build(const std::vector<const cpp_emit::Emission*>&,
                                             const cpp_emit::BuildOptions&, std::string& error);
     /// Returns the exploration interface of one controller. If it cannot be used, returns null and sets `fault` to the

@@ -122,7 +122,7 @@ TEST(AdaptiveTests, KillTheMutantsOfAggregation) {
 
 // ------------------------------------------------------------ verdicts, by hand
 
-/// The model has one state and no inputs. Every cycle outputs a or b.
+/// Returns a model with one state and no inputs. Every cycle outputs a or b.
 AllowedCycles a_or_b(std::size_t extra) {
     AllowedCycles graph;
     std::istringstream text(

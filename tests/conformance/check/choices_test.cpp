@@ -41,7 +41,7 @@ TEST(Choices, FaultsBehindOtherChoicesAreFound) {
     EXPECT_EQ(found(), 5U);
 }
 
-/// The machine waits for one or two units. By default the code waits for one unit; the model allows both.
+/// The machine waits for one or two units. By default the code waits for one unit, but the model allows both.
 TEST(Choices, TheLengthOfAWait) {
     test::Model model(test::ModelFolder(R"(
 stm S {

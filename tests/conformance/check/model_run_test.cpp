@@ -94,7 +94,7 @@ TEST(ModelRun, IsFoundForPartialReadings) {
     }
 }
 
-// x is output twice in the cycle of `go`; the run ends before the second output.
+// x is output twice in the cycle of `go`, so the run ends before the second output.
 TEST(ModelRun, ShowsWhereAnOutputIsMadeTwice) {
     const Result result = with_fault(R"(stm M { event go event x : nat initial i state Idle { }
 state B { entry x!1 ; x!2 } transition t0 { from i to Idle } transition t1 { from Idle to B trigger go } })",

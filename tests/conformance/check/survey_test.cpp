@@ -119,8 +119,8 @@ protected:
         judge_result(model + "/" + ref.path, result, report);
     }
 
-    /// The industrial controller and the larger case study are too expensive to check in every run, so their code is
-    /// only generated and compiled. tests/long.sh survey checks all of their components.
+    /// Only generates and compiles the code of the industrial controller and of the larger case study, because they are
+    /// too expensive to check in every run. tests/long.sh survey checks all of their components.
     void compile_only(const ir::System& system, const ir::Instantiation& instantiation, const ir::ComponentRef& ref,
                       const std::string& name) {
         diagnostics::Diagnostics found;

@@ -125,7 +125,7 @@ std::vector<Mutant> Study::mutants(std::size_t sites, bool event_api_only, const
     return mutants;
 }
 
-/// A mutant that does not compile counts as killed.
+/// Removes mutants that do not compile from the batch. Such mutants count as killed.
 void Study::drop_uncompilable(std::vector<Seeded*>& together) {
     std::vector<const cpp_emit::Emission*> codes;
     for (const Seeded* seeded : together) codes.push_back(&seeded->code);

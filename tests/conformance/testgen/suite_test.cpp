@@ -120,7 +120,7 @@ private:
     }
 };
 
-/// The numbers are counted by hand. Initially there was no output; then the robot drives or turns. The robot drives in
+/// The numbers are counted by hand. Initially there was no output. Then the robot drives or turns. The robot drives in
 /// the same way after the first cycle as after later ones, so only the initial state is additional. Two signals have
 /// four valuations.
 TEST(TestSuites, TheMachineOfAggregationIsSmall) {

@@ -51,7 +51,7 @@ public:
         ADD_FAILURE() << method << " was not answered";
         return {};
     }
-    /// Sends a request and returns the result; an error response fails the test.
+    /// Sends a request and returns the result. An error response fails the test.
     Answer request(const std::string& method, Json params) {
         const Answer response = ask(method, std::move(params));
         EXPECT_FALSE(response.has("error")) << response.write();

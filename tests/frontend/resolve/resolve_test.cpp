@@ -349,7 +349,7 @@ TEST(Names, AMachineDoesNotSeeItsController) {
     EXPECT_NE(reading->report().find("controller `C` has one"), std::string::npos) << reading->report();
 }
 
-/// The qualifier before `::` is the declaring element; any other qualifier is an error.
+/// The qualifier before `::` is the declaring element. Any other qualifier is an error.
 TEST(Names, QualifiersOfOperationsAndVariablesAreLookedAt) {
     const auto entering = [](const std::string& statement) {
         const auto reading = testing::resolved(

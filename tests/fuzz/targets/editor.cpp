@@ -136,7 +136,7 @@ private:
     lsp::Server server_;
 };
 
-/// JSON contains only text; other bytes become question marks.
+/// Returns the bytes as text for JSON. Bytes above 127 become question marks.
 std::string as_text(std::string_view bytes) {
     std::string text(bytes);
     for (char& c : text)
@@ -176,8 +176,8 @@ bool may_name_files(std::string_view bytes) {
 
 }  // namespace
 
-/// The first line contains the actions, three bytes per step. The other lines are the documents, separated by form
-/// feeds.
+/// Runs a session. The first line contains the actions, three bytes per step. The other lines are the documents,
+/// separated by form feeds.
 std::string run_editor(std::string_view bytes) {
     constexpr std::size_t most_steps = 24;
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
@@ -204,7 +204,8 @@ std::string run_editor(std::string_view bytes) {
                : "diagnostics depend on how the text was typed:\n" + editor.shown_text() + "/\n" + fresh.shown_text();
 }
 
-/// The server handles every message and every error of the stream, and ends at the end of the stream.
+/// Serves the bytes as a stream. The server handles every message and every error of the stream, and ends at the end of
+/// the stream.
 std::string run_stream(std::string_view bytes) {
     if (may_name_files(bytes)) return {};
     std::istringstream in{std::string(bytes)};

@@ -94,7 +94,7 @@ private:
         return text;
     }
 
-    /// Every answer is acceptable, including an evaluation error of the script.
+    /// Decides the obligations. Every answer is acceptable, including an evaluation error of the script.
     static std::string decide(const csp_emit::Emission& emission) {
         constexpr std::size_t most = 12;
         std::size_t decided = 0;

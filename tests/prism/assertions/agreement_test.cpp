@@ -208,8 +208,8 @@ TEST(Agreement, OfSubgraphs) {
     EXPECT_FALSE(part(other));
 }
 
-/// The test uses the decision process of the first component of each model. Urgent steps must be among all steps;
-/// otherwise ProcessEncoding throws std::logic_error.
+/// The test uses the decision process of the first component of each model. Urgent steps must be among all steps, or
+/// ProcessEncoding throws std::logic_error.
 TEST(Agreement, OfTheCorpus) {
     std::size_t compared_models = 0;
     for (const auto& folder : std::filesystem::directory_iterator(tests::source_folder() / "corpus")) {

@@ -172,7 +172,7 @@ TEST(Process, ProbabilitiesInOperationsReadVariables) {
         "transition t2 { from Again to Heads condition k == 1 } transition t3 { from Again to Tails condition k == 0 } "
         "} "
         "controller C { opref toss = toss sref s = S }";
-    // In the first throw, m = 1 = k, so it leads to A with probability 0.5. After A, k stays 1; B sets k = 0. Then m =
+    // In the first throw, m = 1 = k, so it leads to A with probability 0.5. A leaves k = 1, and B sets k = 0. Then m =
     // 0. After A, m differs from k, so the second throw leads to A with probability 0.2. After B, m equals k, so it
     // leads to A with probability 0.4, but k stays 0.
     EXPECT_EQ(decided(model, property("Prob=? of [Finally C::s is in S::Heads]")), "0.1 to 0.1");

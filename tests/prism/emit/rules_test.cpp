@@ -199,7 +199,7 @@ TEST(Rules, R11ASubstateThatIsNotLeftLoops) {
                   "LOCK_FREE);"});
 }
 
-/// s sends e to t indefinitely. `type` is the type of e.
+/// Returns two machines: s sends e to t indefinitely. `type` is the type of e.
 std::string two_machines(const std::string& connection, const std::string& type) {
     const std::string value = type.empty() ? "" : " ! 1";
     const std::string taken = type.empty() ? "" : " ? x";
@@ -231,8 +231,8 @@ TEST(Rules, R12ABufferLosesWhatIsOverwritten) {
                                    "[IN_BUF__e_17] BUF_e_17_f = true -> (BUF_e_17_f' = false);",
                                    "[OUT_BUF__e_17] s_scpc_8 = Action_16 -> (s_scpc_8' = s_A) & (s_lock_7' = "
                                    "s_LOCK_FREE);"}));
-    // s has the states i, A and sending; t has i and A. The buffer is empty until s has sent once. With an empty buffer
-    // there are (i,A,sending) x (i,A) = 6 states, with a full one (A,sending) x (i,A) = 4.
+    // s has the states i, A and sending, and t has i and A. The buffer is empty until s has sent once. With an empty
+    // buffer there are (i,A,sending) x (i,A) = 6 states, with a full one (A,sending) x (i,A) = 4.
     EXPECT_EQ(testing::size_of(*model).states, 10U);
 }
 
@@ -266,7 +266,7 @@ TEST(Rules, ASynchronousConnectionThatOneMachineUsesBlocksIt) {
         "module M { rref r = R cref c = C }\n");
     ASSERT_TRUE(model->emission) << model->report();
     EXPECT_TRUE(model->lines("M_c_").contains("[SYNC__e_17] false -> true;"));
-    // s has the states i, A and waiting to send; t has i and A. Both stop while they wait.
+    // s has the states i, A and waiting to send, and t has i and A. Both stop while they wait.
     EXPECT_EQ(testing::size_of(*model).states, 6U);
 }
 

@@ -196,8 +196,8 @@ public:
 private:
     using Combination = std::vector<const Command*>;
 
-    /// By definition, the modules whose text mentions a must all have an enabled a-command, and every combination of
-    /// such commands is one choice.
+    /// Returns the combinations of commands by definition: the modules whose text mentions a must all have an enabled
+    /// a-command, and every combination of such commands is one choice.
     std::vector<std::pair<std::string, Combination>> combinations(const State& state) const {
         std::vector<std::pair<std::string, Combination>> result;
         for (const std::string action : {"", "a", "b"}) {

@@ -140,7 +140,7 @@ TEST(Semantics, TakesOrRefusesTheWholeLanguageByName) {
     pass_all_through(Shape::whole_language(), csp_emit::Time::timed, 10, 2);
 }
 
-/// Broadcast events have no published semantics; all other constructs must be accepted.
+/// Broadcast events have no published semantics. All other constructs must be accepted.
 TEST(Semantics, TakesTheLanguageWithoutBroadcast) {
     Shape shape = Shape::whole_language();
     shape.broadcast = false;

@@ -323,7 +323,7 @@ controller C { requires I opref w = walk opref t = turn sref s = S }
     EXPECT_NE(lowered->messages().find("walk calls turn calls walk"), std::string::npos);
 }
 
-/// walk requires `limit`, and each caller provides its own `limit`.
+/// Returns a model in which walk requires `limit`, and each caller provides its own `limit`.
 std::string limit_model(const std::string& second_caller) {
     return R"(
 interface L { const limit : nat }

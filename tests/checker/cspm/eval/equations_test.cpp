@@ -59,8 +59,8 @@ std::string replaced(const std::string& text, const std::vector<std::pair<std::s
     return result;
 }
 
-/// In these files, the order of prioritisepo is already closed under transitivity. The function converts it back to the
-/// four arguments of the language.
+/// Converts the order of prioritisepo back to the four arguments of the language. In these files, the order is already
+/// closed under transitivity.
 std::string with_four_arguments(const std::string& body) {
     const std::size_t order = body.rfind(", {");
     std::set<std::string> events;
@@ -151,7 +151,7 @@ TEST(EquationsTest, PublishedProcessesAreWhatIsWrittenBeside) {
     const auto shared = shared_folder();
     if (shared.empty()) GTEST_SKIP() << "the folder of shared scripts is absent";
     const auto suite = shared / "suite" / "cspm";
-    // In the first test two different lambda functions have the same name; the second file is empty.
+    // In the first test two different lambda functions have the same name, and the file of the second test is empty.
     const std::set<std::string> unusable{"function_processes.csp procTest1", "event_channels.csp procTest1"};
     int compared = 0;
     for (const PublishedScript& published : published_scripts(suite)) {

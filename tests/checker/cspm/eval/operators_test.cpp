@@ -62,7 +62,7 @@ TEST(OperatorsTest, ClosuresOfRelations) {
     EXPECT_EQ(value(use + "mtransclose({}, {1})"), "{}");
 }
 
-// P |\ A hides all events except A; loop(P) is P;loop(P).
+// P |\ A hides all events except A. loop(P) is P;loop(P).
 TEST(OperatorsTest, ProjectAndLoop) {
     expect_outcomes(R"(external loop
 channel a, b, c

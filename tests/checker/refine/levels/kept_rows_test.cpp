@@ -33,7 +33,7 @@ namespace {
 using lts::Graph;
 using process::Event;
 
-/// Some graphs have many levels, and some have wide levels. Edges lead forward, back or to any state.
+/// Returns a random graph with many levels or with wide levels. Edges lead forward, back or to any state.
 Graph random_graph(std::mt19937& random, std::size_t states, bool deadlocks, unsigned taus) {
     Graph graph;
     for (std::size_t state = 0; state < states; ++state) {
@@ -617,7 +617,7 @@ TEST(RowFilters, ContainAllRowsAndHaveFewFalsePositives) {
 
 // The number of bits of an entry depends on the number of rows. With 32 bits, 64 bytes store 14 rows in 49 parts, and
 // 19 of 20 slots are used. With 24, 16 and 8 bits, they store 18 rows in 45 parts, 28 in 35 and 56 in 7. With 24 bits,
-// 11,000 rows cause almost no false positive; 10 million rows cause half a false positive on average.
+// 11,000 rows cause almost no false positive, and 10 million rows cause half a false positive on average.
 TEST(RowFilters, KeepFewerBitsWhereMemoryIsShort) {
     RowFilter filter(32, 64'000);
     const std::tuple<std::uint64_t, double, double> expected[] = {

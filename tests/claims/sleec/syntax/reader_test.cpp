@@ -81,7 +81,7 @@ TEST(SleecReader, ReadsConcernsAndPurposes) {
     EXPECT_FALSE(read.file.concerns.at(0).exists);
 }
 
-/// `while E` means an occurrence at the same instant; `while E within N` means a response.
+/// `while E` means an occurrence at the same instant. `while E within N` means a response.
 TEST(SleecReader, ReadsWhileWithALimitAsAResponse) {
     const Read read(
         "def_start event Go event Stop measure near : boolean def_end\nrule_start R when Go then not Stop rule_end\n"

@@ -23,7 +23,7 @@ StateSet all_states(const Model& model) {
 
 /// Returns a model after Haddad and Monmege (Interval iteration algorithm for MDPs and IMDPs, 2018). From the middle,
 /// `length` steps of probability 1/2 lead in one direction, and each of them may lead back to the middle instead. By
-/// symmetry each end has probability 1/2. The states are 0 .. 2 length; the middle is `length`.
+/// symmetry each end has probability 1/2. The states are 0 .. 2 length, and the middle is `length`.
 Description slow_chain(State length) {
     std::vector<std::vector<Branch>> rows;
     for (State state = 0; state <= 2 * length; ++state) {

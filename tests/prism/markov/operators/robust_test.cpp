@@ -16,7 +16,7 @@
 namespace robochart::markov {
 namespace {
 
-/// State 0 leads to 1 with a probability between 0.2 and 0.4, otherwise back to 0.
+/// Returns a chain in which state 0 leads to 1 with a probability between 0.2 and 0.4, and otherwise back to 0.
 UncertainChain waiting() {
     return {{{0, 0.6, 0.8}, {1, 0.2, 0.4}}, {{1, 1, 1}}};
 }

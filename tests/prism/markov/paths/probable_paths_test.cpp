@@ -27,7 +27,7 @@ PathSet paths(const Description& description, std::optional<std::uint64_t> steps
         {graph, strategy, description.left, description.right, from, steps, bound, strict, 1'000'000'000, nullptr});
 }
 
-/// State 0 goes to 1 with probability 1/2, to 2 with 1/4, or stays. State 1 goes to 2.
+/// Returns a chain. State 0 goes to 1 with probability 1/2, to 2 with 1/4, or stays. State 1 goes to 2.
 Description small() {
     Description result = dtmc({{{0, 1}, {1, 2}, {2, 1}}, {{2, 1}}, {{2, 1}}});
     result.left = set_of(3, {0, 1});

@@ -108,8 +108,8 @@ struct Chain {
     Chain& operator=(const Chain&) = delete;
 };
 
-/// Each unknown leads to lower unknowns with positive probability, and the lowest one leads outside, so each unknown
-/// leads outside with positive probability. `unit` divides the denominators.
+/// Fills the chain with random equations. Each unknown leads to lower unknowns with positive probability, and the
+/// lowest one leads outside, so each unknown leads outside with positive probability. `unit` divides the denominators.
 void fill(std::mt19937_64& random, std::uint32_t unknowns, const Integer& unit, Chain& chain) {
     for (std::uint32_t unknown = 0; unknown < unknowns; ++unknown) {
         std::vector<Integer> weights;
