@@ -181,7 +181,7 @@ TEST_F(ChoicesConsole, APersonIsAsked) {
     EXPECT_NE(output.find("  which of 0..2? "), std::string::npos);
     EXPECT_NE(output.find("not a choice: three of 0..2\n"), std::string::npos) << output;
     EXPECT_NE(output.find("not a choice: 3 of 0..2\n"), std::string::npos) << output;
-    EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // end of the input: the first
+    EXPECT_EQ(file("run.record"), std::string(recorded) + "go\ngo pick=0/3\n");  // end of input: first choice
 }
 
 TEST_F(ChoicesConsole, WrongAnswersAreReported) {

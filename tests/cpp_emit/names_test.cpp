@@ -237,7 +237,7 @@ void compile_all(const std::string& text, const std::string& compiler) {
     for (const ir::Machine& machine : system.machines) {
         if (machine.kind != ir::MachineKind::state_machine) continue;
         Options options;
-        if (machine.name == "OfFields") options.target = Target::main;  // it has too many values to be explored
+        if (machine.name == "OfFields") options.target = Target::main;  // too many values to be explored
         options.explored = options.target == Target::sources;
         const Emission emission = testing::emit_ok(system, testing::component_named(system, machine.name), options);
         Emission placed = emission;

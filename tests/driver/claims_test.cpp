@@ -196,7 +196,7 @@ TEST(Claims, AboutStatesAndVariables) {
                         {"after estop until reset, always in Emergency", "holds", "Patrol"},
                         {"after estop until clear, always in Emergency", "fails", "Patrol"},
                         {"while in Emergency, never goTo", "holds", "Patrol"},
-                        {"while in Emergency, never reset", "fails", "Patrol"},  // it is taken in the state
+                        {"while in Emergency, never reset", "fails", "Patrol"},  // taken in the state
                         {"while in Held, never halt", "fails", "Patrol"},      // the entry action belongs to the state
                         {"while in Held, never obstacle", "holds", "Patrol"},  // the transition leads into the state
                         {"while not in Held, never halt", "holds", "Patrol"},

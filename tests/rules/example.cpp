@@ -83,7 +83,7 @@ void read_script(const std::string& path, Judgement& result) {
     take(sources, diagnostics, result);
 }
 
-/// Also explores the model and decides the properties.
+/// Explores the model and decides the properties.
 void evaluate(const prism::CheckedModel& model, const prism::CheckedProperties& properties,
               diagnostics::Diagnostics& diagnostics) {
     try {

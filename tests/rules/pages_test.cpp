@@ -158,7 +158,7 @@ TEST(RulePages, LinksLead) {
         for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
             const std::string whole = text.substr(at + 2, text.find(')', at) - at - 2);
             const std::string link = whole.substr(0, whole.find('#'));    // tests/sanity checks headings
-            if (link.starts_with("http") || link == "CODE.md") continue;  // the pattern of entries, in the index
+            if (link.starts_with("http") || link == "CODE.md") continue;  // a pattern in the index
             EXPECT_TRUE(fs::exists(tests::source_folder() / "docs/rules" / link)) << page.code << ": " << link;
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions that build expressions for the tests of this component.
+// Builds expressions for the tests of this component.
 #pragma once
 
 #include "semantics/ir/ir.hpp"

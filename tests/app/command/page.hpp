@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions that read the text of a page and simulate its user in a browser.
+// Reads the text of a page, and simulates its user in a browser.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -216,7 +216,7 @@ TEST(RulesOfModels, AsRecorded) {
 struct SameDuty {
     const char* rule;
     const char* claim;
-    const char* verdict;  ///< of the rule; the claim fails if it is "broken", and holds otherwise
+    const char* verdict;  ///< for the rule; if it is "broken", the claim fails, otherwise it holds
 };
 
 struct SameModel {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares Kaplan-Meier estimates with values by hand: shares are products of (1 - d/n), variances are sums of d/(n (n
-// - d)).
+// Compares Kaplan-Meier estimates with values by hand. Shares are products of 1 - d/n. Variances are sums of d/(n (n -
+// d)).
 #include "base/statistics/survival.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches with rows on disk and with a minimum of memory.
+// Runs searches with rows on disk and with a minimum of memory.
 #pragma once
 
 #include <cstdint>

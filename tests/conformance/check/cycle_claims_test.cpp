@@ -67,7 +67,7 @@ std::string word(const CycleAnswer& answer) {
 /// The order of events in a cycle, and a fault of the code that ignores this order.
 struct Order {
     bool first = false, drops = false;
-    std::optional<std::uint32_t> ignored_at = std::nullopt;  ///< the place at which the code ignores it
+    std::optional<std::uint32_t> ignored_at = std::nullopt;  ///< where the code ignores the order
 };
 
 Result result_of(const std::string& machine, const std::vector<std::string>& claims, const Order& order = {}) {
@@ -191,7 +191,7 @@ TEST(CycleClaims, DoNotCountWhatIsDropped) {
 }
 
 /// Code may ignore the order in the transitions, in the cycle, or in `dispatch`. In each case, it differs from the
-/// model behind the filter, or violates a claim.
+/// model under the filter, or violates a claim.
 TEST(CycleClaims, KillCodeThatIgnoresTheOrder) {
     for (const std::uint32_t place : {0U, 1U, 2U}) {
         const Result result =

@@ -315,7 +315,7 @@ TEST(Swarm, MessagesNeedOthers) {
         for (const Time time : {Time::untimed, Time::timed}) {
             const Decided found = decide_swarm_of(talkers, swarm, time, {robots, {}});
             ASSERT_EQ(found.findings.find("error["), std::string::npos) << found.findings;
-            const char* const several = time == Time::untimed ? "holds" : "open";  // sending takes up all the time
+            const char* const several = time == Time::untimed ? "holds" : "open";  // they send, so time stops
             EXPECT_EQ(found.verdicts, (Verdicts{robots == 1 ? "fails" : several})) << robots;
         }
 }

@@ -239,7 +239,8 @@ TEST(Agreement, OfTheForager) {
                         "prob property Q : Prob=? of [Finally <=30 foraging::Robot::brain::forager is in "
                         "foraging::Forager::Homing]"}});
     std::uint64_t compared = 0;
-    // The robot rests for 5 units and then leaves with probability 0.25, so it can leave at most twice within 10 units.
+    // The robot rests for 5 units and then leaves with probability 0.25, so it has two chances to leave within 10
+    // units.
     EXPECT_EQ(testing::rows_text(testing::process_rows(*loaded, "P", Scheduler::any, &compared)), "0.4375 to 0.4375");
     EXPECT_GT(compared, 30u);
     // Without food the robot searches for 20 units, so it has to leave within two rests. If it finds food immediately,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models with probabilistic assertions for tests.
+// Loads models with probabilistic assertions, and decides these assertions.
 #pragma once
 
 #include <map>

@@ -76,7 +76,7 @@ TEST(PrismComposition, WithoutOneAllActTogetherOnCommonActions) {
 TEST(PrismComposition, OperatorsOfTheGrammar) {
     EXPECT_EQ(together("system M ||| N ||| O endsystem"), ":M a:M a:N b:M c:N c:O");
     EXPECT_EQ(together("system (M |[a]| N) ||| O endsystem"), ":M a:MN b:M c:N c:O");
-    // Both sides must take part in b, and N never offers it.
+    // Both operands must take part in b, and N never offers it.
     EXPECT_EQ(together("system (M |[a,b]| N) || O endsystem"), ":M a:MN c:NO");
     // If a is hidden, the a of M occurs alone and is invisible.
     EXPECT_EQ(together("system (M / {a}) || N || O endsystem"), ":M :M.a a:N b:M c:NO");

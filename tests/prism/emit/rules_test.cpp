@@ -126,7 +126,7 @@ TEST(Rules, R7ATriggerBeforeAJunctionGoesThroughIt) {
     expect_lines(parts,
                  {"[RP__e_16] scpc_8 = A & lock_7 = LOCK_FREE & x = 1 -> (scpc_8' = A) & (lock_7' = LOCK_FREE);",
                   "[RP__e_16] scpc_8 = A & lock_7 = LOCK_FREE & x = 0 -> (scpc_8' = B) & (lock_7' = LOCK_FREE);"});
-    expect_size(parts, {3, 3});  // i, A, B
+    expect_size(parts, {3, 3});  // states i, A, B
 }
 
 TEST(Rules, R8JunctionsAreStepsOfTheirOwn) {
@@ -184,9 +184,10 @@ TEST(Rules, R10ACompositeStateIsLeftFromInside) {
          "Exit_NONE) & (P_exit_9' = Exit_Sub_EXITED);",  // 6
          "[] scpc_8 = P & lock_7 = t1 & P_exit_9 = Exit_EXITED -> (P_exit_9' = Exit_NONE) & (scpc_8' = B) & (lock_7' = "
          "LOCK_FREE);"});  // 7
-    // To reach A, there are four states: i, P at i, Q at i, A. From A by t1 of Q's parent, there are 5 more states and
-    // then A again: locked, (2), 4/2, 5, 7: Q at i with another lock. By t1 of P, there are 8 states and then B:
-    // locked, (2), 3, (2), 4/2, 5, 6, 5, 7. A and B loop. A has three choices.
+    // The numbers are the kinds of steps of an exit (R10). To reach A, there are four states: i, P at i, Q at i, A.
+    // From A by t1 of Q's parent, there are 5 more states and then A again: locked, (2), 4/2, 5, 7: Q at i with another
+    // lock. By t1 of P, there are 8 states and then B: locked, (2), 3, (2), 4/2, 5, 6, 5, 7. A and B loop. A has three
+    // choices.
     expect_size(nested, {4 + 5 + 8 + 1, 3 + 3 + 5 + 8 + 1});
 }
 

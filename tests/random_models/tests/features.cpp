@@ -8,7 +8,7 @@ namespace robochart::random_models {
 
 namespace {
 
-/// A node `(head mark mark (child) ...)`. Of names, it only stores whether they are qualified.
+/// A node `(head mark mark (child) ...)`. For a name, it stores only whether the name is qualified.
 struct Node {
     std::string head;
     std::set<std::string> marks;

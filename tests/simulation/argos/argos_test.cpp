@@ -44,7 +44,7 @@ bool first_band_fails(const std::string& model, const std::string& scenario) {
     return experiment.diagnostics.ok() && !result.bands.at(0).holds;
 }
 
-/// In one of sixty trials, a robot is 3 cm outside the beacon's circle after 400 s (docs/case-studies.md), and ARGoS'
+/// In one of sixty trials, the swarm is 3 cm outside the beacon's circle after 400 s (docs/case-studies.md), and ARGoS'
 /// results differ slightly between machines. So one of ten trials may be late. The means of all bands hold.
 TEST(Argos, TheSwarmReachesTheBeaconTogether) {
     in_own_process([] {

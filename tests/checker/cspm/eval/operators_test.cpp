@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests operators that scripts rarely use on small scripts. Comments give the argument for each verdict.
+// Tests rarely used operators with small scripts. Comments give the argument for each verdict.
 #include "tests/checker/cspm/outcomes.hpp"
 
 namespace robochart::cspm::test {

@@ -85,8 +85,8 @@ TEST(Robust, MassGoesWhereItCounts) {
         {{3, 1, 1}},
     };
     const StateSet goal{false, true, false, false};
-    // For the maximum, 0.5 goes to the goal, 0.4 to the state of value 0.5, and 0.1 is lost. For the minimum, these are
-    // 0.1, 0.2 and 0.7.
+    // For the maximum, nature gives 0.5 to the goal, 0.4 to the state of value 0.5, and 0.1 to the state of value 0.
+    // For the minimum, it gives them 0.1, 0.2 and 0.7.
     EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::maximum)[2][0], 0.5 + 0.5 * 0.4, 1e-12);
     EXPECT_NEAR(reach_bounds(chain, goal, 2, Direction::minimum)[2][0], 0.1 + 0.5 * 0.2, 1e-12);
 }
