@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests `--certify`: what the report says about certificates, and the exit codes. A short program replaces
-// robochart-certify, so its answers are known; tests/checker/certify has tests of the program itself.
+// robochart-certify, so its answers are known. tests/checker/certify contains tests of the program itself.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

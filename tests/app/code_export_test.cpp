@@ -58,7 +58,7 @@ TEST(CodeExport, TheScriptRepeatsTheCheck) {
     }
 }
 
-/// Aldebaran's format: `des (0, transitions, states)`, then one line for each transition.
+/// Aldebaran's format has a line `des (0, transitions, states)`, and then one line for each transition.
 TEST(CodeExport, AldebaranHasEveryTransition) {
     const testing::Folder folder;
     const std::string path = folder / "code.aut";

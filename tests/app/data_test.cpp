@@ -484,7 +484,7 @@ TEST(Shortcuts, ProbabilitiesAreNotAboutAllValues) {
 
 // ---------------------------------------------------------------- computed data
 
-/// A queue that grows without a bound. No finite list is long enough, and no verdict depends on its length.
+/// The queue grows without a bound, so no finite list is long enough. No verdict depends on its length.
 TEST(ComputedData, AListWithoutABoundIsDecidedForAllLengths) {
     const testing::TemporaryFile model(
         "m.rct",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `check --sizes` prints the sizes of the components' processes. The expected numbers are counted by hand here.
+// Tests `check --sizes`, which prints the sizes of the components' processes. The expected numbers are counted by hand
+// here.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

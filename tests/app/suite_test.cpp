@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The exceptions by folder, one line for each, in the format of `shortfall`. RoboTool has no check for `clock C is
-/// initialised`. In clocks6, the suite's comment above the claim says that the clock is not used, but it was copied
-/// from clocks5. In clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
+/// Returns the exceptions by folder, one line for each, in the format of `shortfall`. RoboTool has no check for `clock
+/// C is initialised`. In clocks6, the suite's comment above the claim says that the clock is not used, but it was
+/// copied from clocks5. In clocks6 every run resets the clock with the trigger `time`, and then t2 reads it
 /// (RoboToolSuite.TheClockOfClocks6IsResetBeforeItIsRead).
 const std::map<std::string, std::string>& departures() {
     static const std::map<std::string, std::string> table{

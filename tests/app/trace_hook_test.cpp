@@ -75,7 +75,7 @@ private:
     std::string model_, project_;
 };
 
-/// The example of docs/traces.md.
+/// Tests the example of docs/traces.md.
 TEST(TraceHook, ALogOfTheConsoleIsARunOfTheModel) {
     Console console(repository("corpus/aggregation"), "Aggregation");
     const std::string printed = console.drive("\nseeRobot\nseeRobot\nseeWall\n\n", "--coverage");

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Constants without a value are 0, so the machine never starts to turn.
+/// Returns a machine that never starts to turn, because constants without a value are 0.
 std::string turning_machine(const std::string& bound) {
     return "stm S { event go clock C const speed : nat, half : nat initial i state Move { } state Turn { }\n"
            "transition t0 { from i to Move }\n"

@@ -292,8 +292,8 @@ const char* const everywhere[] = {
     " NAME { entry NAME ! NAME(1) } transition t0 { from i to NAME } } connection NAME on NAME to K on NAME }",
 };
 
-/// If the name rules accept the model, no name in its scripts may be captured. The models differ only in one name, so
-/// only some of them are type checked and parsed again.
+/// Checks that no name in the model's scripts is captured, if the name rules accept the model. The models differ only
+/// in one name, so only some of them are type checked and parsed again.
 void expect_apart(const std::string& text, bool and_read_again) {
     const auto m = testing::load_model(text);
     if (!m->diagnostics.ok()) return;  // rejected by the name rules: no script is generated

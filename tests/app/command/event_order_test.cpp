@@ -162,7 +162,7 @@ TEST_F(EventOrder, CountsForClaimsAlongLogs) {
     EXPECT_EQ(exit_of("c.trace"), 1) << "reset alone owes goTo";
 }
 
-/// The graph of an adaptive suite is computed from the model behind the filter that drops events.
+/// The graph of an adaptive suite is computed from the model under the filter, which drops events.
 TEST_F(EventOrder, IsObeyedByTestSuites) {
     for (const char* const model : {"m", "plain"}) {
         const Ran suite = run({"emit", "tests", folder_ / (std::string(model) + "/patrol.rct"), "-o", folder_ / model});

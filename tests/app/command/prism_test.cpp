@@ -147,8 +147,8 @@ TEST_F(Prism, PathsAreSampled) {
     };
     const Ran text = with({"--seed", "3"});
     EXPECT_EQ(text.exit, 0) << text.err;
-    // A path stops after one step if it reaches the target. Otherwise it stops when s=2 repeats. The mean is 1 + about
-    // 0.75 steps.
+    // A path stops after one step if it reaches the target. Otherwise it stops when s=2 repeats. The mean length is
+    // about 1.75 steps.
     EXPECT_THAT(text.out, HasSubstr("at 99 % (ci, 1000 paths of 1.8 steps, 1 to 2)"));
     EXPECT_THAT(text.out, HasSubstr("Clopper-Pearson: from 0.2"));
     EXPECT_THAT(text.out, ::testing::Not(HasSubstr("states")));

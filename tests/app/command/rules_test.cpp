@@ -222,13 +222,13 @@ struct SameDuty {
 struct SameModel {
     const char* folder;
     std::vector<std::string> files;
-    const char* component;  ///< "": the claims have only one
+    const char* component;  ///< "" if the claims have only one
     std::vector<const char*> events;
     std::vector<SameDuty> duties;
 };
 
-/// Verdicts of shared/suite/claims, EXPECTED.md, and of shared/suite/sleec, conformance.tsv. Verdicts about values and
-/// states follow from the transitions of the models.
+/// Returns models with the verdicts of shared/suite/claims, EXPECTED.md, and of shared/suite/sleec, conformance.tsv.
+/// Verdicts about values and states follow from the transitions of the models.
 const std::vector<SameModel>& same_models() {
     static const std::vector<SameModel> models{
         {"claims/warehouse",

@@ -27,7 +27,7 @@ using ::testing::IsEmpty;
 // ---------------------------------------------------------------- commands that are not run
 
 struct NotRun {
-    std::string_view document;  ///< "": any document
+    std::string_view document;  ///< "" for any document
     std::string_view command;   ///< prefix of the command
     std::string_view reason;
 };

@@ -272,7 +272,7 @@ protected:
         }
         return refine::Model::failures_divergences;
     }
-    /// `question` has no trace.
+    /// Decides a question that has no trace.
     static Verdict ask(const refine::Question& question, lts::TransitionSystem& left, lts::TransitionSystem& right) {
         const refine::Model model = model_of(question.semantics);
         switch (question.kind) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small implementation of Definitions for tests, with prefixes and named processes built by hand.
+// Implements Definitions for tests, with prefixes and named processes that are built by hand.
 #pragma once
 
 #include <string>

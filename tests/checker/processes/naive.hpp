@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A second checker, which follows the definitions: firing rules on trees, an explicit graph, subset construction by
-// traces, and enumeration of refusal sets. It shares no code with the engine. It is for small processes over few
-// letters.
+// Decides questions in a second way, which follows the definitions: firing rules on trees, an explicit graph, subset
+// construction by traces, and enumeration of refusal sets. This checker shares no code with the engine. It is for small
+// processes over few letters.
 #pragma once
 
 #include <map>

@@ -14,7 +14,7 @@ inline constexpr std::size_t largest_graph = 120;
 
 class RandomCases {
 public:
-    /// `purpose` gives different tests different sequences.
+    /// Tests with different values of `purpose` get different sequences.
     explicit RandomCases(std::uint64_t purpose);
 
     /// A case that is small enough for the naive checker, with its graphs.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generates processes from lists of numbers. A random list gives a random process over all operators; a shorter list or
-// smaller numbers give a simpler one. So shrinking the list shrinks the process.
+// Generates processes from lists of numbers. A random list gives a random process over all operators. A shorter list or
+// smaller numbers give a simpler process, so shrinking the list shrinks the process.
 #pragma once
 
 #include <vector>

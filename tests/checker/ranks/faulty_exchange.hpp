@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An exchange that simulates an error of one rank during a collective operation.
+// Simulates an error of one rank during a collective operation.
 #pragma once
 
 #include <chrono>

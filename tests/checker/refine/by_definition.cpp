@@ -141,8 +141,8 @@ private:
     bool exactly_;
     Behaviour specification_, process_;
     const std::function<Letter(process::Event)>& letter_;
-    States allowed_, before_;  // of the specification, after the run and before its last step
-    States at_;                // of the process
+    States allowed_, before_;  // states of the specification, after the run and before its last step
+    States at_;                // states of the process
     std::vector<Letter> trace_;
 };
 

@@ -127,7 +127,7 @@ protected:
     void expect_kills_of_every_kind() const {
         for (const cpp_emit::FaultKind& kind : cpp_emit::all_faults()) {
             if (cpp_emit::in_robosim(kind.fault)) continue;    // tested in check/robosim_test.cpp
-            if (kind.fault == Fault::order_ignored) continue;  // these models declare no order; cycle_claims_test.cpp
+            if (kind.fault == Fault::order_ignored) continue;  // no orders here; see cycle_claims_test.cpp
             const auto found = by_kind_.find(kind.fault);
             ASSERT_NE(found, by_kind_.end()) << kind.name << " is in no model";
             if (decides_only(kind.fault))

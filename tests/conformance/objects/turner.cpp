@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller written by hand for the API in explore_abi.h, which tests the explorer and the conformance check. The
+// Implements a controller by hand for the API in explore_abi.h. It tests the explorer and the conformance check. The
 // robot drives until it sees a robot, and turns until it sees a wall. Each operation takes one cycle. FAULT selects a
 // defect.
 #include <array>

@@ -113,7 +113,7 @@ void Campaign::judge_remaining() {
     if (!candidates_.empty()) judge_batch(std::exchange(seeds_, {}), std::exchange(candidates_, {}));
 }
 
-/// Candidates that do not compile are recorded and excluded from the batch.
+/// Judges the candidates. Those that do not compile are recorded and excluded from the batch.
 void Campaign::judge_batch(std::vector<std::uint64_t> seeds, std::vector<std::unique_ptr<Candidate>> candidates) {
     std::string error;
     const auto batch = Batch::build(std::move(candidates), options(), error);

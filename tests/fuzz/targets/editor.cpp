@@ -167,7 +167,7 @@ Texts divide_texts(const std::string& text) {
     return texts;
 }
 
-/// Files on disk are not part of the input, so the input must not name any file.
+/// Returns whether the input may name files on disk. Such files are not part of the input, so this is not allowed.
 bool may_name_files(std::string_view bytes) {
     constexpr std::array<std::string_view, 7> signs = {"file:", "root", "Folders\":[", "added", "\"/", "\\/", "\\u002"};
     return std::ranges::any_of(signs,

@@ -180,7 +180,7 @@ Project apply_cut(const Project& project, const Cut& cut) {
     return result;
 }
 
-/// After a cut the search continues at the same position, because earlier cuts that failed rarely succeed now.
+/// Continues the search at the same position after each cut, because earlier cuts that failed rarely succeed now.
 Project shrink(Project failing, const std::function<bool(const Project&)>& fails, std::size_t budget) {
     std::size_t skipped = 0;
     bool progress = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hand-written IR of the corpus models, for tests of components that read the IR. It does not need the parser. It
+// Provides hand-written IR of the corpus models, for tests of components that read the IR, without the parser. The IR
 // equals the result of lowering the corpus (tests/semantics/lower/lower_corpus_test.cpp compares the dumps).
 #pragma once
 

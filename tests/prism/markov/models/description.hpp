@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small models in a form that tests can write and change.
+// Describes small models in a form that tests can write and change.
 #pragma once
 
 #include <string>

@@ -140,7 +140,7 @@ void fill(std::mt19937_64& random, std::uint32_t unknowns, const Integer& unit, 
     chain.system.numbers = chain.numbers;
 }
 
-/// Gauss-Jordan elimination on the dense matrix 1 - A.
+/// Solves the system by Gauss-Jordan elimination on the dense matrix 1 - A.
 std::vector<Rational> dense_solution(const System<Rational>& system) {
     const std::size_t size = system.size();
     std::vector<std::vector<Rational>> matrix(size, std::vector<Rational>(size));
